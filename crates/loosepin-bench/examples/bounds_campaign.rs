@@ -12,13 +12,13 @@ use std::time::Instant;
 /// Round-off of numbers about 1.
 const ROUND_OFF: f64 = 1e-12;
 /// Actual errors below this share of the width are not compared with stated ones.
-const LEAST_SHARE: f64 = 1e-6;
+const MIN_SHARE: f64 = 1e-6;
 /// Share of the seeds in which a statistic must hold.
-const LEAST_HELD: f64 = 0.98;
+const MIN_HELD: f64 = 0.98;
 /// Widened bounds that exceed the true width by at most this share of it are counted.
 const NEARLY_EXACT: f64 = 1e-3;
 /// Greatest median of stated over actual error.
-const MOST_RATIO: f64 = 6.0;
+const MAX_RATIO: f64 = 6.0;
 
 /// What all seeds said of one statistic.
 struct Tally {
@@ -62,7 +62,7 @@ fn main() {
         is_met &= report(&slider_crank_with_play(step * angle as f64), seeds.min(100));
     }
     if !is_met {
-        println!("some statistic held in fewer than {LEAST_HELD} of the seeds, or has a median above {MOST_RATIO}");
+        println!("some statistic held in fewer than {MIN_HELD} of the seeds, or has a median above {MAX_RATIO}");
         std::process::exit(1);
     }
 }
@@ -104,7 +104,7 @@ fn report(case: &KnownCase, seeds: u64) -> bool {
     let mut is_met = true;
     for tally in &tallies {
         let (ratio, share) = (median(&tally.ratios), tally.held as f64 / seeds as f64);
-        is_met &= share >= LEAST_HELD && ratio <= MOST_RATIO;
+        is_met &= share >= MIN_HELD && ratio <= MAX_RATIO;
         let nearly_exact = tally.excess.iter().filter(|share| **share <= NEARLY_EXACT).count();
         let (excess, compared) = (median(&tally.excess), tally.ratios.len());
         println!(
@@ -134,7 +134,7 @@ impl Tally {
         for (bound, exact) in [(&pair.lower, low), (&pair.upper, high)] {
             let actual = (bound.value - exact).abs();
             self.ends += 1;
-            if actual > LEAST_SHARE * width {
+            if actual > MIN_SHARE * width {
                 self.ratios.push(bound.error.total() / actual);
             }
         }

@@ -12,8 +12,8 @@ use loosepin::bounds::{
 };
 use loosepin::uncertainty::{Distribution, Interval, RandomVariable, hash, uniform};
 
-const MOST_DIMENSIONS: u64 = 6;
-const MOST_FEATURES: u64 = 4;
+const MAX_DIMENSIONS: u64 = 6;
+const MAX_FEATURES: u64 = 4;
 /// Shares of the box that a feature takes, at its foot: least and most.
 const SHARES: [f64; 2] = [2e-4, 0.1];
 /// Heights of features; X scatters by 1.
@@ -132,9 +132,9 @@ fn main() {
 }
 
 fn count(key: u64, counts: &mut Counts) {
-    let dimensions = 1 + hash(key, 1) % MOST_DIMENSIONS;
+    let dimensions = 1 + hash(key, 1) % MAX_DIMENSIONS;
     let features: Vec<Feature> =
-        (0..1 + hash(key, 2) % MOST_FEATURES).map(|k| Feature::new(hash(key, 10 + k), dimensions)).collect();
+        (0..1 + hash(key, 2) % MAX_FEATURES).map(|k| Feature::new(hash(key, 10 + k), dimensions)).collect();
     let respond = |x: &[f64], u: &[f64]| x[0] + features.iter().map(|feature| feature.at(u)).fold(0.0, f64::max);
     let x = RandomVariable::try_new(Distribution::Uniform { lower: 0.0, upper: 1.0 }).expect("a distribution");
     let interval = || Interval::try_new(0.0, 1.0).expect("an interval").into();

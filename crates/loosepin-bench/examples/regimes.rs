@@ -23,7 +23,7 @@ use loosepin_bench::{case_file, largest, median, run};
 
 /// Repetitions of each study by surrogate, if left out; of them, the least number whose bounds agree: 29 of 30.
 const REPETITIONS: usize = 30;
-const LEAST_AGREEING: f64 = 29.0 / 30.0;
+const MIN_AGREEING: f64 = 29.0 / 30.0;
 /// Values of the unknown inputs, and mechanisms at each, of the study; and how many times as many mechanisms the reference has.
 const OUTER: usize = 64;
 const INNER: usize = 256;
@@ -40,8 +40,8 @@ const CONFIRMING: usize = 48;
 /// Mechanisms at each value of the unknown inputs in the double loop on the surrogate, which costs no runs.
 const INNER_ON_SURROGATE: usize = 1024;
 /// The direct study makes at least so many times the runs of one by surrogate.
-const LEAST_RATIO: f64 = 10.0;
-const LEAST_RATIO_SMOOTH: f64 = 20.0;
+const MIN_RATIO: f64 = 10.0;
+const MIN_RATIO_SMOOTH: f64 = 20.0;
 
 /// What is known of the contact.
 struct Regime {
@@ -213,12 +213,12 @@ fn surrogate_studies(
         "{kind}: {TRAINING} training runs, {most_runs} in all at most, 1/{ratio:.1} of the direct ones; all statistics agree in {all_agree} of {repetitions}"
     );
     print_table(&title, &tallies, repetitions, &verdicts);
-    let least_ratio = if regime.name == "smooth" { LEAST_RATIO_SMOOTH } else { LEAST_RATIO };
+    let least_ratio = if regime.name == "smooth" { MIN_RATIO_SMOOTH } else { MIN_RATIO };
     if ratio < least_ratio {
         complaints.push(format!("{}, {}: {most_runs} runs are too many", regime.name, kind));
     }
     for tally in &tallies {
-        if (tally.agree as f64) < LEAST_AGREEING * repetitions as f64 {
+        if (tally.agree as f64) < MIN_AGREEING * repetitions as f64 {
             complaints
                 .push(format!("{}, {}, {}: {} of {repetitions} agree", regime.name, kind, tally.name, tally.agree));
         }
@@ -331,7 +331,7 @@ fn compare(kind: &str, direct: &[Tally], by_surrogate: &[Tally], complaints: &mu
             median(&own.errors) / stated,
             median(&own.distances) / median(&direct.distances)
         );
-        if (nearer as f64) < LEAST_AGREEING * own.distances.len() as f64 {
+        if (nearer as f64) < MIN_AGREEING * own.distances.len() as f64 {
             complaints.push(format!("smooth, {kind}, {}: {nearer} as near as a direct study states", own.name));
         }
     }

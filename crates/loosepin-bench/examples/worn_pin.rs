@@ -28,7 +28,7 @@ const POSES: usize = 12;
 /// A share is short of its promise where it is so by this many standard errors.
 const STANDARD_ERRORS: f64 = 3.0;
 /// No value may be nearer to one that a study has run, as a share of the box.
-const LEAST_DISTANCE: f64 = 1e-3;
+const MIN_DISTANCE: f64 = 1e-3;
 const TREATMENTS: [(Treatment, &str); 3] = [
     (Treatment::ProbabilityOnly, "probability only"),
     (Treatment::IntervalOnly, "interval only"),
@@ -57,7 +57,7 @@ fn main() {
 
     let unseen = inside_the_box(&study, SEED, VALUES);
     let distance = nearest(&study, &result, &unseen);
-    assert!(distance >= LEAST_DISTANCE, "a value lies {distance} of the box beside one that the study has run");
+    assert!(distance >= MIN_DISTANCE, "a value lies {distance} of the box beside one that the study has run");
     let corners = (0..1_usize << study.epistemic.len())
         .map(|corner| (0..study.epistemic.len()).map(|k| f64::from((corner >> k & 1) as u8)).collect());
     let truths: Vec<Truth> = unseen

@@ -13,7 +13,7 @@ const MARGIN: f64 = 100.0;
 const CHECK: f64 = 10.0;
 
 /// Evaluations after which a run counts as failed: some thirty times the most that a median run needs.
-const LARGEST_EVALUATIONS: u64 = 10_000_000;
+const MAX_EVALUATIONS: u64 = 10_000_000;
 
 /// What the default setting promises, m.
 pub const PROMISED_M: f64 = 1e-8;
@@ -38,7 +38,7 @@ fn tolerance_m(half_decade: i32) -> f64 {
 
 fn settings(tolerance_m: f64, method: &Method) -> Settings {
     let Method { pair, integrator, .. } = *method;
-    Settings { tolerance_m, method: pair, integrator, largest_evaluations: LARGEST_EVALUATIONS }
+    Settings { tolerance_m, method: pair, integrator, largest_evaluations: MAX_EVALUATIONS }
 }
 
 impl Measured {

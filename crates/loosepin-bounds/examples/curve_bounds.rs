@@ -21,7 +21,7 @@ const CURVES: usize = 3;
 const POSES: usize = 180;
 const WAVES: usize = 3;
 /// A wave for each, and the scatter.
-const MOST_UNKNOWN: usize = WAVES + 1;
+const MAX_UNKNOWN: usize = WAVES + 1;
 const INNER: usize = 64;
 /// Probabilities of both quantiles.
 const PROBABILITIES: [f64; 2] = [0.025, 0.975];
@@ -44,7 +44,7 @@ struct Wave {
     amplitude: f64,
     order: f64,
     phase: f64,
-    slopes: [f64; MOST_UNKNOWN],
+    slopes: [f64; MAX_UNKNOWN],
 }
 
 impl Wave {
@@ -74,7 +74,7 @@ impl Curve {
             let slope = |axis: u64| kind.steepness() * (uniform(place + 2 + axis) - 0.5);
             // Waves stand at 0, 10, 20 and 100.
             let own = (place / 10).min(3) as usize;
-            let mut slopes = [0.0; MOST_UNKNOWN];
+            let mut slopes = [0.0; MAX_UNKNOWN];
             match kind {
                 Kind::Four => slopes[own] = slope(0),
                 _ => slopes[..2].copy_from_slice(&[slope(0), slope(1)]),
@@ -196,7 +196,7 @@ impl Kind {
 
     /// How many numbers are unknown.
     fn unknown(self) -> usize {
-        if self == Self::Four { MOST_UNKNOWN } else { 2 }
+        if self == Self::Four { MAX_UNKNOWN } else { 2 }
     }
 
     /// Outer points.

@@ -40,8 +40,8 @@ mod readings;
 mod search;
 
 pub use by_surrogate::{
-    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedComparison, LearnedGroup, LearnedTreatments,
-    MOST_WITNESSES, SurrogateBounds, SurrogateInput, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
+    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedComparison, LearnedGroup, LearnedTreatments, MAX_WITNESSES,
+    SurrogateBounds, SurrogateInput, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
     SurrogateSection, SurrogateSettings,
 };
 pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatment, Witness};
@@ -51,7 +51,7 @@ pub use data::scratch::Scratch;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use estimators::probability::least_counted_runs;
 pub use loosepin_terms::{Event, NumberKind, Side, Statistic, between_order_statistics};
-pub use plan::check::{MOST_OUTER, ProblemError};
+pub use plan::check::{MAX_OUTER, ProblemError};
 pub use plan::double_loop::DoubleLoop;
 pub use plan::error::PlanError;
 pub use plan::evaluate::{EvaluateError, Function, Response, evaluate, execute};

@@ -6,17 +6,17 @@ use loosepin_simulate::{BendingEstimate, other_formulation};
 use loosepin_text::units::{Dimension, format_number, format_value};
 
 /// Angle of a section from the frame at which foreshortening to second order is off by half a percent, rad.
-const LARGEST_ANGLE_RAD: f64 = 0.1;
+const MAX_ANGLE_RAD: f64 = 0.1;
 /// Angle beyond which M/(E I) along the straight link says only that it bends far, rad.
-const MOST_ANGLE_RAD: f64 = 1.0;
+const MAX_TOLD_ANGLE_RAD: f64 = 1.0;
 /// Angle below which absolute nodal coordinates are not needed, rad: impacts and ringing bend a beam by some times what its loads do.
 const SMALL_ANGLE_RAD: f64 = 0.01;
 /// Strain of the axis from which a floating frame is off by as much.
-const LARGEST_STRAIN: f64 = 0.01;
+const MAX_STRAIN: f64 = 0.01;
 /// Share of the buckling load from which a push counts: it doubles what bends the beam.
-const LARGEST_PUSH: f64 = 0.5;
+const MAX_PUSH: f64 = 0.5;
 /// Share of the buckling load up to which axial forces may be left out of the bending, whose stiffness they change by as much.
-const LARGEST_LEFT_OUT: f64 = 0.05;
+const MAX_LEFT_OUT: f64 = 0.05;
 
 /// Angles, rad, and shares of the buckling load that are round-off of zero.
 const ROUND_OFF: f64 = 1e-12;
@@ -58,8 +58,8 @@ fn warnings(
     let angle = angle_in_words(estimate);
     let share = estimate.largest_compression_n / estimate.buckling_load_n;
     if beam.is_nodal() {
-        let is_small = estimate.largest_angle_rad < SMALL_ANGLE_RAD && share < LARGEST_PUSH;
-        let is_needless = is_driven && is_small && estimate.largest_strain < LARGEST_STRAIN;
+        let is_small = estimate.largest_angle_rad < SMALL_ANGLE_RAD && share < MAX_PUSH;
+        let is_needless = is_driven && is_small && estimate.largest_strain < MAX_STRAIN;
         let found = other.floating_frame().filter(|_| is_needless).map(|keys| {
             let warning =
                 format!("absolute nodal coordinates are not needed: its loads turn sections by {angle} rad only");
@@ -69,26 +69,26 @@ fn warnings(
     }
     let take_nodal = towards_nodal(other);
     let mut found = Vec::new();
-    if estimate.largest_angle_rad > LARGEST_ANGLE_RAD {
+    if estimate.largest_angle_rad > MAX_ANGLE_RAD {
         found.push((
             format!("its loads turn sections by {angle} rad, and a floating frame does up to 0.1 rad"),
             take_nodal.to_owned(),
         ));
     }
-    if estimate.largest_strain > LARGEST_STRAIN {
+    if estimate.largest_strain > MAX_STRAIN {
         let strain = format_number(two_digits(100.0 * estimate.largest_strain));
         found.push((
             format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"),
             take_nodal.to_owned(),
         ));
     }
-    if share > LARGEST_PUSH {
+    if share > MAX_PUSH {
         let load = format_value(two_digits(estimate.buckling_load_n), Dimension::FORCE);
         let share = format_number(two_digits(share));
         found.push((format!("the push is {share} of the {load} under which it buckles"), take_nodal.to_owned()));
     }
     let axial = estimate.largest_tension_n.max(estimate.largest_compression_n) / estimate.buckling_load_n;
-    if !beam.foreshortening && axial > LARGEST_LEFT_OUT {
+    if !beam.foreshortening && axial > MAX_LEFT_OUT {
         let percent = format_number(two_digits(100.0 * axial));
         let warning = format!(
             "foreshortening = \"none\" leaves out that axial forces change its bending stiffness by about {percent} %"
@@ -116,8 +116,8 @@ fn towards_nodal(other: OtherFormulation) -> &'static str {
 
 fn angle_in_words(estimate: &BendingEstimate) -> String {
     let angle_rad = estimate.largest_angle_rad;
-    if angle_rad > MOST_ANGLE_RAD {
-        return format!("more than {MOST_ANGLE_RAD}");
+    if angle_rad > MAX_TOLD_ANGLE_RAD {
+        return format!("more than {MAX_TOLD_ANGLE_RAD}");
     }
     format_number(if angle_rad < ROUND_OFF { 0.0 } else { two_digits(angle_rad) })
 }

@@ -16,7 +16,7 @@ use super::check;
 /// Cases tried where the environment does not say.
 const DEFAULT_CASES: u32 = 100;
 /// Studies tried at least: each of them times a run.
-const LEAST_STUDIES: u32 = 10;
+const MIN_STUDIES: u32 = 10;
 
 /// Numbers that are put in place of others, units kept.
 const NUMBERS: &[&str] = &[
@@ -166,7 +166,7 @@ fn no_mutated_study_makes_check_panic() {
     let model_text = case_text("slider_crank_worn_pin", "model.toml");
     let strategy = prop::collection::vec(change(), 1..4);
     let mut runner = TestRunner::new(Config {
-        cases: (cases() / 100).max(LEAST_STUDIES),
+        cases: (cases() / 100).max(MIN_STUDIES),
         failure_persistence: None,
         ..Config::default()
     });

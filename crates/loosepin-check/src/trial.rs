@@ -9,12 +9,12 @@ use loosepin_simulate::{Observer, Plan, RunFailure, Settings, Step, Window, inpu
 /// Positions of a turn in which the ideal mechanism is closed; of hundreds of links fewer, since each takes the square of the free
 /// coordinates. Between them the motion is followed in steps of a fifth of a radian.
 const POSITIONS_PER_TURN: f64 = 360.0;
-const LEAST_POSITIONS_PER_TURN: f64 = 36.0;
+const MIN_POSITIONS_PER_TURN: f64 = 36.0;
 const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
-const MOST_TURNS: f64 = 20.0;
+const MAX_TURNS: f64 = 20.0;
 /// Turns of the fastest drive that are looked at, at most: a second drive may be very much faster than the one that counts.
-const MOST_TURNS_OF_THE_FASTEST: f64 = 1000.0;
+const MAX_TURNS_OF_THE_FASTEST: f64 = 1000.0;
 /// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
 const SAME: f64 = 1e-6;
 /// Share of a turn that the dynamic trial lasts.
@@ -24,7 +24,7 @@ const TRIAL_EVALUATIONS: f64 = 100_000.0;
 /// Multiplications that the trial may take, a few tenths of a second: of a chain of many links an evaluation alone takes millions.
 const TRIAL_MULTIPLICATIONS: f64 = 2e8;
 /// Evaluations of the first two steps, without which a trial shows nothing.
-const LEAST_EVALUATIONS: f64 = 26.0;
+const MIN_EVALUATIONS: f64 = 26.0;
 
 /// Result of the trial.
 #[derive(Debug)]
@@ -92,10 +92,10 @@ fn close_all_round(
     let start = motion.kinematics().poses.clone();
     let starts = body_starts(mechanism, values, motion.kinematics());
     let turns = (cycle.transient_turns + cycle.recorded_turns)
-        .min(MOST_TURNS)
-        .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, sample, turn_s));
+        .min(MAX_TURNS)
+        .min(MAX_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, sample, turn_s));
     let square = (mechanism.ideal.free as f64).powi(2);
-    let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(LEAST_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
+    let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(MIN_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
     let positions = (turns * per_turn).ceil() as usize;
     let is_steady = (0..mechanism.model.drives.len()).all(|k| sample.drives.constant_speed(DriveId(k)).is_some());
     for position in 1..=positions {
@@ -117,7 +117,7 @@ fn close_all_round(
 /// Runs the first stretch; false where an evaluation is too long for that.
 fn first_steps(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> Result<bool, RunFailure> {
     let evaluations = trial_evaluations(mechanism.is_ideal(), mechanism.multiplications());
-    if evaluations < LEAST_EVALUATIONS {
+    if evaluations < MIN_EVALUATIONS {
         return Ok(false);
     }
     let settings = Settings { largest_evaluations: evaluations as u64, ..Settings::for_simulation() };

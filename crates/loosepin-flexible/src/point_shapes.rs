@@ -12,7 +12,7 @@ use loosepin_math::dense::Cholesky;
 use loosepin_math::legendre_rule;
 
 /// Polynomials without values and slopes at the ends of a span, at least; one more for each half wave and two for safety.
-const LEAST_INNER: usize = 6;
+const MIN_INNER: usize = 6;
 /// Slopes this close to the largest count as equal to it: the first of them is scaled to one.
 const EQUAL: f64 = 1e-9;
 
@@ -100,7 +100,7 @@ impl Unknowns {
 pub(crate) fn point_shapes(frame: Frame, nodes: &[f64], modes: usize) -> Vec<PointShape> {
     let spans = nodes.len() - 1;
     let inner: Vec<usize> = (0..spans)
-        .map(|span| LEAST_INNER + (2.0 * (modes + spans) as f64 * (nodes[span + 1] - nodes[span])).ceil() as usize)
+        .map(|span| MIN_INNER + (2.0 * (modes + spans) as f64 * (nodes[span + 1] - nodes[span])).ceil() as usize)
         .collect();
     let unknowns = Unknowns::new(frame, nodes, &inner);
     let n = unknowns.count;

@@ -2,7 +2,7 @@
 
 use super::combinations::{Told, told};
 use super::consistent::{ConsistentSet, End, Row};
-use super::error::{Failure, IdentifyProblem, MOST_CONFIDENCE};
+use super::error::{Failure, IdentifyProblem, MAX_CONFIDENCE};
 use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
@@ -72,7 +72,7 @@ impl Default for Options {
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
 pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Identification, Complaints> {
     let confidence = options.confidence;
-    if !(0.5..=MOST_CONFIDENCE).contains(&confidence) {
+    if !(0.5..=MAX_CONFIDENCE).contains(&confidence) {
         return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
     }
     if study.measured.is_empty() && study.motion.is_empty() {

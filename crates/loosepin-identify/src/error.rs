@@ -7,7 +7,7 @@ use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
 
 /// Largest confidence: beyond it quantiles of the normal distribution lose their digits, and no error of a reading is known so well.
-pub const MOST_CONFIDENCE: f64 = 0.999_999_999;
+pub const MAX_CONFIDENCE: f64 = 0.999_999_999;
 
 /// Why a reading has no linear model.
 #[derive(Debug)]
@@ -87,7 +87,7 @@ problems! {
         MotionConfidence { found: f64 } => Code::BadProbability,
             says("the confidence is {found}; must be between 0.5 and 0.99998: of a higher one more than 100000 runs at each value would be needed");
         Confidence { found: f64 } => Code::BadProbability,
-            says("the confidence is {found}; must be from 0.5 to {MOST_CONFIDENCE}");
+            says("the confidence is {found}; must be from 0.5 to {MAX_CONFIDENCE}");
         Locked { reading: String, error: AccuracyError } => error.code(),
             says("{reading}: {error}"),
             hint_of(error.hint());

@@ -122,10 +122,10 @@ impl Friction {
     /// is least at one of them, since it is concave. What friction does to the loads themselves is added to each angle. Nothing without
     /// friction, where it may hold a joint anywhere, or for more than eight joints.
     pub fn least_cosines(&self) -> Option<Vec<Vec<f64>>> {
-        const MOST_JOINTS: usize = 8;
+        const MAX_JOINTS: usize = 8;
         let joints = self.coefficients.len();
         let largest = self.load_shares.iter().fold(0.0_f64, |largest, share| largest.max(*share));
-        if self.across_rad.is_empty() || joints > MOST_JOINTS || largest >= 0.5 {
+        if self.across_rad.is_empty() || joints > MAX_JOINTS || largest >= 0.5 {
             return None;
         }
         let slack = (1.0 + largest) / (1.0 - largest) - 1.0;

@@ -28,9 +28,9 @@ const DIRECTIONS: usize = 12;
 /// Candidates that are computed in full.
 const IN_FULL: usize = 12;
 /// A pose at which the exact loops miss the linear model by more than this share is too near a dead point.
-const MOST_MISSED: f64 = 0.05;
+const MAX_MISSED: f64 = 0.05;
 /// Widths of all plays together have to become smaller by this share at least for a reading to be worth naming.
-const LEAST_GAIN: f64 = 0.05;
+const MIN_GAIN: f64 = 0.05;
 
 /// A reading that could be made.
 #[derive(Debug, Clone)]
@@ -83,7 +83,7 @@ pub(crate) fn further(
             Err(error) => Err(error.into()),
         };
         let Ok(influence) = influence else { continue };
-        if influence.linearisation_share > MOST_MISSED {
+        if influence.linearisation_share > MAX_MISSED {
             continue;
         }
         let error_si = usual.error_si(&candidate.read.unit);
@@ -107,7 +107,7 @@ pub(crate) fn further(
             best = Some((score, described(rig, &candidate, error_si, left, tried)));
         }
     }
-    (searched, best.filter(|(score, _)| *score <= 1.0 - LEAST_GAIN).map(|(_, further)| further))
+    (searched, best.filter(|(score, _)| *score <= 1.0 - MIN_GAIN).map(|(_, further)| further))
 }
 
 impl Usual {

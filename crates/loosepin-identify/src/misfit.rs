@@ -4,7 +4,7 @@ use super::consistent::ConsistentSet;
 use loosepin_result::identification::{Culprit, Misfit};
 
 /// Largest factor of the errors that is looked for.
-const LARGEST_FACTOR: f64 = 1e9;
+const MAX_FACTOR: f64 = 1e9;
 /// Share to which the factor of the errors is located.
 const LOCATED: f64 = 1e-6;
 
@@ -61,7 +61,7 @@ fn error_factor(set: &ConsistentSet) -> Option<f64> {
     while set.is_empty_with(high) {
         low = high;
         high *= 4.0;
-        if high > LARGEST_FACTOR {
+        if high > MAX_FACTOR {
             return None;
         }
     }

@@ -16,7 +16,7 @@ const HALVINGS: usize = 200;
 const DEEPEST_M: f64 = 1.0;
 /// Teeth give way along the normal of their flanks, and the backlash is counted along the pitch line: 1/cos of a pressure angle
 /// below 45°.
-const MOST_ALONG_PITCH_LINE: f64 = std::f64::consts::SQRT_2;
+const MAX_ALONG_PITCH_LINE: f64 = std::f64::consts::SQRT_2;
 
 /// Least and largest yield of each joint with play under the push of a test, m: over the clearances in the box `plays_si`, what the other
 /// inputs may be together, the contact laws of the study, and what friction does to the loads.
@@ -80,8 +80,8 @@ fn of_joint(play: &PlayGeometry<f64>, load: Vec2<f64>, change: f64, components: 
             return Some([0.0, penetration_m(play, force_n)?]);
         }
         PlayFreedom::AlongPitchLine => {
-            let force_n = (load.x.abs() + components.x) * MOST_ALONG_PITCH_LINE;
-            return Some([0.0, MOST_ALONG_PITCH_LINE * penetration_m(play, force_n)?]);
+            let force_n = (load.x.abs() + components.x) * MAX_ALONG_PITCH_LINE;
+            return Some([0.0, MAX_ALONG_PITCH_LINE * penetration_m(play, force_n)?]);
         }
     };
     Some([penetration_m(play, least_n)?, penetration_m(play, most_n)?])

@@ -20,7 +20,7 @@ use crate::simulation::Simulation;
 use crate::waiting::wait_for;
 
 /// Rows for each turn, at most; as for the command.
-const MOST_SAMPLES: i64 = 1_000_000;
+const MAX_SAMPLES: i64 = 1_000_000;
 
 /// A checked model.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -86,8 +86,8 @@ impl Model {
                 return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
             }
         }
-        if let Some(samples) = samples.filter(|samples| !(1..=MOST_SAMPLES).contains(samples)) {
-            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MOST_SAMPLES}")));
+        if let Some(samples) = samples.filter(|samples| !(1..=MAX_SAMPLES).contains(samples)) {
+            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MAX_SAMPLES}")));
         }
         let set_values = self.0.set_values(&set).map_err(raise)?;
         let mut cycle = self.0.cycle.clone();

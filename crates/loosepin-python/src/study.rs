@@ -23,10 +23,10 @@ use crate::waiting::{Told, wait_for};
 type Recorded = (String, String, Option<Vec<f64>>);
 
 /// Threads, at most; as for the command.
-const MOST_THREADS: i64 = 1024;
+const MAX_THREADS: i64 = 1024;
 /// Values at which a motion is tested: as for the command.
-const LEAST_POINTS: i64 = 1;
-const MOST_POINTS: i64 = 1_000_000;
+const MIN_POINTS: i64 = 1;
+const MAX_POINTS: i64 = 1_000_000;
 
 /// A checked study.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -172,7 +172,7 @@ impl Study {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(String, String)> {
-        let asked = identification::Asked { values: motion_values(LEAST_POINTS, confidence, threads)?, specimen };
+        let asked = identification::Asked { values: motion_values(MIN_POINTS, confidence, threads)?, specimen };
         planned(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -204,8 +204,8 @@ impl Study {
 
 /// What is asked of a motion.
 fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult<MotionValues> {
-    if !(LEAST_POINTS..=MOST_POINTS).contains(&points) {
-        let text = format!("points {points}; must be between {LEAST_POINTS} and {MOST_POINTS}");
+    if !(MIN_POINTS..=MAX_POINTS).contains(&points) {
+        let text = format!("points {points}; must be between {MIN_POINTS} and {MAX_POINTS}");
         return Err(PyValueError::new_err(text));
     }
     Ok(MotionValues {
@@ -220,8 +220,8 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
 /// As many threads as asked for, otherwise as many as the machine has.
 fn count_threads(asked: Option<i64>) -> PyResult<usize> {
     match asked {
-        Some(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(threads as usize),
-        Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MOST_THREADS}"))),
+        Some(threads) if (1..=MAX_THREADS).contains(&threads) => Ok(threads as usize),
+        Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MAX_THREADS}"))),
         None => Ok(loosepin::study::default_threads()),
     }
 }

@@ -5,9 +5,9 @@ use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, Ste
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::resume::MotionState;
 use super::settings::{Integrator, Settings, Window};
-use crate::lanes::batch::{Batch, Kept, LARGEST_STEP_TURNS, Queue, Run, Seats};
+use crate::lanes::batch::{Batch, Kept, MAX_STEP_TURNS, Queue, Run, Seats};
 use crate::lanes::execution::Execution;
-use crate::lanes::pass::LARGEST_RESIDUAL;
+use crate::lanes::pass::MAX_RESIDUAL;
 use crate::recording::report::{Counters, RunReport};
 use crate::recording::work::KinematicAccount;
 use crate::stepping::gap::GapJet;
@@ -18,10 +18,10 @@ use loosepin_mechanics::model::{Course, Model};
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
 /// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
-const MOST_RECORDED_MULTIPLICATIONS: f64 = 4e5;
+const MAX_RECORDED_MULTIPLICATIONS: f64 = 4e5;
 /// Points of the tables of loads up to which they are written down: programs look at all of them, and 1440 take three seconds to
 /// make; a run alone finds its place among them by halving.
-const MOST_RECORDED_POINTS: usize = 1000;
+const MAX_RECORDED_POINTS: usize = 1000;
 
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
@@ -117,7 +117,7 @@ fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
         _ => 0,
     });
     let is_short =
-        mechanism.multiplications() <= MOST_RECORDED_MULTIPLICATIONS && points.sum::<usize>() <= MOST_RECORDED_POINTS;
+        mechanism.multiplications() <= MAX_RECORDED_MULTIPLICATIONS && points.sum::<usize>() <= MAX_RECORDED_POINTS;
     // Which sectors of a worn joint touch depends on the state: its equations cannot be written down.
     let is_short = is_short && !mechanism.model.has_worn_geometry();
     if is_short { execution } else { Execution::Scalar }
@@ -220,7 +220,7 @@ fn run_kinematics(
                 }
                 let mut jams = None;
                 motion.dynamics.joint_friction_residuals(|index, residual| {
-                    if !(residual <= LARGEST_RESIDUAL) {
+                    if !(residual <= MAX_RESIDUAL) {
                         jams = jams.or(Some(index));
                     }
                 });
@@ -305,7 +305,7 @@ impl Follower {
 
 /// The longest step of a run, s.
 fn longest_step_s(mechanism: &Mechanism, sample: &Sample<f64>, window: &Window) -> f64 {
-    LARGEST_STEP_TURNS * std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s)
+    MAX_STEP_TURNS * std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s)
 }
 
 /// Evaluations without which no run comes to the end of `window`: those of the longest steps. A step along a motion that its drives
@@ -322,14 +322,14 @@ pub(super) fn least_evaluations(
 /// Ends of equal steps of at most `longest_s` over `window`, from one break of drives and loads to the next.
 fn step_ends_s(sample: &Sample<f64>, window: Window, longest_s: f64) -> impl Iterator<Item = f64> {
     /// Steps between two breaks, at most.
-    const MOST_STEPS: f64 = 1e9;
+    const MAX_STEPS: f64 = 1e9;
     let breaks = std::iter::successors(Some(window.start_s), move |&start_s| {
         (start_s < window.end_s).then(|| sample.next_break_s(start_s).min(window.end_s))
     });
     let between = breaks.clone().zip(breaks.skip(1));
     between.flat_map(move |(start_s, stop_s)| {
         let span_s = stop_s - start_s;
-        let steps = (span_s / longest_s).ceil().clamp(1.0, MOST_STEPS) as u64;
+        let steps = (span_s / longest_s).ceil().clamp(1.0, MAX_STEPS) as u64;
         let within = (1..steps).map(move |step| start_s + span_s * step as f64 / steps as f64);
         within.chain([stop_s])
     })

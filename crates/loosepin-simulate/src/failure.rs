@@ -1,6 +1,6 @@
 //! Why a run ends without a result.
 
-use super::settings::LARGEST_ENERGY_RESIDUAL;
+use super::settings::MAX_ENERGY_RESIDUAL;
 use loosepin_mechanics::dynamics::WithoutValue;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::Model;
@@ -115,7 +115,7 @@ problems! {
         EnergyNotBalanced { residual_j: f64, exchange_j: f64 } => Code::EnergyNotBalanced,
             says(
                 "the energy balance is off by {:.1e} of the energy exchanged ({residual_j:.3e} J of {exchange_j:.3e} J); at most \
-                 {LARGEST_ENERGY_RESIDUAL:.0e} is accepted",
+                 {MAX_ENERGY_RESIDUAL:.0e} is accepted",
                 residual_j / exchange_j
             ),
             hint("ask for a smaller --tolerance, or tolerance under [sampling] of a study: see `loosepin explain E0820`");

@@ -49,7 +49,7 @@ pub use recording::controlled_drawing::controlled_drawing;
 pub use recording::drawing::{add_pose, parts, skeleton};
 pub use recording::flight::FlightClock;
 pub use recording::history::{
-    BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
+    BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
 };
 pub use recording::report::{Counters, EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
 pub use recording::tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
@@ -58,7 +58,7 @@ pub use repeats::period::{period_turns, section, section_sizes};
 pub use repeats::trust::{PositionHistory, SecondRun, compare_positions, measure_trust};
 pub use repeats::turns::Turns;
 pub use resume::MotionState;
-pub use settings::{Integrator, LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
+pub use settings::{Integrator, MAX_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
 pub use start::bending_estimate::{BendingEstimate, estimate_bending};
 pub use stepping::resolution::{SmallestClearance, ToleranceProblem};
 pub use stepping::search::{Peak, maximum_within};

@@ -44,7 +44,7 @@ pub const EVENT_SHARE: f64 = 1e-4;
 
 /// Residual of the energy account over the largest exchange from which on a run has failed. Runs that are as accurate as they
 /// were asked to be have 1e-12 to 1e-7.
-pub const LARGEST_ENERGY_RESIDUAL: f64 = 1e-4;
+pub const MAX_ENERGY_RESIDUAL: f64 = 1e-4;
 
 impl Settings {
     /// Default settings for one simulation.

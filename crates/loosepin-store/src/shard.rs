@@ -7,7 +7,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 /// More shards than this are a slip of the pen.
-const MOST_SHARDS: u32 = 100_000;
+const MAX_SHARDS: u32 = 100_000;
 
 /// Shard i of n: of every round it makes the runs whose place p in their list has p mod n = i - 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub struct Shard {
 /// A text that names no shard.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
-    "'{text}' is no shard: write i/n, shard i of n, with i from 1 to n and n at most {MOST_SHARDS}, for example 2/7"
+    "'{text}' is no shard: write i/n, shard i of n, with i from 1 to n and n at most {MAX_SHARDS}, for example 2/7"
 )]
 pub struct ShardError {
     /// The text.
@@ -29,7 +29,7 @@ pub struct ShardError {
 impl Shard {
     /// Shard `index` of `of`, counted from 1; nothing where there is no such shard.
     pub fn new(index: u32, of: u32) -> Option<Self> {
-        (index >= 1 && index <= of && of <= MOST_SHARDS).then_some(Self { index, of })
+        (index >= 1 && index <= of && of <= MAX_SHARDS).then_some(Self { index, of })
     }
 
     /// Its number, from 1.

@@ -16,7 +16,7 @@ use super::row::KeptRun;
 pub const LONGEST_UNSAVED: Duration = Duration::from_millis(500);
 
 /// Numbers that may wait: 64 MiB of them.
-const MOST_WAITING_NUMBERS: usize = 8 << 20;
+const MAX_WAITING_NUMBERS: usize = 8 << 20;
 
 /// Request to the thread.
 pub(super) enum Request {
@@ -68,7 +68,7 @@ impl Waiting {
     }
 
     fn is_due(&self) -> bool {
-        self.numbers > MOST_WAITING_NUMBERS || self.left() == Duration::ZERO
+        self.numbers > MAX_WAITING_NUMBERS || self.left() == Duration::ZERO
     }
 
     /// How long they may still wait.

@@ -15,7 +15,7 @@ use crate::view::look::look_until;
 use crate::view::texts::Texts;
 
 /// A text of eight times the length may take so many times as long: a cost by the square of the length takes 64 times as long.
-const MOST_TIMES: f64 = 16.0;
+const MAX_TIMES: f64 = 16.0;
 /// Length of the shorter text, bytes.
 const SHORT: usize = 4_000;
 /// Questions about every kind of text, and those of which each kind is asked one in turn; the others are measured only.
@@ -399,14 +399,14 @@ fn no_question_takes_the_square_of_the_length() {
             let is_slow = (0..6).all(|_| {
                 best.0 = best.0.min(time(&folder, question, &short));
                 best.1 = best.1.min(time(&folder, question, &long));
-                best.1.as_secs_f64() > MOST_TIMES * best.0.max(LEAST).as_secs_f64()
+                best.1.as_secs_f64() > MAX_TIMES * best.0.max(LEAST).as_secs_f64()
             });
             if is_slow {
                 slow.push(format!("{}, {}: {:?} and {:?}", shape.name, question.0, best.0, best.1));
             }
         }
     }
-    assert!(slow.is_empty(), "eight times the length takes more than {MOST_TIMES} times as long:\n{}", slow.join("\n"));
+    assert!(slow.is_empty(), "eight times the length takes more than {MAX_TIMES} times as long:\n{}", slow.join("\n"));
 }
 
 /// Prints what a length costs, where it costs more than it should.

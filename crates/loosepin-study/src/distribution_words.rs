@@ -5,7 +5,7 @@ use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::Distribution;
 
 /// Values of a discrete distribution that are told one by one.
-const MOST_TOLD: usize = 6;
+const MAX_TOLD: usize = 6;
 
 /// `distribution` in words and people's units, for example `normal, mean 50 mm, standard deviation 0.02 mm`.
 pub fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
@@ -37,7 +37,7 @@ pub fn distribution_words(distribution: &Distribution, dimension: Dimension) -> 
             format!("{family}, most likely {}, scale {}", show(*mode), show(*scale))
         }
         Distribution::Exponential { mean, lower } => format!("{family}, mean {}{}", show(*mean), from(*lower)),
-        Distribution::Discrete { values, probabilities } if values.len() <= MOST_TOLD => {
+        Distribution::Discrete { values, probabilities } if values.len() <= MAX_TOLD => {
             let atoms = values.iter().zip(probabilities);
             let told: Vec<String> = atoms
                 .map(|(value, probability)| {

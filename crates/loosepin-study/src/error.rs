@@ -1,6 +1,6 @@
 //! Why a study has no result.
 
-use super::file::MOST_RUNS;
+use super::file::MAX_RUNS;
 use crate::response::study_response::PrepareError;
 use crate::runs::memory_at_hand::MemoryKind;
 use crate::runs::part::OpenRound;
@@ -92,7 +92,7 @@ pub enum StudyError {
     #[error("a budget of time cannot be shared by shards, which run at different times")]
     TimeOfShards,
     /// More runs than anybody waits for.
-    #[error("{runs} runs; must be at most {MOST_RUNS}")]
+    #[error("{runs} runs; must be at most {MAX_RUNS}")]
     TooManyRuns {
         /// Runs of the study at most.
         runs: usize,

@@ -10,7 +10,7 @@ use thiserror::Error;
 const RANGES_MM: [f64; 13] = [3.0, 6.0, 10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 180.0, 250.0, 315.0, 400.0, 500.0];
 
 /// The least grade that is kept here.
-const LEAST_GRADE: u8 = 3;
+const MIN_GRADE: u8 = 3;
 
 /// Standard tolerances of the grades IT2 to IT13, µm; IT2 only for the step below IT3.
 const TOLERANCES_UM: [[f64; 13]; 12] = [
@@ -189,7 +189,7 @@ impl Class {
         if !known.split(' ').any(|known| known == letter) {
             return Err(FitError::Letter { class: class(), part, known });
         }
-        let grades = LEAST_GRADE..=LEAST_GRADE + (TOLERANCES_UM.len() - 2) as u8;
+        let grades = MIN_GRADE..=MIN_GRADE + (TOLERANCES_UM.len() - 2) as u8;
         match grade.parse::<u8>() {
             Ok(grade) if grades.contains(&grade) => Ok(Self { is_hole, letter: letter.to_owned(), grade }),
             _ => Err(FitError::Grade { class: class() }),
@@ -267,7 +267,7 @@ fn range_of(diameter_mm: f64) -> usize {
 }
 
 fn tolerance_um(grade: u8, range: usize) -> f64 {
-    TOLERANCES_UM[usize::from(grade + 1 - LEAST_GRADE)][range]
+    TOLERANCES_UM[usize::from(grade + 1 - MIN_GRADE)][range]
 }
 
 fn shaft_deviation_um(letter: &str, grade: u8, range: usize, diameter_mm: f64) -> Deviation {

@@ -27,7 +27,7 @@ pub use drafts::progress::{Progress, Stage};
 pub use error::{StudyError, TooManyFailed};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
-    Deviation, EpistemicInput, EpistemicSubject, LEAST_SPECIMEN_ROWS, Limit, MOST_POSES, MOST_RUNS, Measured,
+    Deviation, EpistemicInput, EpistemicSubject, Limit, MAX_POSES, MAX_RUNS, MIN_SPECIMEN_ROWS, Measured,
     MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem,
     RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit,
@@ -41,7 +41,7 @@ pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates
 pub use response::further_outputs::{FurtherOutputs, RecordedOutput};
 pub use response::outputs::Seen;
 pub use response::sampled_feature::sampled_feature;
-pub use response::study_response::MOST_COLUMNS;
+pub use response::study_response::MAX_COLUMNS;
 pub use run_options::RunOptions;
 pub use runs::elsewhere::{AskedRuns, RunMaker};
 pub use runs::memory_at_hand::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS, MemoryKind, STATED_BYTES};

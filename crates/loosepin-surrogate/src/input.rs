@@ -5,7 +5,7 @@ use loosepin_uncertainty::{Distribution, Interval, RandomVariable, normal_quanti
 use serde::{Deserialize, Serialize};
 
 /// Probabilities are kept this far from 0 and 1 before they become standard normal variables, ±8.2.
-const LEAST_PROBABILITY: f64 = 1e-16;
+const MIN_PROBABILITY: f64 = 1e-16;
 
 /// One input: a random variable, or a number known to lie in an interval.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -79,7 +79,7 @@ impl Input {
                 | Distribution::Gamma { .. }
                 | Distribution::Gumbel { .. }
                 | Distribution::Exponential { .. } => {
-                    normal_quantile(variable.cdf(value).clamp(LEAST_PROBABILITY, 1.0 - LEAST_PROBABILITY))
+                    normal_quantile(variable.cdf(value).clamp(MIN_PROBABILITY, 1.0 - MIN_PROBABILITY))
                 }
                 Distribution::Uniform { lower, upper } | Distribution::Beta { lower, upper, .. } => {
                     (2.0 * value - lower - upper) / (upper - lower)

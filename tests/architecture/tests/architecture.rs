@@ -180,7 +180,7 @@ fn variants_of_what_is_one_place_are_named_there_alone() {
 }
 
 /// Entries of a folder, at most: its list is to read as a table of contents.
-const MOST_ENTRIES: usize = 25;
+const MAX_ENTRIES: usize = 25;
 
 #[test]
 fn no_folder_is_long_and_each_says_what_stands_in_it() {
@@ -190,7 +190,7 @@ fn no_folder_is_long_and_each_says_what_stands_in_it() {
     while let Some(folder) = open.pop() {
         let entries = std::fs::read_dir(&folder).expect("a folder can be read");
         let paths: Vec<PathBuf> = entries.map(|entry| entry.expect("a folder entry can be read").path()).collect();
-        if paths.len() > MOST_ENTRIES {
+        if paths.len() > MAX_ENTRIES {
             found.push(format!("{} has {} entries", folder.display(), paths.len()));
         }
         if let Some(head) = paths.iter().find(|path| path.ends_with("mod.rs"))

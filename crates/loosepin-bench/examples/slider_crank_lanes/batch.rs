@@ -56,17 +56,17 @@ pub struct Conducted {
 /// Largest step, rad: 1/96 of a turn.
 const LONGEST_RAD: f64 = TAU / 96.0;
 /// Largest growth from one step to the next.
-const MOST_GROWTH: f64 = 6.0;
+const MAX_GROWTH: f64 = 6.0;
 /// δ below which a contact is over, m: root of it.
-const SMALLEST_ROOT: f64 = 1e-6;
+const MIN_ROOT: f64 = 1e-6;
 /// A step that ends that near to an onset is led there along its derivative, rad; the rest is of second order, 1e-14 m.
 const NEAR_RAD: f64 = 5e-7;
 /// First step in a contact over v0^-0.6, in the units of σ: the duration of Hertz's impact goes with that power.
 const FIRST_STEP: f64 = 0.04;
 /// Tries to end on an event.
-const MOST_TRIALS: u32 = 12;
+const MAX_TRIALS: u32 = 12;
 /// Passes in a row in which no run ends after which something is wrong; a run takes a thousandth of them.
-const MOST_PASSES: u64 = 10_000_000;
+const MAX_PASSES: u64 = 10_000_000;
 
 /// A look for the place of an event: it lies between two steps, and one is tried.
 #[derive(Debug, Clone, Copy)]
@@ -151,7 +151,7 @@ pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &
         if ended.0 != batch.conducted.runs.len() {
             ended = (batch.conducted.runs.len(), pass);
         }
-        assert!(pass - ended.1 < MOST_PASSES, "a run does not come to its end");
+        assert!(pass - ended.1 < MAX_PASSES, "a run does not come to its end");
         batch.pass(&mut stepper, &mut end);
     }
     batch.conducted.runs.sort_by_key(|run| run.index);
@@ -317,7 +317,7 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
     #[target_feature(enable = "avx512f")]
     #[inline]
     fn choose_steps(&mut self, end: &End<G>, accepted: Mask<G>, rejected: Mask<G>) {
-        let most = Lanes::all(MOST_GROWTH).replaced(self.was_rejected, Lanes::all(1.0));
+        let most = Lanes::all(MAX_GROWTH).replaced(self.was_rejected, Lanes::all(1.0));
         let grown = self.step.times(most.min(end.growth).max(Lanes::all(0.2)));
         let shrunk = self.step.times(Lanes::all(0.9).min(end.growth).max(Lanes::all(0.1)));
         let next = self.step.replaced(accepted, grown).replaced(rejected, shrunk);
@@ -362,9 +362,9 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
         };
         search.trials += 1;
         let missing = -value / rate;
-        let limit = if is_closed { SMALLEST_ROOT / rate } else { NEAR_RAD };
+        let limit = if is_closed { MIN_ROOT / rate } else { NEAR_RAD };
         let is_there = rate > 0.0 && missing.abs() < limit;
-        if is_there || search.trials == MOST_TRIALS {
+        if is_there || search.trials == MAX_TRIALS {
             run.search = None;
             self.searching &= !(1 << lane);
             if !(rate > 0.0) {

@@ -5,7 +5,7 @@ use loosepin::math::Quintic;
 /// Pieces in which a step is searched: a polynomial of degree five turns at most four times.
 const PIECES: usize = 8;
 /// Steps of Newton's method or bisections.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 /// A step of Newton's method as short as this is the last: its error is the square of it, about.
 const NEAR: f64 = 1e-6;
 
@@ -44,7 +44,7 @@ pub fn separation(start: [f64; 2], end: [f64; 2], step: f64) -> f64 {
 /// Where the polynomial rises through zero between `low` (not above) and `high` (above).
 fn rise(gap: &Quintic, mut low: f64, mut high: f64) -> f64 {
     let mut share = 0.5 * (low + high);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let value = gap.value(share);
         if value > 0.0 {
             high = share
@@ -63,7 +63,7 @@ fn rise(gap: &Quintic, mut low: f64, mut high: f64) -> f64 {
 
 /// Where the slope falls through zero between `low` and `high`.
 fn turning_point(gap: &Quintic, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
         if gap.slope(middle) > 0.0 {
             low = middle

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Errors below this share of the exact width count as this share.
-const LEAST_SHARE: f64 = 1e-6;
+const MIN_SHARE: f64 = 1e-6;
 /// Of the actual errors over seeds; with fewer than 100 seeds it is the largest.
 const ACTUAL: f64 = 0.99;
 
@@ -16,7 +16,7 @@ fn ratios(problem: &Problem, repetitions: u64) -> Vec<(String, f64)> {
     let mut ratios = Vec::new();
     for (place, exact) in problem.exact.iter().enumerate() {
         let width = exact.ends[1] - exact.ends[0];
-        let least = LEAST_SHARE * if width > 0.0 { width } else { exact.magnitude };
+        let least = MIN_SHARE * if width > 0.0 { width } else { exact.magnitude };
         for end in 0..2 {
             let ends = all.iter().map(|bounds| [&bounds.pairs[place].lower, &bounds.pairs[place].upper][end]);
             let stated: Vec<f64> = ends.clone().map(|bound| bound.error.total().max(least)).collect();

@@ -161,7 +161,7 @@ fn slider(x: &[f64], u: &[f64]) -> f64 {
 
 #[test]
 fn analytic_a_slider_crank_with_play_from_a_hundred_runs() {
-    const MOST_WIDTH: f64 = 1.03; // of the true width of the mean
+    const MAX_WIDTH: f64 = 1.03; // of the true width of the mean
     let normal = |mean, standard_deviation| Distribution::Normal { mean, standard_deviation };
     let statistics = [
         (Statistic::Mean, (-0.536_290_6, 0.535_951_9)),
@@ -183,7 +183,7 @@ fn analytic_a_slider_crank_with_play_from_a_hundred_runs() {
     }
     let mean = &found.groups[0].pairs[0].pair;
     let width = (mean.upper.widened - mean.lower.widened) / (0.535_951_9 + 0.536_290_6);
-    assert!(width < MOST_WIDTH, "{width}");
+    assert!(width < MAX_WIDTH, "{width}");
 }
 
 /// A number between -1 and 1 that no function of the inputs is likely to give.
@@ -215,7 +215,7 @@ fn analytic_white_noise_is_recognised_and_its_scatter_kept() {
 #[test]
 fn analytic_errors_that_average_out_widen_a_mean_less_than_a_quantile() {
     // Y = X + 0.5 u with noise of the deviation 0.1/√3 on top, which has no part in the mean.
-    const MOST_SHARE: f64 = 0.9; // 2σ for 3σ, and what the noise that is drawn moves the mean by
+    const MAX_SHARE: f64 = 0.9; // 2σ for 3σ, and what the noise that is drawn moves the mean by
     let slope = Function(|x: &[f64], u: &[f64]| x[0] + 0.5 * u[0] + 0.1 * noise(x, u));
     let statistics = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.8)];
     let mut of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
@@ -228,7 +228,7 @@ fn analytic_errors_that_average_out_widen_a_mean_less_than_a_quantile() {
     holds(&pairs[1], (scatter, scatter));
     for end in [|pair: &BoundPair| pair.lower.error.surrogate, |pair: &BoundPair| pair.upper.error.surrogate] {
         let [mean, deviation, quantile] = [0, 1, 2].map(|place| end(&pairs[place].pair));
-        assert!(mean < MOST_SHARE * quantile && deviation < MOST_SHARE * quantile, "{mean} {deviation} {quantile}");
+        assert!(mean < MAX_SHARE * quantile && deviation < MAX_SHARE * quantile, "{mean} {deviation} {quantile}");
     }
 }
 

@@ -6,7 +6,7 @@ use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::response::{DeviationsOverX, LearnedFunction};
 use super::search::{FIRST_REACH, Searched, search_group};
-use super::settings::MOST_WITNESSES;
+use super::settings::MAX_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
@@ -47,7 +47,7 @@ impl SurrogatePlan {
         for group in &searched {
             for bound in extreme_bounds(group) {
                 let Some(witness) = &bound.witness else { continue };
-                if witnesses.len() < MOST_WITNESSES && !witnesses.contains(&witness.epistemic) {
+                if witnesses.len() < MAX_WITNESSES && !witnesses.contains(&witness.epistemic) {
                     witnesses.push(witness.epistemic.clone());
                 }
             }

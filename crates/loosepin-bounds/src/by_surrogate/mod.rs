@@ -52,7 +52,7 @@ pub use plan::{SurrogatePlan, SurrogatePlanError};
 pub use results::{GroupBounds, SurrogateBounds, SurrogatePair};
 pub use rounds::SurrogateRounds;
 pub use section::SurrogateSection;
-pub use settings::{ColumnGroup, MOST_WITNESSES, SurrogateSettings};
+pub use settings::{ColumnGroup, MAX_WITNESSES, SurrogateSettings};
 pub use space::SurrogateInput;
 pub use treatments::{LearnedComparison, LearnedTreatments};
 

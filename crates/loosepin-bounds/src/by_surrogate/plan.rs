@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::settings::{MOST_WITNESSES, SurrogateSettings};
+use super::settings::{MAX_WITNESSES, SurrogateSettings};
 use super::space::{SurrogateInput, TrainingSpace};
 use crate::data::problem::{Problem, Reading, Request};
 use crate::data::table::{Purpose, RunInputs};
@@ -147,7 +147,7 @@ impl SurrogatePlan {
             ends += 2 * statistics.len();
         }
         let inner = if problem.random.is_empty() { 1 } else { self.settings.confirming };
-        ends.min(MOST_WITNESSES) * inner + 2 * problem.compared_columns.len()
+        ends.min(MAX_WITNESSES) * inner + 2 * problem.compared_columns.len()
     }
 
     /// Runs of all steps, at most.

@@ -14,8 +14,8 @@ use loosepin_terms::{Estimation, MovedBy, Statistic};
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
 /// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
-const LEAST_REACH_OF_MEAN: f64 = 1.0;
-const LEAST_REACH_OF_DEVIATION: f64 = 2.0;
+const MIN_REACH_OF_MEAN: f64 = 1.0;
+const MIN_REACH_OF_DEVIATION: f64 = 2.0;
 
 /// The k of statistics over that of their group: 1 at most.
 pub(crate) struct SharesOfReach {
@@ -38,8 +38,8 @@ impl SharesOfReach {
         let deviation = largest(&|at, place| at.shift_of_deviation(place));
         let at_all_x = reach * worst(&|place| share_at_all_x(confirmed, place));
         Self {
-            of_mean: (LEAST_REACH_OF_MEAN.max(mean).max(at_all_x) / reach).min(1.0),
-            of_deviation: (LEAST_REACH_OF_DEVIATION.max(deviation) / reach).min(1.0),
+            of_mean: (MIN_REACH_OF_MEAN.max(mean).max(at_all_x) / reach).min(1.0),
+            of_deviation: (MIN_REACH_OF_DEVIATION.max(deviation) / reach).min(1.0),
         }
     }
 

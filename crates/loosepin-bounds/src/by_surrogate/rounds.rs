@@ -11,15 +11,15 @@ use crate::plan::refinement::{Assessment, Goal, Standing};
 
 /// Training runs for each combination of the members of lists, at most, where they are not stated to be more: from there on learning
 /// takes longer than most runs.
-const MOST_TRAINING: usize = 1000;
+const MAX_TRAINING: usize = 1000;
 /// A step adds this share of the training runs, and at least so many.
 const TRAINING_SHARE: f64 = 0.5;
-const LEAST_TRAINING: usize = 8;
+const MIN_TRAINING: usize = 8;
 /// Direct runs at a witness, at most.
-const MOST_CONFIRMING: usize = 1 << 14;
+const MAX_CONFIRMING: usize = 1 << 14;
 /// From so many training runs for each input on, and at least so many, it is believed that what is left does not fall with more.
 const BELIEVED_PER_INPUT: usize = 25;
-const LEAST_BELIEVED: usize = 100;
+const MIN_BELIEVED: usize = 100;
 /// Two steps of further training runs that together leave more than this share of what the surrogate does not know do not help.
 const HARDLY_LESS: f64 = 0.8;
 
@@ -149,7 +149,7 @@ impl SurrogateRounds {
         self.first = self.training;
         match growth {
             Growth::Training => {
-                let more = ((TRAINING_SHARE * self.training as f64) as usize).max(LEAST_TRAINING);
+                let more = ((TRAINING_SHARE * self.training as f64) as usize).max(MIN_TRAINING);
                 self.training = (self.training + more).min(self.most_training());
                 self.near.clear();
                 for witness in wide.iter().filter_map(|end| end.bound.witness.as_ref()) {
@@ -168,7 +168,7 @@ impl SurrogateRounds {
     }
 
     fn most_training(&self) -> usize {
-        MOST_TRAINING.max(self.plan.settings.training)
+        MAX_TRAINING.max(self.plan.settings.training)
     }
 
     /// The sample whose growth narrows the bounds that are too wide.
@@ -181,8 +181,7 @@ impl SurrogateRounds {
             _ => true,
         };
         let can_train = has_helped && self.training < self.most_training();
-        let can_confirm =
-            !self.plan.problem().random.is_empty() && 2 * self.plan.settings.confirming <= MOST_CONFIRMING;
+        let can_confirm = !self.plan.problem().random.is_empty() && 2 * self.plan.settings.confirming <= MAX_CONFIRMING;
         let learnable = |end: &&Wide<'_>| end.can_learn && end.surrogate > 0.0;
         let correctable = |end: &&Wide<'_>| end.is_confirmed && end.sampling > 0.0;
         let surrogate = rest.iter().copied().filter(learnable).map(|end| end.surrogate).fold(0.0, f64::max);
@@ -211,7 +210,7 @@ impl SurrogateRounds {
             // Of what fails no training tells more.
             let is_told = group.failed == 0 || !request.statistic.is_by_shares();
             let falls = group.learned.surrogates.iter().flatten().any(|surrogate| !draws_residual(surrogate));
-            let is_believed = self.training < (BELIEVED_PER_INPUT * self.plan.inputs().len()).max(LEAST_BELIEVED);
+            let is_believed = self.training < (BELIEVED_PER_INPUT * self.plan.inputs().len()).max(MIN_BELIEVED);
             let can_learn = is_told && (falls || is_believed);
             for (bound, is_confirmed) in
                 [(&pair.pair.lower, pair.is_confirmed[0]), (&pair.pair.upper, pair.is_confirmed[1])]

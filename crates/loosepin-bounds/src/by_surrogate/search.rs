@@ -14,11 +14,11 @@ use loosepin_surrogate::Surrogate;
 use loosepin_terms::{MovedBy, Statistic};
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
-const MOST_PLACES: usize = 64;
+const MAX_PLACES: usize = 64;
 /// Of what a bound may be widened by, the share that its double loop on the surrogate may take: that costs no runs.
 const FREE_SHARE: f64 = 0.25;
 /// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
-const MOST_GROWTH: usize = 16;
+const MAX_GROWTH: usize = 16;
 
 /// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
 pub(crate) const FIRST_REACH: f64 = 3.0;
@@ -43,7 +43,7 @@ pub(crate) fn search_group(
     let needed = plan.direct.setup.needed_columns();
     let places: Vec<usize> =
         (0..group.group.columns.len()).filter(|&place| needed.contains(&group.group.columns[place])).collect();
-    places.chunks(MOST_PLACES).map(|places| search_places(plan, group, surrogates, places, reach)).collect()
+    places.chunks(MAX_PLACES).map(|places| search_places(plan, group, surrogates, places, reach)).collect()
 }
 
 fn search_places(
@@ -86,7 +86,7 @@ fn search_places(
 
 /// The bounds of a double loop that grows as far as `goals` ask, within limits.
 fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> Result<Bounds, EvaluateError> {
-    let most = MOST_GROWTH * problem.sampling.outer * problem.sampling.inner;
+    let most = MAX_GROWTH * problem.sampling.outer * problem.sampling.inner;
     let mut table = SampleTable::new(problem.columns);
     let mut refinement = Refinement::try_new(problem, goals)?;
     loop {

@@ -4,7 +4,7 @@ use crate::data::table::SampleTable;
 use loosepin_surrogate::Choice;
 
 /// Values of the epistemic inputs at which direct runs are made, at most.
-pub const MOST_WITNESSES: usize = 24;
+pub const MAX_WITNESSES: usize = 24;
 
 /// Columns that are learned together: a number, or a curve place by place.
 #[derive(Debug, Clone, PartialEq)]

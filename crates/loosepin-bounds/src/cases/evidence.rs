@@ -86,7 +86,7 @@ fn analytic_sum_of_a_normal_variable_and_evidence() {
         check(&bounds.pairs[2], (lower, upper), 0.15);
         check(&bounds.pairs[3], added(|u| normal_cdf(u - LIMIT)), 0.02);
         // Each end has 95 % confidence: in the tails a few of the 202 fall short by part of their error.
-        const MOST_SHORT: usize = 10;
+        const MAX_SHORT: usize = 10;
         const SHORT_BY: f64 = 2e-3;
         let mut short = 0;
         for (i, &y) in bounds.boxes[0].values.iter().enumerate() {
@@ -96,7 +96,7 @@ fn analytic_sum_of_a_normal_variable_and_evidence() {
             assert!(by < SHORT_BY, "{y}: {least} {most} {low:?} {high:?}");
             short += usize::from(by > 0.0);
         }
-        assert!(short <= MOST_SHORT, "{short}");
+        assert!(short <= MAX_SHORT, "{short}");
     }
 }
 

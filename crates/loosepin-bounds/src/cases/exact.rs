@@ -286,7 +286,7 @@ fn analytic_probability_box_of_a_sum() {
     problem.compared_columns = vec![0];
     problem.sampling = Sampling { inner: 1024, ..Sampling::default() };
     let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] + u[0])).unwrap();
-    const MOST_ERROR: f64 = 0.03;
+    const MAX_ERROR: f64 = 0.03;
     let probability_box = &bounds.boxes[0];
     for (i, y) in probability_box.values.iter().enumerate() {
         let (lower, upper) = (&probability_box.lower[i], &probability_box.upper[i]);
@@ -294,7 +294,7 @@ fn analytic_probability_box_of_a_sum() {
         assert!(lower.widened <= exact_lower && upper.widened >= exact_upper, "{y}: {lower:?} {upper:?}");
         let mixture = probability_box.probability_only.as_ref().unwrap()[i];
         assert!(lower.widened <= mixture && mixture <= upper.widened, "{y}: {mixture}");
-        assert!(exact_lower - lower.widened < MOST_ERROR && upper.widened - exact_upper < MOST_ERROR, "{y} {lower:?}");
+        assert!(exact_lower - lower.widened < MAX_ERROR && upper.widened - exact_upper < MAX_ERROR, "{y} {lower:?}");
     }
 }
 

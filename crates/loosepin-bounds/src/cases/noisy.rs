@@ -196,7 +196,7 @@ fn analytic_chaotic_response_is_missed_as_rarely_as_stated() {
 fn analytic_lucky_noise_is_not_taken_for_a_bound() {
     // One estimate has the standard error 0.8/√256 = 0.05. The largest of 48 estimates of a constant exceeds it by 2.2
     // standard errors on average, 0.11; the estimate at a witness that is chosen by the smoothed values by about half of it.
-    const LARGEST_BIAS: f64 = 0.07;
+    const MAX_BIAS: f64 = 0.07;
     const SEEDS: u64 = 25;
     let mut bias = 0.0;
     for seed in 0..SEEDS {
@@ -206,7 +206,7 @@ fn analytic_lucky_noise_is_not_taken_for_a_bound() {
         let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| chaotic(x, u) - 0.5 * u[0])).unwrap();
         bias += (bounds.pairs[0].upper.value - bounds.pairs[0].lower.value) / 2.0 / SEEDS as f64;
     }
-    assert!(bias < LARGEST_BIAS, "{bias}");
+    assert!(bias < MAX_BIAS, "{bias}");
 }
 
 #[test]

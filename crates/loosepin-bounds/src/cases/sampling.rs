@@ -228,16 +228,13 @@ fn misses(
 #[track_caller]
 fn check_families(families: &[Family], statistics: usize) {
     let (counts, report) = misses(families, statistics, EXACT_POINTS, [256, 8], 200);
-    assert!(
-        counts.iter().flatten().flatten().all(|&misses| misses <= MOST_OF_200),
-        "more than {MOST_OF_200}\n{report}"
-    );
+    assert!(counts.iter().flatten().flatten().all(|&misses| misses <= MAX_OF_200), "more than {MAX_OF_200}\n{report}");
 }
 
 /// The least m with P(Binomial(200, 0.005) > m) < 1e-4: hundreds of ends are counted.
-const MOST_OF_200: u64 = 6;
+const MAX_OF_200: u64 = 6;
 /// The same of 40 families with 1000 seeds each.
-const MOST_OF_40_000: u64 = 255;
+const MAX_OF_40_000: u64 = 255;
 
 #[test]
 fn analytic_sampling_errors_hold_at_their_confidence_for_skewed_and_stepped_responses() {
@@ -262,7 +259,7 @@ fn analytic_sampling_errors_hold_at_their_confidence_for_families_drawn_from_a_s
         println!("{report}");
         for (statistic, end) in (0..STATISTICS).flat_map(|statistic| [(statistic, 0), (statistic, 1)]) {
             let missed: u64 = counts.iter().map(|family| family[statistic][end]).sum();
-            assert!(missed <= MOST_OF_40_000, "statistic {statistic}, end {end}: {missed}\n{report}");
+            assert!(missed <= MAX_OF_40_000, "statistic {statistic}, end {end}: {missed}\n{report}");
         }
     }
 }

@@ -7,7 +7,7 @@ use loosepin_uncertainty::{Interval, IntervalError, QuantileLevel, RandomVariabl
 const VALUES_OF_A_PARAMETER: usize = 5;
 
 /// Parameters of one distribution of which every combination of values is looked at; of more only the corners are.
-const MOST_PARAMETERS_IN_A_GRID: usize = 4;
+const MAX_PARAMETERS_IN_A_GRID: usize = 4;
 
 impl Problem {
     /// Quantile level of each random input at a point of the unit cube.
@@ -62,7 +62,7 @@ impl Problem {
             let [lower, upper] = ends(&self.random[input]);
             return Interval::try_new(lower, upper);
         }
-        let values = if own.len() <= MOST_PARAMETERS_IN_A_GRID { VALUES_OF_A_PARAMETER } else { 2 };
+        let values = if own.len() <= MAX_PARAMETERS_IN_A_GRID { VALUES_OF_A_PARAMETER } else { 2 };
         let combinations = values.saturating_pow(own.len() as u32);
         let (mut lower, mut upper) = (f64::INFINITY, f64::NEG_INFINITY);
         for combination in 0..combinations {

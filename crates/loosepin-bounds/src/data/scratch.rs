@@ -1,6 +1,6 @@
 //! Numbers of runs that need not be in memory all at once: in a file without a name, read as if they were memory.
 //!
-//! Numbers are written once and never change. What was read of them lately stays in memory, [`MOST_READ_BYTES`] at most (on Unix; elsewhere
+//! Numbers are written once and never change. What was read of them lately stays in memory, [`MAX_READ_BYTES`] at most (on Unix; elsewhere
 //! the system decides); the operating system reads the rest again when it is asked for. Where the file has no room for more, what would
 //! follow stays in memory. The file has to lie on a disk of the machine: where what was written cannot be read again, as on a network drive
 //! that has gone, the system ends the process.
@@ -17,7 +17,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use memmap2::{Mmap, MmapOptions};
 
 /// Bytes of numbers that were read lately and are left in memory, at most.
-const MOST_READ_BYTES: usize = 128 << 20;
+const MAX_READ_BYTES: usize = 128 << 20;
 /// Parts of the file begin at multiples of this, as pages do on all systems.
 const ALIGNMENT: u64 = 1 << 16;
 
@@ -118,7 +118,7 @@ impl Part {
         }
         read.bytes += self.map.len();
         read.parts.push(Arc::downgrade(self));
-        if read.bytes > MOST_READ_BYTES {
+        if read.bytes > MAX_READ_BYTES {
             for part in std::mem::take(&mut *read).parts.iter().filter_map(Weak::upgrade) {
                 // Whoever reads it from now on notes it again.
                 part.is_read.store(false, Ordering::Relaxed);
@@ -192,7 +192,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_READ_BYTES, Numbers, Scratch, lock};
+    use super::{MAX_READ_BYTES, Numbers, Scratch, lock};
     use rayon::prelude::*;
     use std::sync::Arc;
 
@@ -209,7 +209,7 @@ mod tests {
     fn identity_numbers_are_what_was_written_however_often_they_left() {
         let scratch = scratch();
         let each = 1 << 17;
-        let count = 4 * MOST_READ_BYTES / (8 * each);
+        let count = 4 * MAX_READ_BYTES / (8 * each);
         let parts: Vec<_> = (0..count)
             .map(|part| scratch.put(&(0..each).map(|place| number(part, place)).collect::<Vec<_>>()).expect("room"))
             .collect();
@@ -223,7 +223,7 @@ mod tests {
             }
         });
         let read = lock(&scratch.read);
-        assert!(read.bytes <= MOST_READ_BYTES, "{} bytes", read.bytes);
+        assert!(read.bytes <= MAX_READ_BYTES, "{} bytes", read.bytes);
         assert!(!read.parts.is_empty());
     }
 

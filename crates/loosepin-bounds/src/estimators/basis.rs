@@ -3,7 +3,7 @@
 use super::orthogonal::Axis;
 
 /// More coefficients than this are not fitted.
-const MOST_COEFFICIENTS: usize = 128;
+const MAX_COEFFICIENTS: usize = 128;
 
 /// p_k(t) = Π_j p_kj(t_j) with Σ_j k_j <= degree.
 #[derive(Debug)]
@@ -59,7 +59,7 @@ fn exponents(axes: usize, degree: usize) -> Option<Vec<Vec<usize>>> {
             }
         }
         terms.extend(next.iter().cloned());
-        if terms.len() > MOST_COEFFICIENTS {
+        if terms.len() > MAX_COEFFICIENTS {
             return None;
         }
         last = next;

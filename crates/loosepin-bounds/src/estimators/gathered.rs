@@ -10,9 +10,9 @@ use crate::data::table::{Purpose, SampleTable};
 /// So many columns are gathered at once: they lie beside one another in memory, row by row, and are read in long pieces.
 const COLUMNS_AT_ONCE: usize = 64;
 /// Fewer values of a point than these stay in memory: every part of a file has pages of its own, and systems allow some ten thousand.
-const LEAST_MOVED: usize = 1 << 13;
+const MIN_MOVED: usize = 1 << 13;
 /// So many values of a point are moved together.
-const MOST_WAITING: usize = 1 << 19;
+const MAX_WAITING: usize = 1 << 19;
 
 /// The samples of one point by their columns, and the number of runs that they were gathered from.
 #[derive(Debug, Clone, Default)]
@@ -69,7 +69,7 @@ impl OfPoint {
             }
             waiting.extend(gatherings[..columns.len()].iter_mut().map(Gathering::finish));
             let values: usize = waiting.iter().map(|sample| sample.values().len()).sum();
-            if values >= MOST_WAITING {
+            if values >= MAX_WAITING {
                 gathered.extend(moved(std::mem::take(&mut waiting), table.scratch()));
             }
         }
@@ -97,7 +97,7 @@ impl OfPoint {
 /// `samples` with their values in `scratch`, behind one another; as they are without it, where they are few or it has no room.
 fn moved(samples: Vec<Sample>, scratch: Option<&Scratch>) -> Vec<Sample> {
     let count: usize = samples.iter().map(|sample| sample.values().len()).sum();
-    let Some(scratch) = scratch.filter(|_| count >= LEAST_MOVED) else { return samples };
+    let Some(scratch) = scratch.filter(|_| count >= MIN_MOVED) else { return samples };
     let values: Vec<f64> = samples.iter().flat_map(|sample| sample.values().iter().copied()).collect();
     let Ok(away) = scratch.put(&values) else { return samples };
     let mut begin = 0;

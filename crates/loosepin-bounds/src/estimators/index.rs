@@ -11,13 +11,13 @@ use super::orthogonal::Axis;
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
 
 /// Beyond the largest z probabilities are not told apart.
-const LARGEST_INDEX: f64 = 40.0;
+const MAX_INDEX: f64 = 40.0;
 /// Steps of the index that are always worth a point: deep in a tail it only has to tell where to go.
 const COARSEST_INDEX: f64 = 0.1;
 
 /// asinh z
 pub(crate) fn compressed(z: f64) -> f64 {
-    libm::asinh(z.clamp(-LARGEST_INDEX, LARGEST_INDEX))
+    libm::asinh(z.clamp(-MAX_INDEX, MAX_INDEX))
 }
 
 /// The index of the probability of an event ([`super::smooth::Smooth::index`]).
@@ -63,7 +63,7 @@ pub(crate) fn index_of_either(a: f64, b: f64) -> f64 {
     } else if rest > 0.0 {
         -normal_quantile(rest)
     } else {
-        LARGEST_INDEX
+        MAX_INDEX
     };
     compressed(z)
 }

@@ -26,11 +26,11 @@ use loosepin_math::dense::{Cholesky, dot, gram};
 use loosepin_math::on_vectors;
 
 /// Highest degree of a polynomial.
-const MOST_DEGREE: usize = 12;
+const MAX_DEGREE: usize = 12;
 /// Runs of the other replicates for each coefficient, at least.
 const RUNS_PER_COEFFICIENT: usize = 3;
 /// Entries of the matrix of terms at the inner points, at most: 8 MiB.
-const MOST_ENTRIES: usize = 1 << 20;
+const MAX_ENTRIES: usize = 1 << 20;
 
 /// The points of the inner loop, and the polynomials on them.
 #[derive(Debug)]
@@ -68,7 +68,7 @@ impl InnerBasis {
             .iter()
             .map(|point| point.iter().zip(axes).map(|(&omega, axis)| axis.coordinate(omega)).collect())
             .collect();
-        let designs: Vec<Arc<DesignMatrix>> = (1..=MOST_DEGREE)
+        let designs: Vec<Arc<DesignMatrix>> = (1..=MAX_DEGREE)
             .map_while(|degree| DesignMatrix::new(axes, degree, &coordinates, replicates))
             .map(Arc::new)
             .collect();
@@ -88,7 +88,7 @@ impl DesignMatrix {
         let basis = Basis::try_new(axes, degree)?;
         let size = basis.terms.len();
         let per_replicate = count / replicates;
-        if RUNS_PER_COEFFICIENT * size > count - per_replicate || size * count > MOST_ENTRIES {
+        if RUNS_PER_COEFFICIENT * size > count - per_replicate || size * count > MAX_ENTRIES {
             return None;
         }
         let rows: Vec<f64> = coordinates.iter().flat_map(|point| basis.values(point)).collect();

@@ -27,7 +27,7 @@ use super::ordered::Ordered;
 
 /// The tail is taken through this many values a replicate, but never more than this share of all.
 const TAIL_PER_REPLICATE: usize = 4;
-const LARGEST_TAIL: f64 = 0.25;
+const MAX_TAIL: f64 = 0.25;
 /// One more run is put where one of this many times N runs would lie.
 const RUNS_FOR_ONE_BEYOND: f64 = 4.0;
 
@@ -84,7 +84,7 @@ fn excess(sorted: &[f64], replicates: usize, of: impl Fn(f64) -> f64) -> f64 {
 /// where the response ends there.
 pub(super) fn one_beyond(sorted: &[f64], replicates: usize) -> Option<(&[f64], f64)> {
     let count = sorted.len();
-    let tail = (TAIL_PER_REPLICATE * replicates).min((LARGEST_TAIL * count as f64) as usize);
+    let tail = (TAIL_PER_REPLICATE * replicates).min((MAX_TAIL * count as f64) as usize);
     let outermost = &sorted[count - replicates.min(tail)..];
     if outermost.first()? == outermost.last()? {
         return None;

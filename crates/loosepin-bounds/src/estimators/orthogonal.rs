@@ -19,10 +19,10 @@ use loosepin_uncertainty::{normal_cdf, normal_quantile};
 const NORMAL_END: f64 = 5.0;
 
 /// Orders of the polynomials, at most: the longest Gauss rule.
-const MOST_ORDER: usize = 32;
+const MAX_ORDER: usize = 32;
 
 /// b_k and 1/b_k of an axis, b_0 = 0.
-type Recurrence = [(f64, f64); MOST_ORDER + 1];
+type Recurrence = [(f64, f64); MAX_ORDER + 1];
 
 /// Of both axes: a root and a quotient cost more than all else of a polynomial.
 static RECURRENCES: LazyLock<[Recurrence; 2]> = LazyLock::new(|| {

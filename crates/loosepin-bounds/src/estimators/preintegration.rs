@@ -26,7 +26,7 @@ const SCAN_STEPS: usize = 40;
 const ROOT_STEPS: usize = 60;
 /// A root is found where Newton's step is smaller, or the values on either side of it are nearer.
 const LAST_NEWTON_STEP: f64 = 1e-8;
-const LEAST_BRACKET: f64 = 1e-13;
+const MIN_BRACKET: f64 = 1e-13;
 /// Separates the stream of random numbers.
 const REST: u64 = 0x7265_7374;
 
@@ -245,7 +245,7 @@ impl Line {
                 break;
             }
             t = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if high - low < LEAST_BRACKET {
+            if high - low < MIN_BRACKET {
                 break;
             }
         }

@@ -10,10 +10,10 @@ use loosepin_terms::Event;
 use loosepin_uncertainty::clopper_pearson;
 
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.
-const LEAST_PER_REPLICATE: usize = 2;
+const MIN_PER_REPLICATE: usize = 2;
 /// Eight replicates of independent runs seem to be worth this many times their number in one sample of thirty. Were every gain believed, the
 /// narrower of two intervals would always be taken, and miss twice as often as stated.
-const LEAST_GAIN: f64 = 2.0;
+const MIN_GAIN: f64 = 2.0;
 
 /// Limits of shares that were counted, each of which is worked out once: samples of the same size have the same counts again and again.
 #[derive(Debug, Default)]
@@ -88,7 +88,7 @@ pub fn least_counted_runs(share: f64, replicates: usize) -> usize {
 pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usize, shares: &[f64]) -> f64 {
     let finished = sample.values().len();
     let runs = sample.runs() as f64;
-    let least = LEAST_PER_REPLICATE * shares.len();
+    let least = MIN_PER_REPLICATE * shares.len();
     if hits < least || finished - hits < least {
         return runs;
     }
@@ -100,7 +100,7 @@ pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
     let least_variance = 0.25 / (runs_in_replicate * runs_in_replicate * shares.len() as f64);
     let variance = widened.max(least_variance);
     let effective = share * (1.0 - share) / variance;
-    if effective >= LEAST_GAIN * runs { effective } else { runs }
+    if effective >= MIN_GAIN * runs { effective } else { runs }
 }
 
 #[cfg(test)]

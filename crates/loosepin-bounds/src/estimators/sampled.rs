@@ -23,7 +23,7 @@ use super::sample::Sample;
 use loosepin_terms::Statistic;
 
 /// Gaps across which a value is moved.
-const MOST_GAPS: usize = 64;
+const MAX_GAPS: usize = 64;
 
 /// `statistic` over the finished runs, with its error.
 pub(crate) fn sampled(sample: &Sample, statistic: Statistic, confidence: &Confidence) -> Estimate {
@@ -72,7 +72,7 @@ fn square_of_moves(sorted: &[f64], change: impl Fn(&[f64]) -> f64) -> f64 {
     gaps.sort_unstable_by(|&a, &b| width(b).total_cmp(&width(a)).then(a.cmp(&b)));
     let mut moved = sorted.to_vec();
     let (mut sum, mut steepest) = (0.0, 0.0_f64);
-    let (largest, others) = gaps.split_at(gaps.len().min(MOST_GAPS));
+    let (largest, others) = gaps.split_at(gaps.len().min(MAX_GAPS));
     for &place in largest {
         moved[place] = sorted[place + 1];
         let change = change(&moved).abs();

@@ -7,8 +7,8 @@ use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
 
 /// The polynomials may leave at most this share of the standard deviation of a sample, or of the largest one of any sample.
-const LARGEST_RESIDUAL: f64 = 1e-3;
-const LARGEST_RESIDUAL_OF_ALL: f64 = 1e-6;
+const MAX_RESIDUAL: f64 = 1e-3;
+const MAX_RESIDUAL_OF_ALL: f64 = 1e-6;
 /// The degree is chosen at this many points u; a lower degree must leave less than the highest by this factor.
 const TRIAL_POINTS: usize = 8;
 const CLEARLY_LESS: f64 = 0.25;
@@ -32,7 +32,7 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>], keeps
     if largest <= ROUND_OFF * magnitude {
         return;
     }
-    let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
+    let allowed = |point: usize| (MAX_RESIDUAL * deviations[point]).max(MAX_RESIDUAL_OF_ALL * largest);
     let largest_residual = |fit: &CrossFit| largest_magnitude(&fit.residuals);
     // The same relative to what is allowed.
     let share = |largest_residual: f64, point: usize| {

@@ -14,7 +14,7 @@ use loosepin_terms::Event;
 const SMOOTH_PROBABILITY_RESOLUTION: f64 = 1e-6;
 
 /// Where a response hardly scatters its probability still has a scale: this share of the range of all responses.
-const LEAST_SCALE: f64 = 1e-6;
+const MIN_SCALE: f64 = 1e-6;
 
 /// The probability of this event, of responses that are smooth in the random inputs. Its target is its index.
 #[derive(Debug)]
@@ -55,7 +55,7 @@ pub(super) fn index_target(
     }
     let means: Vec<f64> = samples.iter().map(|sample| mean(sample, confidence).value).collect();
     let largest_spread = samples.iter().map(spread).fold(0.0, f64::max);
-    let least_scale = LEAST_SCALE * (range(&means) + largest_spread);
+    let least_scale = MIN_SCALE * (range(&means) + largest_spread);
     let index = |sample: &&Sample| Some(sample.smooth()?.index(event, least_scale, sample.values(), confidence));
     let indices: Vec<Index> = samples.iter().map(index).collect::<Option<_>>()?;
     let values: Vec<f64> = indices.iter().map(|index| index.value()).collect();

@@ -76,7 +76,7 @@ pub enum ProblemError {
         recommended: usize,
     },
     #[error(
-        "{combinations} combinations of the members of lists; must be at most {MOST_COMBINATIONS}\n\
+        "{combinations} combinations of the members of lists; must be at most {MAX_COMBINATIONS}\n\
          hint: shorten the lists, or take numbers that lie close together as an interval"
     )]
     TooManyCombinations { combinations: usize },
@@ -86,7 +86,7 @@ pub enum ProblemError {
     )]
     TooFewForElements { name: &'static str, count: usize, least: usize, recommended: usize },
     #[error(
-        "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
+        "{elements} combinations of focal elements; must be at most {MAX_ELEMENTS}\n\
          hint: join elements of the inputs that matter least"
     )]
     TooManyElements { elements: usize },
@@ -104,14 +104,14 @@ fn inputs_words(inputs: usize) -> String {
 }
 
 /// Every combination of focal elements has bounds of its own.
-const MOST_ELEMENTS: usize = 256;
+const MAX_ELEMENTS: usize = 256;
 
 /// Every combination of members is run, and searched by itself.
-const MOST_COMBINATIONS: usize = 64;
+const MAX_COMBINATIONS: usize = 64;
 
 /// Points in the box of the epistemic inputs at most, with all combinations of the members of lists: with as many, a search takes
 /// longer than all else.
-pub const MOST_OUTER: usize = 1 << 20;
+pub const MAX_OUTER: usize = 1 << 20;
 
 impl ProblemError {
     /// The number of runs, of points or of replicates that it is about, by the name of its field.
@@ -164,14 +164,14 @@ impl Problem {
         }
         let search_box = SearchBox::new(self.epistemic.clone());
         let (wide, combinations) = (search_box.dimensions(), search_box.combinations());
-        if combinations > MOST_COMBINATIONS {
+        if combinations > MAX_COMBINATIONS {
             return Err(ProblemError::TooManyCombinations { combinations });
         }
         if !search_box.is_a_point() {
             check_points("outer", outer, wide, combinations)?;
         }
         let elements = element_count(&self.epistemic);
-        if elements > MOST_ELEMENTS {
+        if elements > MAX_ELEMENTS {
             return Err(ProblemError::TooManyElements { elements });
         }
         let structure = Structure::new(&search_box);
@@ -256,8 +256,8 @@ fn check_points(name: &'static str, count: usize, dimensions: usize, combination
             ProblemError::TooFewForCombinations { name, count, combinations, dimensions, least, recommended }
         });
     }
-    if count > MOST_OUTER {
-        return Err(ProblemError::TooManyPoints { name, count, most: MOST_OUTER });
+    if count > MAX_OUTER {
+        return Err(ProblemError::TooManyPoints { name, count, most: MAX_OUTER });
     }
     Ok(())
 }

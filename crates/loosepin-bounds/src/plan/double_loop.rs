@@ -13,7 +13,7 @@ use crate::search::search_box::{Place, Region, SearchBox};
 use loosepin_uncertainty::{EpistemicVariable, SobolError};
 
 /// Runs in each replicate of a pilot, at least.
-const LEAST_PILOT_RUNS: usize = 2;
+const MIN_PILOT_RUNS: usize = 2;
 
 /// The direct double loop, in rounds.
 ///
@@ -126,7 +126,7 @@ impl DoubleLoop {
     pub fn pilot(&self, runs: usize) -> Option<Self> {
         let mut problem = self.problem().clone();
         let Sampling { replicates, inner, .. } = problem.sampling;
-        let each = (runs / (self.first_outer.len() * replicates)).min(inner / replicates / 4).max(LEAST_PILOT_RUNS);
+        let each = (runs / (self.first_outer.len() * replicates)).min(inner / replicates / 4).max(MIN_PILOT_RUNS);
         // Scrambled points fill the box evenly by powers of two.
         let each = 1 << each.ilog2();
         if problem.random.is_empty() || replicates * each >= inner {

@@ -11,23 +11,23 @@ use crate::search::design::{first_points, structural_point_count};
 use crate::search::search_box::Place;
 
 /// Inner runs, at most.
-const MOST_INNER: usize = 1 << 24;
+const MAX_INNER: usize = 1 << 24;
 
 /// Outer points of a combination to which samples grow by themselves: their models are some 400 matrices of order 384. More must be asked
 /// for.
-const MOST_GROWN: usize = 2048;
+const MAX_GROWN: usize = 2048;
 
 /// A sampling error that is to decide when to end is told by this many replicates at least: a few of them agree by chance too
 /// often, and the end would be where they do.
-const LEAST_REPLICATES: usize = 16;
+const MIN_REPLICATES: usize = 16;
 
 /// Where the search sees nothing to gain, this share of the points there are is added between them, and at least
-/// [`LEAST_FILLING`].
+/// [`MIN_FILLING`].
 const FILLING_SHARE: usize = 8;
-const LEAST_FILLING: usize = 4;
+const MIN_FILLING: usize = 4;
 
 /// Two points are not the same where they differ by more than this, in units of the box.
-const LEAST_DISTANCE: f64 = 1e-6;
+const MIN_DISTANCE: f64 = 1e-6;
 
 /// How far the bounds of a statistic may be widened.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -162,7 +162,7 @@ impl Refinement {
             let Some(grown) = self.grown(growth, &assessment) else { continue };
             let mut round = grown.next_round(table)?;
             if round.is_empty() && growth == Growth::Outer {
-                round = filling_round(&grown, table, (assessment.outer / FILLING_SHARE).max(LEAST_FILLING))?;
+                round = filling_round(&grown, table, (assessment.outer / FILLING_SHARE).max(MIN_FILLING))?;
             }
             if !round.is_empty() {
                 self.grown = Some((table.rounds(), grown));
@@ -223,16 +223,16 @@ impl Refinement {
             Growth::Inner => {
                 let helps = assessment.sampling_share > 0.0 && !problem.random.is_empty();
                 let inner = 2 * sampling.inner;
-                let larger = if sampling.replicates < LEAST_REPLICATES {
+                let larger = if sampling.replicates < MIN_REPLICATES {
                     Sampling { inner, replicates: 2 * sampling.replicates, mixture: 2 * sampling.mixture, ..sampling }
                 } else {
                     Sampling { inner, ..sampling }
                 };
-                (helps && inner <= MOST_INNER).then_some(larger)
+                (helps && inner <= MAX_INNER).then_some(larger)
             }
             Growth::Outer => {
                 let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_box();
-                let most = MOST_GROWN * self.plan.box_combinations();
+                let most = MAX_GROWN * self.plan.box_combinations();
                 let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(most);
                 (helps && outer > assessment.outer).then_some(Sampling { outer, ..sampling })
             }
@@ -267,7 +267,7 @@ fn filling_round(plan: &DoubleLoop, table: &SampleTable, count: usize) -> Result
         let of = move |combination| Place { combination, at: at.clone() };
         (0..plan.box_combinations()).map(of).collect::<Vec<Place>>()
     });
-    let is_new = |place: &Place| known.iter().all(|point| search_box.axes().distance(point, place) > LEAST_DISTANCE);
+    let is_new = |place: &Place| known.iter().all(|point| search_box.axes().distance(point, place) > MIN_DISTANCE);
     let rest = outer.saturating_sub(known.len());
     let chosen = places.filter(is_new).take(count.min(rest)).enumerate();
     let runs = |(place, at): (usize, Place)| {

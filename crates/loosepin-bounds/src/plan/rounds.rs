@@ -16,7 +16,7 @@ use crate::measures::measure::Measure;
 use crate::measures::of_statistic::{estimator, work_out};
 use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
-use crate::search::models::of_points::{MOST_LOCATED_TARGETS, Search};
+use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::search_box::Place;
 use crate::search::target::Target;
@@ -106,13 +106,13 @@ impl DoubleLoop {
         // A row is read once for all of its columns.
         let pool = Pool::gather(table, Purpose::DoubleLoop, self.setup.needed_columns());
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
-        let is_curve = searched.len() > MOST_LOCATED_TARGETS;
+        let is_curve = searched.len() > MAX_LOCATED_TARGETS;
         let pool = &if is_curve { pool } else { pool.with_kept_polynomials(self.setup.inner_basis()) };
         let points = self.setup.outer_places(pool);
         // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
         // many, the quantiles of each element have to do.
         let has_joint_quantiles =
-            self.setup.structure.widest().elements.len() > 1 && searched.len() <= MOST_LOCATED_TARGETS;
+            self.setup.structure.widest().elements.len() > 1 && searched.len() <= MAX_LOCATED_TARGETS;
         let is_joint = |request: &Request| {
             has_joint_quantiles
                 && request.statistic.probability_of_quantile().is_some()
@@ -133,10 +133,10 @@ impl DoubleLoop {
         if has_joint_quantiles {
             targets.extend(Experiment::new(&self.setup, pool, table).joint_quantile_targets());
         }
-        if targets.len() < MOST_LOCATED_TARGETS {
+        if targets.len() < MAX_LOCATED_TARGETS {
             let squares = Experiment::new(&self.setup, pool, table).square_targets();
             // So many that the others would be taken for a curve are left out.
-            if targets.len() + squares.len() <= MOST_LOCATED_TARGETS {
+            if targets.len() + squares.len() <= MAX_LOCATED_TARGETS {
                 targets.extend(squares);
             }
         }

@@ -19,7 +19,7 @@ use crate::search::search_box::Place;
 use crate::search::target::Target;
 
 /// Of more columns than this, which are the poses of curves, so many are read, evenly among them.
-const MOST_COLUMNS: usize = 16;
+const MAX_COLUMNS: usize = 16;
 
 impl DoubleLoop {
     /// At most `count` places of runs of the probability-only treatment that lie where no model expects them ([`Search::calls`]), those
@@ -41,7 +41,7 @@ impl DoubleLoop {
         let place = |&run: &usize| self.setup.epistemic_box.place_of(&table.inputs()[run].epistemic);
         let places: Vec<Place> = runs.iter().map(place).collect();
         let columns: BTreeSet<usize> = searched.iter().map(|(request, _)| request.column).collect();
-        let step = columns.len().div_ceil(MOST_COLUMNS).max(1);
+        let step = columns.len().div_ceil(MAX_COLUMNS).max(1);
         let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
         let mean = |&column: &usize| Mean.measure(&pool.samples(column), &self.setup.confidence).target;
         let means: Vec<Target> = columns.iter().map(mean).collect();

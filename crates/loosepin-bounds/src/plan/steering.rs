@@ -4,15 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::search::models::of_points::MOST_LOCATED_TARGETS;
+use crate::search::models::of_points::MAX_LOCATED_TARGETS;
 use loosepin_terms::Statistic;
 
 /// A statistic, and which of its extremes are sought.
 pub(super) type Searched = (Request, Vec<Direction>);
 
-/// Of the statistics of curves at least this many are looked at in a round: more than [`MOST_LOCATED_TARGETS`], so that they are searched as
+/// Of the statistics of curves at least this many are looked at in a round: more than [`MAX_LOCATED_TARGETS`], so that they are searched as
 /// those of curves.
-const LEAST_OF_CURVES: usize = MOST_LOCATED_TARGETS + MOST_LOCATED_TARGETS / 8;
+const MIN_OF_CURVES: usize = MAX_LOCATED_TARGETS + MAX_LOCATED_TARGETS / 8;
 
 /// Those of `searched` that steer `round`: all, but of curves with many poses every k-th pose alone, other ones each round. A pose is a column
 /// beside one of which the same is searched.
@@ -31,7 +31,7 @@ pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> 
     let poses: Vec<(&usize, &Vec<_>)> = columns.iter().filter(is_pose).collect();
     // Whole poses, so many that none of the turns has fewer statistics.
     let of_a_pose = poses.iter().map(|(_, own)| own.len()).min().unwrap_or(1).max(1);
-    let turns = (poses.len() / LEAST_OF_CURVES.div_ceil(of_a_pose)).max(1);
+    let turns = (poses.len() / MIN_OF_CURVES.div_ceil(of_a_pose)).max(1);
     let is_left_out = |(pose, _): &(usize, &usize)| !(pose + round as usize).is_multiple_of(turns);
     let columns = poses.into_iter().map(|(column, _)| column).enumerate();
     let left_out: BTreeSet<usize> = columns.filter(is_left_out).map(|(_, column)| *column).collect();
@@ -41,7 +41,7 @@ pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> 
 
 #[cfg(test)]
 mod tests {
-    use super::{LEAST_OF_CURVES, Searched, in_turn};
+    use super::{MIN_OF_CURVES, Searched, in_turn};
     use crate::data::direction::Direction;
     use crate::data::problem::Request;
     use loosepin_terms::Statistic;
@@ -62,11 +62,11 @@ mod tests {
 
     #[test]
     fn identity_every_pose_has_its_turn_and_single_numbers_always() {
-        let poses = 4 * LEAST_OF_CURVES / 3 + 7;
+        let poses = 4 * MIN_OF_CURVES / 3 + 7;
         let rounds: Vec<Vec<Searched>> = (1..=4).map(|round| in_turn(searched(poses), round)).collect();
         let mut seen = BTreeSet::new();
         for round in &rounds {
-            assert!(round.len() > LEAST_OF_CURVES && round.len() < LEAST_OF_CURVES + 30, "{}", round.len());
+            assert!(round.len() > MIN_OF_CURVES && round.len() < MIN_OF_CURVES + 30, "{}", round.len());
             let mut own = columns(round);
             assert!(own.remove(&poses), "the single number");
             assert!(own.iter().all(|&pose| seen.insert(pose)), "a pose that had its turn");
@@ -88,7 +88,7 @@ mod tests {
                     (0..poses).flat_map(of).map(|request| (request, Direction::BOTH.to_vec())).collect();
                 for round in 1..4 {
                     let found = in_turn(all.clone(), round).len();
-                    assert!(found >= LEAST_OF_CURVES.min(all.len()), "{of_a_pose} of {poses}: {found}");
+                    assert!(found >= MIN_OF_CURVES.min(all.len()), "{of_a_pose} of {poses}: {found}");
                 }
             }
         }
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn identity_few_statistics_are_looked_at_in_every_round() {
-        let few = searched(2 * LEAST_OF_CURVES / 3 - 1);
+        let few = searched(2 * MIN_OF_CURVES / 3 - 1);
         for round in 1..5 {
             assert_eq!(in_turn(few.clone(), round), few);
         }

@@ -17,7 +17,7 @@ use crate::search::target::Target;
 use loosepin_terms::Event;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
-const MOST_ATTEMPTS: usize = 6;
+const MAX_ATTEMPTS: usize = 6;
 
 /// A quantile is located to this share of the range of all runs.
 const QUANTILE_RESOLUTION: f64 = 1e-9;
@@ -170,7 +170,7 @@ impl Experiment<'_> {
                 }
             })
             .collect();
-        for attempt in 0..MOST_ATTEMPTS {
+        for attempt in 0..MAX_ATTEMPTS {
             let pending: Vec<usize> = (0..jobs.len()).filter(|&job| attempts[job].widened.is_none()).collect();
             if pending.is_empty() {
                 break;

@@ -34,7 +34,7 @@ const SCANNED: usize = 128;
 /// Rounds in which each element is moved to where the variance is greatest.
 const ASCENTS: usize = 20;
 /// Boxes of means whose corners are all tried, at most.
-const MOST_ENUMERATED: usize = 12;
+const MAX_ENUMERATED: usize = 12;
 
 impl Experiment<'_> {
     /// Both ends of the standard deviation of `column` over `elements`.
@@ -258,7 +258,7 @@ fn greatest_spread(boxes: &[[f64; 2]], masses: &[f64]) -> f64 {
     if boxes.iter().flatten().any(|end| !end.is_finite()) {
         return f64::INFINITY;
     }
-    if boxes.len() <= MOST_ENUMERATED {
+    if boxes.len() <= MAX_ENUMERATED {
         let spread = |corner: usize| {
             let means = || boxes.iter().enumerate().map(|(k, ends)| ends[corner >> k & 1]).zip(masses);
             let centre: f64 = means().map(|(mean, mass)| mass * mean).sum();

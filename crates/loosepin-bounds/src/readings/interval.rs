@@ -13,11 +13,11 @@ use crate::search::target::Target;
 use loosepin_terms::Event;
 
 /// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
-const LEAST_SHARE_BETWEEN: f64 = 0.5;
+const MIN_SHARE_BETWEEN: f64 = 0.5;
 
 /// A model that takes more than this share of the sampling variance for noise has averaged over points; errors that all points share,
 /// as with the same random numbers at each, are no noise to it.
-const LEAST_NOISE_SHARE: f64 = 0.1;
+const MIN_NOISE_SHARE: f64 = 0.1;
 
 /// A measure with the samples that it was taken of, and the models of what is searched.
 pub(crate) struct Modelled<'a> {
@@ -147,7 +147,7 @@ impl<'a> Modelled<'a> {
         let known = focal.members.iter().copied().filter(|&point| is_known(point));
         let best = known.clone().reduce(|best, point| if is_better(point, best) { point } else { best })?;
         // Where differences are noise the neighbours of a point have been heard too: its own interval says nothing more.
-        let least_noise = LEAST_NOISE_SHARE * measure.target.noise.variance;
+        let least_noise = MIN_NOISE_SHARE * measure.target.noise.variance;
         let is_averaged = |point: usize| {
             let own = self.branches.iter().find(|branch| branch.points.contains(&point));
             own.is_some_and(|branch| branch.averaged_noise() > least_noise)
@@ -184,7 +184,7 @@ impl<'a> Modelled<'a> {
         for branch in &self.branches {
             let shares = branch.points.iter().map(|&point| target.values[point]);
             let between = shares.filter(|&share| share > 0.0 && share < 1.0).count() as f64;
-            if between >= LEAST_SHARE_BETWEEN * branch.points.len() as f64 {
+            if between >= MIN_SHARE_BETWEEN * branch.points.len() as f64 {
                 let most = direction.further(least, self.search.reach(target, branch, direction, region));
                 furthest = direction.further(most, furthest);
             }

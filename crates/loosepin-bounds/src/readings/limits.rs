@@ -14,7 +14,7 @@ const RESPONSE_MARGIN: f64 = 0.1;
 const HALF_SEEN_MARGIN: f64 = 1.0;
 
 /// Fewer runs at a point than this do not show the range of the response.
-const LEAST_RUNS_FOR_RANGE: usize = 8;
+const MIN_RUNS_FOR_RANGE: usize = 8;
 
 /// The furthest that a search concedes to a statistic: means and quantiles stay within the range of the responses at all points together
 /// and a margin, deviations within half of it, others where they state that they do. Infinite where the runs at a point are too few to show that range. A model of many inputs
@@ -46,7 +46,7 @@ pub(crate) fn can_change(event: Event, samples: &[&Sample]) -> bool {
 
 /// The least and the greatest response at all points together; nothing where the runs at a point are too few to show them.
 fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
-    if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
+    if samples.iter().any(|sample| sample.values().len() < MIN_RUNS_FOR_RANGE) {
         return None;
     }
     Some(range_of(samples.iter().filter_map(|sample| sample.ends()).flat_map(|(low, high)| [low, high])))

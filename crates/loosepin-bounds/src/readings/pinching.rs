@@ -14,7 +14,7 @@ use crate::search::target::Target;
 const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// Places of the box, besides those that were run, at which the models are asked.
-const MOST_PLACES: usize = 96;
+const MAX_PLACES: usize = 96;
 
 /// The error of a model, in its standard deviations.
 const ERROR_FACTOR: f64 = 2.0;
@@ -139,7 +139,7 @@ impl Experiment<'_> {
                 continue;
             }
             let own = self.places.iter().filter(|place| place.combination == combination).map(|place| &place.at);
-            let stride = self.setup.candidates.len().div_ceil(MOST_PLACES);
+            let stride = self.setup.candidates.len().div_ceil(MAX_PLACES);
             for place in self.setup.candidates.iter().step_by(stride).chain(own) {
                 let mut at = place.clone();
                 if let Some((axis, value)) = fixed {

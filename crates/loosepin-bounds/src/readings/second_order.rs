@@ -40,7 +40,7 @@ const POINTS_ALONE: u32 = 256;
 const POINTS: u32 = 64;
 
 /// Values of the other epistemic inputs at which the percentiles are taken, at least: corners, centre and interior points.
-const LEAST_VALUES: usize = 40;
+const MIN_VALUES: usize = 40;
 
 /// The sampling error of a percentile is the largest of so many outer points whose statistic is nearest to it.
 const NEAREST: usize = 5;
@@ -146,7 +146,7 @@ impl Experiment<'_> {
             vec![Vec::new()]
         } else {
             let structural = structural_point_count(other_inputs.len());
-            let points = first_points(seed, other_inputs.len(), LEAST_VALUES.max(2 * structural)).ok()?;
+            let points = first_points(seed, other_inputs.len(), MIN_VALUES.max(2 * structural)).ok()?;
             points.into_iter().map(|at| other_axes.vertex(at)).collect()
         };
         let points = if others.len() > 1 { POINTS } else { POINTS_ALONE };

@@ -22,7 +22,7 @@ use crate::measures::measure::Estimator;
 use crate::measures::quantile::Quantile;
 
 /// A half-width below this share of the largest is made as wide, so that round-off where a curve does not scatter is no excess.
-const LEAST_HALF_WIDTH: f64 = 1e-3;
+const MIN_HALF_WIDTH: f64 = 1e-3;
 
 /// A band for a whole curve, with what it is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,7 +91,7 @@ impl BandShape {
         if !is_finite || widest <= 0.0 {
             return None;
         }
-        let half_width = |[lower, upper]: &[f64; 2]| (0.5 * (upper - lower)).max(LEAST_HALF_WIDTH * widest);
+        let half_width = |[lower, upper]: &[f64; 2]| (0.5 * (upper - lower)).max(MIN_HALF_WIDTH * widest);
         Some(Self { half_widths: ends.iter().map(half_width).collect(), centres })
     }
 

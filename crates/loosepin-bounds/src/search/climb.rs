@@ -11,10 +11,10 @@ use loosepin_math::descent::minimise;
 const STEP: f64 = 0.05;
 
 /// Steps of a climb, at most.
-const MOST_STEPS: usize = 30;
+const MAX_STEPS: usize = 30;
 
 /// A climb ends where two steps in turn gain less than this share of the range of the target: a tenth of what is always conceded.
-const LEAST_STEP: f64 = 1e-7;
+const MIN_STEP: f64 = 1e-7;
 
 /// The way up a model in `direction` over `region`.
 pub(super) struct Climb<'a> {
@@ -34,7 +34,7 @@ impl<'a> Climb<'a> {
         region: &'a Region,
         range: f64,
     ) -> Self {
-        Self { axes, model, direction, region, tolerance: LEAST_STEP * range }
+        Self { axes, model, direction, region, tolerance: MIN_STEP * range }
     }
 
     /// What is conceded where a climb from `start` ends. What is rough is no part of the slopes that are climbed.
@@ -80,7 +80,7 @@ impl<'a> Climb<'a> {
             false => ((self.region.lower[axis] - start[axis]) / STEP, (self.region.upper[axis] - start[axis]) / STEP),
         };
         let ends: Vec<(f64, f64)> = (0..start.len()).map(ends).collect();
-        let found = minimise(depth, &vec![0.0; start.len()], &ends, MOST_STEPS, self.tolerance);
+        let found = minimise(depth, &vec![0.0; start.len()], &ends, MAX_STEPS, self.tolerance);
         found.map_or_else(|| start.to_vec(), |found| moved(&found.place))
     }
 }
@@ -91,7 +91,7 @@ mod tests {
     use crate::search::design::{candidates, first_points};
     use crate::search::models::local::LocalSmoothers;
     use crate::search::models::noise::Noise;
-    use crate::search::models::of_points::{MOST_LOCATED_TARGETS, Search};
+    use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
     use crate::search::models::prediction::Allowance;
     use crate::search::models::target_model::TargetModel;
     use crate::search::search_box::{Axes, Place, Region};
@@ -103,7 +103,7 @@ mod tests {
 
     /// By how much the reach of each of many targets exceeds 1, the greatest value of `function` of a place and of where its summit is.
     fn beyond_summits(axes: &Axes, function: impl Fn(&[f64], &[f64]) -> f64) -> Vec<f64> {
-        let summits = first_points(17, 2, 5 + MOST_LOCATED_TARGETS + 1).unwrap().split_off(5);
+        let summits = first_points(17, 2, 5 + MAX_LOCATED_TARGETS + 1).unwrap().split_off(5);
         let points: Vec<Place> =
             first_points(5, 2, 40).unwrap().into_iter().map(|at| Place { combination: 0, at }).collect();
         let of = |summit: &Vec<f64>| {

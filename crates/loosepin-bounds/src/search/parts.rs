@@ -8,7 +8,7 @@ use loosepin_uncertainty::{EpistemicVariable, Interval, SobolError};
 const CANDIDATES: usize = 1536;
 
 /// Candidates of one part, at least.
-const LEAST_CANDIDATES: usize = 12;
+const MIN_CANDIDATES: usize = 12;
 
 /// Two structural points nearer than this are one.
 const SAME: f64 = 1e-9;
@@ -114,7 +114,7 @@ impl Structure {
     /// Places inside every part at which models are asked where to look next.
     pub fn candidates(&self, dimensions: usize) -> Result<Vec<Vec<f64>>, SobolError> {
         let regions = self.regions();
-        let count = (CANDIDATES / regions.len()).max(LEAST_CANDIDATES);
+        let count = (CANDIDATES / regions.len()).max(MIN_CANDIDATES);
         let all = candidates(dimensions)?;
         let step = (all.len() / count).max(1);
         let unit: Vec<&Vec<f64>> = all.iter().step_by(step).collect();

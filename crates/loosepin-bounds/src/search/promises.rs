@@ -7,7 +7,7 @@ use super::reach::{locate, reach, reach_with_kinks};
 use super::search_box::{Axes, Place, Region};
 use super::target::Target;
 use crate::data::direction::{Direction, extreme_among};
-use crate::search::models::of_points::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
+use crate::search::models::of_points::{Branch, MIN_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
 
@@ -204,7 +204,7 @@ fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
         if kept.len() == count {
             break;
         }
-        if kept.iter().all(|other| axes.distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
+        if kept.iter().all(|other| axes.distance(&other.place, &promise.place) > MIN_DISTANCE_IN_ROUND) {
             kept.push(promise);
         }
     }

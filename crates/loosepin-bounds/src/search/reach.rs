@@ -12,7 +12,7 @@ use crate::search::models::target_model::TargetModel;
 use crate::search::rough::broken_reach::reach_of_break;
 
 /// Summits that are climbed to, at most, and how far their candidates lie apart along some axis, in units of the box.
-const MOST_SUMMITS: usize = 3;
+const MAX_SUMMITS: usize = 3;
 const APART: f64 = 0.25;
 
 /// How far a target may go beyond what has been attained, by its model.
@@ -181,7 +181,7 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
     // The mean distance of neighbours.
     let spacing = (model.places().len() as f64).powf(-1.0 / region.lower.len() as f64);
     let mut starts = vec![coarse.optimistic_at];
-    for _ in 1..MOST_SUMMITS {
+    for _ in 1..MAX_SUMMITS {
         let is_apart = |place: &[f64]| {
             let away = |start: &Vec<f64>| (0..place.len()).any(|k| axes.step(k, start[k], place[k]).abs() > APART);
             starts.iter().all(away)
@@ -267,7 +267,7 @@ pub(super) fn locate(
     let inside = |axis: usize, value: f64| axes.inside(axis, value, [region.lower[axis], region.upper[axis]]);
     const FIRST_STEP: f64 = 0.1;
     const LAST_STEP: f64 = 1e-7;
-    const MOST_MOVES: usize = 400;
+    const MAX_MOVES: usize = 400;
     const FACE_THICKNESS: f64 = 1e-4;
     let sign = direction.sign();
     let value = |place: &[f64]| sign * model.at(place, allowance).moved(allowance, sign);
@@ -279,7 +279,7 @@ pub(super) fn locate(
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;
-    while step >= LAST_STEP && moves < MOST_MOVES {
+    while step >= LAST_STEP && moves < MAX_MOVES {
         let before = place.clone();
         let (mut has_moved, mut first) = (false, 0);
         // Where no trial is expected to be better, those along all axes are worked out side by side; behind one that is they begin anew.

@@ -5,7 +5,7 @@ use crate::data::direction::Direction;
 use crate::search::models::of_points::Search;
 
 /// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
-const LEAST_DEVIATION: f64 = 1e-3;
+const MIN_DEVIATION: f64 = 1e-3;
 
 /// Where single runs were made, each at a u of its own, and the nearest outer point in the same combination of the discrete inputs.
 pub(crate) struct Scouts<'a> {
@@ -50,7 +50,7 @@ impl Search<'_> {
     /// first; at most `count`.
     pub fn calls(&self, scouts: &Scouts<'_>, observed: &Observed<'_>, count: usize) -> Vec<Place> {
         let deviations = observed.moments.iter().map(|(_, deviation)| *deviation);
-        let least = LEAST_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
+        let least = MIN_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
         let mut calls: Vec<(f64, &Place)> = Vec::new();
         for (scout, place) in scouts.places.iter().enumerate() {
             let Some(nearest) = scouts.nearest[scout] else { continue };

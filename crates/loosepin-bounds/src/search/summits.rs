@@ -14,14 +14,14 @@ use loosepin_math::descent::minimise;
 const POINTS_PER_TERM: usize = 3;
 
 /// A climb is worth a point from this share of the resolution on: a summit of something smooth takes few.
-const LEAST_CLIMB: f64 = 0.1;
+const MIN_CLIMB: f64 = 0.1;
 
 /// Half of the distance over which a slope of a local model is taken, in units of its box.
 const HALF_STEP: f64 = 1e-4;
 
 /// A climb ends where two steps in turn gain less than this share of the resolution, and after this many.
-const LEAST_STEP: f64 = 1e-3;
-const MOST_STEPS: usize = 60;
+const MIN_STEP: f64 = 1e-3;
+const MAX_STEPS: usize = 60;
 
 impl Search<'_> {
     /// At most `count` places to which a climb from `extremes` leads, those that are expected to gain the most first.
@@ -72,14 +72,14 @@ impl Search<'_> {
         let depth_and_slopes =
             |place: &[f64]| Some((depth(place), (0..place.len()).map(|axis| slope(place, axis)).collect()));
         let centre = vec![0.5; at.len()];
-        let found = minimise(depth_and_slopes, &centre, &ends, MOST_STEPS, LEAST_STEP)?;
+        let found = minimise(depth_and_slopes, &centre, &ends, MAX_STEPS, MIN_STEP)?;
         let gain = depth(&centre) - found.value;
         let back = |(axis, x): (usize, &f64)| {
             let (lower, upper) = (extreme.region.lower[axis], extreme.region.upper[axis]);
             self.axes.inside(axis, at[axis] + 2.0 * radius * (x - 0.5), [lower, upper])
         };
         let place = Place { combination, at: found.place.iter().enumerate().map(back).collect() };
-        (gain > LEAST_CLIMB).then_some((gain, place))
+        (gain > MIN_CLIMB).then_some((gain, place))
     }
 
     /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; nothing where there

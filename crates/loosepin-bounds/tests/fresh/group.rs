@@ -57,7 +57,7 @@ pub struct Group {
 }
 
 /// A feature sets an extreme where it is more than this share of its height there.
-const LEAST_PART: f64 = 0.05;
+const MIN_PART: f64 = 0.05;
 /// Radius at which (1 - r²)² is a half.
 pub const HALF_HEIGHT: f64 = 0.541_196_100_146_197;
 
@@ -221,7 +221,7 @@ pub fn add_features(terms: &[Term], found: &[Extreme; 2], dimensions: usize, fea
             add(at_ends[0], [true, false]);
             add(at_ends[1], [false, true]);
         } else if let Some(height) = term.height() {
-            let ends = at_ends.map(|value| term.is_edge() || (value / height).abs() > LEAST_PART);
+            let ends = at_ends.map(|value| term.is_edge() || (value / height).abs() > MIN_PART);
             if ends != [false; 2] {
                 add(height, ends);
             }

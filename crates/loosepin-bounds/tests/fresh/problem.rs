@@ -20,7 +20,7 @@ const SHARE_OF_SCATTER: f64 = 4.0 / 16.0;
 /// With so many independent runs in a volume on the average, there is one in 99 %.
 const EXPECTED_RUNS: f64 = 4.6;
 /// A volume that a run of the mixture is in.
-const LEAST_VOLUME: f64 = EXPECTED_RUNS / MIXTURE as f64;
+const MIN_VOLUME: f64 = EXPECTED_RUNS / MIXTURE as f64;
 
 /// A branch with this probability changes no statistic by more than round-off.
 const NEVER: f64 = 1e-13;
@@ -244,7 +244,7 @@ impl Problem {
     /// of the first round is in it and the mean of its runs stands out; and a rare branch of X, or the fold of an absolute value, has a run of the mixture.
     pub fn is_visible(&self) -> bool {
         let is_seen = |(feature, height): &(Feature, f64)| {
-            let by_mixture = feature.volume >= LEAST_VOLUME && *height > 1.0;
+            let by_mixture = feature.volume >= MIN_VOLUME && *height > 1.0;
             let by_outer = feature.volume >= EXPECTED_RUNS / FIRST_OUTER as f64 && *height > SHARE_OF_SCATTER;
             by_mixture || by_outer
         };
@@ -253,13 +253,13 @@ impl Problem {
             _ if self.is_absolute => self.corners().folded_share(),
             _ => 1.0,
         };
-        let is_branch_seen = branch >= LEAST_VOLUME || branch <= NEVER;
+        let is_branch_seen = branch >= MIN_VOLUME || branch <= NEVER;
         is_branch_seen && self.features.iter().all(is_seen)
     }
 
     /// Whether a run of the mixture is where all features at an end of m are together.
     pub fn is_seen_together(&self) -> bool {
-        self.volume_together() >= LEAST_VOLUME
+        self.volume_together() >= MIN_VOLUME
     }
 
     /// Whether the statistics over u or the motion is rough.

@@ -42,7 +42,7 @@ fn analytic_shares_of_a_linear_deviation() {
     /// Share of the variance: the slider moves by Δr cos θ + Δl (1 + O(λ²)) near the dead centre.
     const LINEAR_TOLERANCE: f64 = 0.01;
     /// Share of the variance: the errors of 1024 pairs of points.
-    const LARGEST_ERROR: f64 = 0.1;
+    const MAX_ERROR: f64 = 0.1;
     let ask = "[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nposes = { crank = [\"5 deg\"] }\nstatistics = [\"contributors\"]\n";
     let result = summary(&format!("{}{ask}", SHORT.replace("inner = 64", "inner = 1024")));
     let found = &result["contributors"][0];
@@ -54,7 +54,7 @@ fn analytic_shares_of_a_linear_deviation() {
         assert!((number(&input["quasi_static_share"]) - expected).abs() < LINEAR_TOLERANCE, "{input}");
         for share in [&input["first"], &input["total"]] {
             let error = number(&share["error"]);
-            assert!(error < LARGEST_ERROR, "{input}");
+            assert!(error < MAX_ERROR, "{input}");
             assert!((number(&share["centre"]) - expected).abs() < error + LINEAR_TOLERANCE, "{input}");
         }
     }

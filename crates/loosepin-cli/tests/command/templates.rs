@@ -5,7 +5,7 @@ use loosepin::templates::TEMPLATES;
 
 /// Largest residual of the energy account over the largest energy exchanged. A run at 1e-9 m has about 1e-10; what a wrong
 /// sign of a force leaves is of the order of one.
-const LARGEST_RESIDUAL: f64 = 1e-7;
+const MAX_RESIDUAL: f64 = 1e-7;
 
 /// `new`, `check`, `motion` where drives move it, `simulate` and a small `study` of one template.
 fn from_new_to_report(name: &str) {
@@ -30,7 +30,7 @@ fn from_new_to_report(name: &str) {
     assert!(summary["impacts"].as_array().is_some_and(|impacts| !impacts.is_empty()), "the play does something");
     let residual = summary["energy"]["relative_residual"].as_f64().expect("a number");
     println!("{name}: energy residual {residual:.1e}");
-    assert!(residual < LARGEST_RESIDUAL, "energy residual {residual:e}");
+    assert!(residual < MAX_RESIDUAL, "energy residual {residual:e}");
 
     let study = desk.read("it/study.toml");
     desk.write("it/study.toml", &shortened(&study, if name.starts_with("flexible") { 0.02 } else { 0.1 }));

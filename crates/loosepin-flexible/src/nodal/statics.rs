@@ -11,7 +11,7 @@ const NEARLY_BALANCED: f64 = 1e-8;
 /// Change that is far: the step of the load was too long.
 const FAR: f64 = 10.0;
 /// Least share of the load that is added at once.
-const LEAST_SHARE: f64 = 1e-4;
+const MIN_SHARE: f64 = 1e-4;
 
 /// A root whose section is held: position and direction of r' are given, its length |r'| is free.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,7 @@ impl NodalBeam<f64> {
                 (nodes, share) = (tried, next);
             } else {
                 growth *= 0.5;
-                if growth < LEAST_SHARE {
+                if growth < MIN_SHARE {
                     return Err(NotBalanced { share });
                 }
             }

@@ -15,7 +15,7 @@ pub type Heard<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
 pub const UNHEARD: Heard<'static> = &|_, _| true;
 
 /// Numbers of rows that are held at once, at most.
-const MOST_NUMBERS: usize = 8_000_000;
+const MAX_NUMBERS: usize = 8_000_000;
 /// Streams of random numbers of the seed of the study.
 const LENGTHS: u64 = 0x6d6f_7469_6f6e;
 const ERRORS: u64 = 0x6572_726f_7273;
@@ -127,7 +127,7 @@ impl<'s> Bank<'s> {
                 new.push(point);
             }
         }
-        let together = (MOST_NUMBERS / (self.width() * self.runs)).max(1);
+        let together = (MAX_NUMBERS / (self.width() * self.runs)).max(1);
         for batch in new.chunks(together) {
             let made = self.made(batch)?;
             all_made(made.len(), batch.len())?;
@@ -177,7 +177,7 @@ impl<'s> Bank<'s> {
             .map(|(index, point)| [self.random(point, key(first + index)), point.clone()])
             .collect();
         let mut features = Vec::with_capacity(inputs.len());
-        for part in inputs.chunks((MOST_NUMBERS / self.width()).max(1)) {
+        for part in inputs.chunks((MAX_NUMBERS / self.width()).max(1)) {
             let already = self.before + self.known.len() + (first + features.len()) / self.runs;
             features.extend(self.without_errors(part, already)?);
         }

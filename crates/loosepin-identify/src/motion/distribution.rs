@@ -8,11 +8,11 @@ use loosepin_math::solve_square;
 
 /// A parabola may rise above the values that it goes through by so much of ln p: that of a normal distribution whose values are 2 standard
 /// deviations apart.
-const MOST_RISE: f64 = 0.5;
+const MAX_RISE: f64 = 0.5;
 /// Cells in which the distribution is summed: along an unknown at least, for each cell of the grid there at least, of all together at most.
 const CELLS_ALONG: usize = 256;
 const PARTS_OF_CELL: usize = 4;
-const MOST_CELLS: usize = 1 << 18;
+const MAX_CELLS: usize = 1 << 18;
 
 /// A tested value with its likelihood.
 #[derive(Debug, Clone)]
@@ -107,7 +107,7 @@ fn fine_counts(axes: &[Axis], grid: &[usize]) -> Vec<usize> {
             axes[*unknown] == Axis::Continuous && counts[*unknown] < CELLS_ALONG.max(PARTS_OF_CELL * grid[*unknown])
         };
         let coarsest = (0..axes.len()).filter(is_coarse).min_by_key(|unknown| counts[*unknown]);
-        let Some(coarsest) = coarsest.filter(|_| 2 * counts.iter().product::<usize>() <= MOST_CELLS) else {
+        let Some(coarsest) = coarsest.filter(|_| 2 * counts.iter().product::<usize>() <= MAX_CELLS) else {
             return counts;
         };
         counts[coarsest] *= 2;
@@ -169,7 +169,7 @@ impl Piece {
         let mut piece = Self {
             slopes: vec![0.0; unknowns],
             curvatures: vec![0.0; unknowns],
-            most: value.log_likelihood + MOST_RISE,
+            most: value.log_likelihood + MAX_RISE,
         };
         if size > 0 && solve_square(&mut matrix, size, &mut right) > f64::EPSILON {
             for (unknown, slope) in sloped.iter().zip(&right) {
@@ -180,7 +180,7 @@ impl Piece {
             }
         }
         let highest = rows.iter().map(|(other, _)| other.log_likelihood).fold(value.log_likelihood, f64::max);
-        piece.most = highest + MOST_RISE;
+        piece.most = highest + MAX_RISE;
         Some(piece)
     }
 

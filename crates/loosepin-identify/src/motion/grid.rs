@@ -9,7 +9,7 @@ const RESOLUTION: f64 = 1.0 / 20.0;
 /// Where the inside of the set counts as well, its cells are this share of it along each unknown.
 const INSIDE: f64 = 1.0 / 8.0;
 /// Cells along an unknown, at most.
-const MOST_CELLS: usize = 512;
+const MAX_CELLS: usize = 512;
 
 /// An unknown of the box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub(crate) struct TestedCell {
 impl TestedCell {
     /// Whether its halves are not too many along the unknown.
     pub fn can_be_halved(&self, unknown: usize) -> bool {
-        self.widths[unknown] * MOST_CELLS as f64 > 1.0
+        self.widths[unknown] * MAX_CELLS as f64 > 1.0
     }
 
     fn halves(&self, unknown: usize) -> [Self; 2] {
@@ -256,8 +256,7 @@ impl Grid {
     /// The unknown along which cells are coarsest beside the consistent set; nothing where all are fine enough.
     fn coarsest(&self) -> Option<usize> {
         let share = |unknown: usize| self.share_of_set(unknown);
-        let splittable =
-            |unknown: &usize| self.axes[*unknown] == Axis::Continuous && self.counts[*unknown] < MOST_CELLS;
+        let splittable = |unknown: &usize| self.axes[*unknown] == Axis::Continuous && self.counts[*unknown] < MAX_CELLS;
         let coarsest = (0..self.axes.len()).filter(splittable).max_by(|a, b| {
             share(*a).total_cmp(&share(*b)).then(self.counts[*b].cmp(&self.counts[*a])).then(b.cmp(a))
         })?;

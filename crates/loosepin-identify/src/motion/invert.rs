@@ -16,9 +16,9 @@ use loosepin_text::diagnostics::{Complaint, Complaints, Place};
 use std::rc::Rc;
 
 /// Unknowns, at most: cells grow as a power of them.
-const MOST_UNKNOWNS: usize = 6;
+const MAX_UNKNOWNS: usize = 6;
 /// Runs at each value, at most.
-const MOST_RUNS: f64 = 100_000.0;
+const MAX_RUNS: f64 = 100_000.0;
 
 /// What is asked of a motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,13 +60,13 @@ impl<'s> MotionRig<'s> {
     ) -> Result<Self, Complaints> {
         let alpha = 1.0 - asked.confidence;
         let runs = runs_for(alpha);
-        if !(0.5..1.0).contains(&asked.confidence) || !(runs <= MOST_RUNS) {
+        if !(0.5..1.0).contains(&asked.confidence) || !(runs <= MAX_RUNS) {
             return Err(Complaints::one(&IdentifyProblem::MotionConfidence { found: asked.confidence }, None));
         }
         let axes: Vec<Axis> = study.epistemic.iter().map(axis).collect();
-        if axes.is_empty() || axes.len() > MOST_UNKNOWNS {
+        if axes.is_empty() || axes.len() > MAX_UNKNOWNS {
             let place = Place::new(study.source(), 0..0);
-            let problem = IdentifyProblem::Unknowns { found: axes.len(), most: MOST_UNKNOWNS };
+            let problem = IdentifyProblem::Unknowns { found: axes.len(), most: MAX_UNKNOWNS };
             return Err(Complaint::error(&problem, Some(place)).into());
         }
         let is_fixed = study.random.is_empty() && features.iter().all(|feature| feature.scatter.size == 0.0);

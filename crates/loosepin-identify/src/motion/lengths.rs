@@ -19,7 +19,7 @@ use loosepin_math::solve_square;
 use loosepin_result::motion_identification::{
     LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedTogether,
 };
-use loosepin_study::{LEAST_SPECIMEN_ROWS, RandomInput, StudyError};
+use loosepin_study::{MIN_SPECIMEN_ROWS, RandomInput, StudyError};
 use loosepin_uncertainty::{hash, sample_correlation, uniform};
 
 /// Rows that are written.
@@ -27,11 +27,11 @@ const ROWS: usize = 1000;
 /// Effective rows at which no further mechanisms are drawn.
 const ENOUGH: f64 = 400.0;
 /// Effective rows, at least.
-const LEAST: f64 = LEAST_SPECIMEN_ROWS as f64;
+const LEAST: f64 = MIN_SPECIMEN_ROWS as f64;
 /// Mechanisms that are drawn before it is looked at whether they are enough.
 const BATCH: usize = 2000;
 /// Largest share of drawn mechanisms whose run failed.
-const MOST_FAILED: f64 = 0.05;
+const MAX_FAILED: f64 = 0.05;
 /// Rank correlation of a length and an unknown from which on it is told, where it is no chance.
 const TIED: f64 = 0.3;
 /// Standard deviations beyond which a rank correlation is no chance.
@@ -101,8 +101,8 @@ fn drawn(
         shares = weights(&logs);
     }
     let failed = all.iter().filter(|mechanism| mechanism.features.iter().any(|value| !value.is_finite())).count();
-    if failed as f64 > MOST_FAILED * all.len() as f64 {
-        return Ok(Err(LengthsRefusal::Failed { failed, runs: all.len(), most: MOST_FAILED }));
+    if failed as f64 > MAX_FAILED * all.len() as f64 {
+        return Ok(Err(LengthsRefusal::Failed { failed, runs: all.len(), most: MAX_FAILED }));
     }
     let effective = effective(&shares);
     if effective < LEAST {

@@ -29,7 +29,7 @@ const POINTS_OF_SEVERAL: usize = 1024;
 const REACH: f64 = 12.0;
 /// Least second derivative of half the square of the distance along a common error. A share of a feature that was measured as 0 moves nothing:
 /// it is drawn evenly, as of a normal distribution a million times as wide as the box.
-const LEAST_CURVATURE: f64 = 1e-12;
+const MIN_CURVATURE: f64 = 1e-12;
 
 /// ln p(y | u); nothing where no more runs ended than there are features, -∞ where it is below the smallest number.
 pub(crate) fn log_likelihood(runs: &[Vec<f64>], seen: &Observation) -> Option<f64> {
@@ -161,7 +161,7 @@ impl NearestNormal {
         for i in 0..count {
             for j in 0..=i {
                 let rest = dot(&columns[i], &columns[j]) - dot(&factor[i][..j], &factor[j][..j]);
-                factor[i][j] = if i == j { rest.max(LEAST_CURVATURE).sqrt() } else { rest / factor[j][j] };
+                factor[i][j] = if i == j { rest.max(MIN_CURVATURE).sqrt() } else { rest / factor[j][j] };
             }
         }
         // H x = -Jᵀ z.

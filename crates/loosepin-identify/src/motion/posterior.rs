@@ -16,11 +16,11 @@ use loosepin_study::Study;
 
 /// Equally probable values along an unknown, at least: of a normal distribution there are 3.5 for values one standard deviation apart. Of
 /// skewed distributions quantiles were off by 0.04 standard deviations with 4 to 5, by up to 0.14 with 3 to 4, by up to 0.8 with fewer.
-const LEAST_VALUES: f64 = 4.0;
+const MIN_VALUES: f64 = 4.0;
 /// Share of the probability whose values are halved together: what the others carry is a tenth of a tail beyond a credible interval of 99 %.
 const HALVED: f64 = 0.9995;
 /// Share of failed runs among those that carry the weight, at most.
-const MOST_FAILED: f64 = 0.05;
+const MAX_FAILED: f64 = 0.05;
 
 /// What the distribution is of.
 pub(crate) struct Question<'q> {
@@ -95,13 +95,13 @@ fn shown<E>(
         let few = (0..grid.axes.len()).find_map(|unknown| {
             let effective = found.effective_along(unknown, &values);
             // What is no number is no reason to go on.
-            (grid.axes[unknown] == Axis::Continuous && !(effective >= LEAST_VALUES)).then_some((unknown, effective))
+            (grid.axes[unknown] == Axis::Continuous && !(effective >= MIN_VALUES)).then_some((unknown, effective))
         });
         let Some((unknown, effective)) = few else { return Ok(Ok((grid, found))) };
         let carrying = carrying(&grid, &values, &found, unknown);
         let points_are_spent = 2 * carrying.len() > points;
         if carrying.is_empty() || points_are_spent {
-            return Ok(Err(PosteriorRefusal::FewValues { unknown, effective, least: LEAST_VALUES, points_are_spent }));
+            return Ok(Err(PosteriorRefusal::FewValues { unknown, effective, least: MIN_VALUES, points_are_spent }));
         }
         let cells: Vec<(usize, &TestedCell)> = carrying.iter().map(|value| (*value, &values[*value].cell)).collect();
         let halves = grid.halved(&cells, unknown);
@@ -124,10 +124,10 @@ fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution
     if let Some(runs) = fewest.filter(|ended| *ended < least) {
         return Err(PosteriorRefusal::FewRuns { runs, least });
     }
-    let failed = |share: f64| PosteriorRefusal::Failed { share, most: MOST_FAILED };
+    let failed = |share: f64| PosteriorRefusal::Failed { share, most: MAX_FAILED };
     let found = Distribution::new(grid, values).ok_or_else(|| failed(1.0))?;
     let share: f64 = found.weights.iter().zip(values).map(|(weight, value)| weight * value.failed).sum();
-    if share <= MOST_FAILED { Ok(found) } else { Err(failed(share)) }
+    if share <= MAX_FAILED { Ok(found) } else { Err(failed(share)) }
 }
 
 /// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; none where the
@@ -139,7 +139,7 @@ fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usiz
     let rest = |slice: &Vec<usize>| -> f64 {
         slice.iter().filter(|value| !can_be_halved(**value)).map(|value| found.weights[*value]).sum()
     };
-    if found.slices(unknown, values).iter().map(|slice| rest(slice).powi(2)).sum::<f64>() * LEAST_VALUES > 1.0 {
+    if found.slices(unknown, values).iter().map(|slice| rest(slice).powi(2)).sum::<f64>() * MIN_VALUES > 1.0 {
         return Vec::new();
     }
     let mut order: Vec<usize> = (0..values.len()).collect();

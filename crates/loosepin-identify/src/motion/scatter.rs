@@ -3,7 +3,7 @@
 use loosepin_study::MotionError;
 
 /// Least share of the mean, and of the common error, that counts as a standard deviation: what does not scatter must be met to this.
-const LEAST_DEVIATION: f64 = 1e-6;
+const MIN_DEVIATION: f64 = 1e-6;
 /// Rounds in which the common errors are fitted one after the other.
 const ROUNDS: usize = 20;
 /// Equal parts of the interval of a common error at whose ends the distance is looked at, before the golden section.
@@ -174,7 +174,7 @@ impl Form {
 pub(crate) fn least_deviation(mean: f64, is_log: bool, error: MotionError) -> f64 {
     let error = if error.is_share { 0.0 } else { error.size };
     let size = if is_log { 1.0 } else { mean.abs().max(error) };
-    LEAST_DEVIATION * size + f64::MIN_POSITIVE.sqrt()
+    MIN_DEVIATION * size + f64::MIN_POSITIVE.sqrt()
 }
 
 /// L of a symmetric matrix, L Lᵀ, the squares of its diagonal at least `least`.

@@ -12,11 +12,11 @@ const BRUTE_FORCE: usize = 128;
 /// Values that an inversion tests, at most.
 const POINTS: usize = 100;
 /// Misses of the truth in 100 readings, at most: more have a probability of 0.3 % for a confidence of 99 %.
-const MOST_MISSES: f64 = 0.04;
+const MAX_MISSES: f64 = 0.04;
 /// Width of the interval over that of brute force, at most.
-const MOST_WIDTH: f64 = 1.2;
+const MAX_WIDTH: f64 = 1.2;
 /// Share of the readings outside all predictions that must be told.
-const LEAST_TOLD: f64 = 0.95;
+const MIN_TOLD: f64 = 0.95;
 /// Common error of both features: the gain of the sensor.
 const ERROR: f64 = 0.05;
 /// Play in the file, and that of a study which knows it better, mm.
@@ -194,9 +194,9 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         "credible intervals: {given} given, {not_held} misses; median width over the set {:.3}",
         credible[credible.len() / 2]
     );
-    assert!(missed as f64 <= MOST_MISSES * count as f64, "{missed} of {count}");
-    assert!(widths[widths.len() - 1] <= MOST_WIDTH, "{widths:?}");
+    assert!(missed as f64 <= MAX_MISSES * count as f64, "{missed} of {count}");
+    assert!(widths[widths.len() - 1] <= MAX_WIDTH, "{widths:?}");
     for (alternative, outside, told) in told_all {
-        assert!(told as f64 >= LEAST_TOLD * outside as f64, "{alternative}: {told} of {outside}");
+        assert!(told as f64 >= MIN_TOLD * outside as f64, "{alternative}: {told} of {outside}");
     }
 }

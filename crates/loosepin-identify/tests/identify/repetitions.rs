@@ -4,9 +4,9 @@ use super::{answer, case, known, misfit, study, text_of};
 use loosepin_identify::record::Outcome;
 
 /// Misses of the truth in 100 seeds, at most, for a confidence of 99 %: issue, more than 3 have a probability of 2 %.
-const MOST_MISSES: usize = 4;
+const MAX_MISSES: usize = 4;
 /// Width of a bound over that of the reference set, at most.
-const MOST_WIDTH: f64 = 1.2;
+const MAX_WIDTH: f64 = 1.2;
 /// Repeats behind a reading, as readings.py has them.
 const REPEATS: usize = 3;
 
@@ -75,12 +75,12 @@ fn peer_hundred_seeds_by_brute_force() {
             widest.iter_mut().zip(found).zip(seed.references_m)
         {
             let share = (high - low) / (reference_high - reference_low);
-            assert!(share < MOST_WIDTH, "seed {number}: {share}");
+            assert!(share < MAX_WIDTH, "seed {number}: {share}");
             *widest = widest.max(share);
         }
     }
     println!("misses {misses}, widest over the reference {widest:?}");
-    assert!(misses <= MOST_MISSES, "{misses} misses");
+    assert!(misses <= MAX_MISSES, "{misses} misses");
     // The reference is the set that brute force leaves: bounds that are clearly narrower would cut it.
     assert!(widest.iter().all(|widest| *widest > 0.97), "{widest:?}");
 }

@@ -14,7 +14,7 @@ const CLOSED: i64 = 1;
 /// Flags of polylines and meshes in space.
 const SPATIAL: i64 = 8 | 16 | 64;
 /// Sine of the angle between the planes of an entity and of the drawing, at most: round-off of the program that drew it.
-const MOST_TILT: f64 = 1e-9;
+const MAX_TILT: f64 = 1e-9;
 
 /// An entity of a drawing.
 #[derive(Debug)]
@@ -67,7 +67,7 @@ impl Entity {
         let [x, y, z] = vertex;
         match (&self.shape, self.extrusion) {
             (Shape::Line(_) | Shape::Polyline { is_spatial: true, .. }, _) => Some(vertex),
-            (_, [nx, ny, nz]) if nx.abs() + ny.abs() <= MOST_TILT * nz.abs() => {
+            (_, [nx, ny, nz]) if nx.abs() + ny.abs() <= MAX_TILT * nz.abs() => {
                 Some(if nz > 0.0 { vertex } else { [-x, y, -z] })
             }
             _ => None,

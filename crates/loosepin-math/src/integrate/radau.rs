@@ -29,7 +29,7 @@ const SAME: f64 = 1.3;
 /// Iterations from which on the next step does not grow: another orientation of stiff directions slows them down, and a longer step more so.
 const MANY: usize = 5;
 /// Least error that counts, so that a step grows by no more than some hundred times.
-const LEAST_ERROR: f64 = 1e-12;
+const MIN_ERROR: f64 = 1e-12;
 /// Change of a rate over which J_v is taken, over that of its coordinate, 1/s.
 const RATE_OVER_PLACE: f64 = 1e3;
 /// Distance of times, over the step, that is round-off.
@@ -174,7 +174,7 @@ impl Radau {
         }
         // Hairer's safety factor: less where the iterations were many.
         let safety = 0.9 * (2 * ITERATIONS + 1) as f64 / (2 * ITERATIONS + self.iterations) as f64;
-        let mut growth = safety / error.max(LEAST_ERROR).sqrt().sqrt();
+        let mut growth = safety / error.max(MIN_ERROR).sqrt().sqrt();
         if self.iterations >= MANY {
             growth = growth.min(1.0);
         }

@@ -99,11 +99,11 @@ impl<'a> IdealMotion<'a> {
     /// The loops cannot be closed on the way, or only in a singular position. The state is then worthless.
     pub fn move_to(&mut self, time_s: f64) -> Result<(), SampleError> {
         /// Largest turn of any body in one prediction, rad.
-        const LARGEST_STEP_RAD: f64 = 0.2;
+        const MAX_STEP_RAD: f64 = 0.2;
         let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
         let span = time_s - self.time_s;
         let driven = self.fastest_drive_1_s(time_s);
-        let steps = (span.abs() * fastest.max(driven) / LARGEST_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
+        let steps = (span.abs() * fastest.max(driven) / MAX_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
         let start_s = self.time_s;
         for step in 1..=steps {
             let next_s = if step == steps { time_s } else { start_s + span * step as f64 / steps as f64 };
@@ -125,7 +125,7 @@ impl<'a> IdealMotion<'a> {
         /// The longest step that the last one tells about, in units of it: the error grows with its sixth power.
         const FURTHEST: f64 = 2.0;
         /// What it may add to the guess of degree two, as a share of the step.
-        const LARGEST_CORRECTION: f64 = 0.25;
+        const MAX_CORRECTION: f64 = 0.25;
         let (free, h) = (self.mechanism.ideal.free, next_s - self.time_s);
         let mut before = self.before.take().unwrap_or_else(|| Before {
             time_s: self.time_s,
@@ -149,7 +149,7 @@ impl<'a> IdealMotion<'a> {
                 let c2 = (6.0 * d * (d * c1 - c0) - left_acceleration) / (2.0 * cube);
                 let beyond = h * h * h * (c0 + (h + d) * (c1 + (h + d) * c2));
                 // Where a rate has jumped, the polynomial is far off, and might close the loops the other way round.
-                if beyond.abs() <= LARGEST_CORRECTION * (h * rate).abs().max((0.5 * h * h * acceleration).abs()) {
+                if beyond.abs() <= MAX_CORRECTION * (h * rate).abs().max((0.5 * h * h * acceleration).abs()) {
                     self.coordinates[k] += beyond;
                 }
             }

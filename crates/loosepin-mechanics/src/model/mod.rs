@@ -57,7 +57,7 @@ pub use parts::spring::{Elasticity, Spring, SpringKind};
 pub use parts::table_curve::TableCurve;
 pub use parts::topology::{Body, Guess, Joint, Model, Point};
 pub use parts::wear::{
-    FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
+    FoundationChoice, JointWear, Jumps, LifeLimit, MAX_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
 pub use plausible::HardlyPossible;
 pub use problem::ModelProblem;
@@ -67,5 +67,5 @@ pub use values::path_error::PathError;
 pub use values::quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use values::set_values::{SetValues, measured_argument};
 pub use values::setting::{Setting, SettingError, SettingRange};
-pub use values::sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
+pub use values::sizes::{MAX_BODIES, MAX_ENTRIES, MAX_JOINTS};
 pub use words::part_names::{Names, PartNames};

@@ -13,19 +13,19 @@ mod usual;
 use usual::{USUAL, Usual};
 
 /// Ratio of two masses of one mechanism above which one of them looks wrong.
-const MOST_MASS_RATIO: f64 = 1000.0;
+const MAX_MASS_RATIO: f64 = 1000.0;
 /// Radius of gyration over the extent of the body: a slender rod has 0.29.
 const GYRATION_PER_EXTENT: [f64; 2] = [0.02, 5.0];
 /// Radius of gyration over the extent of the largest body, at most: flywheels are larger than the crank they sit on.
-const MOST_GYRATION_PER_LARGEST: f64 = 2.0;
+const MAX_GYRATION_PER_LARGEST: f64 = 2.0;
 /// Distance of the centre of mass from the points of its body, over their extent, at most.
-const MOST_CENTRE_PER_EXTENT: f64 = 10.0;
+const MAX_CENTRE_PER_EXTENT: f64 = 10.0;
 /// Clearance over the radius of the bearing, at most.
-const MOST_CLEARANCE_PER_RADIUS: f64 = 0.1;
+const MAX_CLEARANCE_PER_RADIUS: f64 = 0.1;
 /// Difference of delivered and nominal restitution, at most: what laws for nearly elastic impacts have at a quarter.
-const MOST_RESTITUTION_GAINED: f64 = 0.45;
+const MAX_RESTITUTION_GAINED: f64 = 0.45;
 /// From the temperature of drawings, 20 °C (ISO 1), down to absolute zero, K.
-const LEAST_RISE_K: f64 = -293.15;
+const MIN_RISE_K: f64 = -293.15;
 const MM_PER_M: f64 = 1e3;
 /// Words in the names of parameters that are never below zero.
 const POSITIVE_NAMES: [&str; 5] = ["length", "radius", "diameter", "thickness", "width"];
@@ -115,7 +115,7 @@ impl Model {
             if quantity.path == "gravity" && value < 0.0 {
                 let problem = HardlyPossible::Upwards { found: shown(value), turned: shown(-value) };
                 found.push((quantity.path.clone(), problem));
-            } else if quantity.path.ends_with("temperature_rise") && value < LEAST_RISE_K {
+            } else if quantity.path.ends_with("temperature_rise") && value < MIN_RISE_K {
                 found.push((quantity.path.clone(), HardlyPossible::BelowAbsoluteZero { entry, found: shown(value) }));
             } else if let Some(name) = quantity.path.strip_prefix("parameter.") {
                 let is_length = quantity.dimension == Dimension::LENGTH;
@@ -157,14 +157,14 @@ impl Model {
         masses.sort_by(|a, b| a.2.total_cmp(&b.2));
         let (Some(&lightest), Some(&heaviest)) = (masses.first(), masses.last()) else { return };
         let ratio = heaviest.2 / lightest.2;
-        if !(ratio > MOST_MASS_RATIO) {
+        if !(ratio > MAX_MASS_RATIO) {
             return;
         }
         // The one that is further from the middle of all is more likely to be wrong.
         let middle = masses[masses.len() / 2].2.ln() + masses[(masses.len() - 1) / 2].2.ln();
         let heavy_is_wrong = heaviest.2.ln() + lightest.2.ln() >= middle;
         let (wrong, other) = if heavy_is_wrong { (heaviest, lightest) } else { (lightest, heaviest) };
-        let is_plausible = |mass: f64| (1.0 / MOST_MASS_RATIO..=MOST_MASS_RATIO).contains(&(mass / other.2));
+        let is_plausible = |mass: f64| (1.0 / MAX_MASS_RATIO..=MAX_MASS_RATIO).contains(&(mass / other.2));
         let slip = self.slip(wrong.1, &[("kg", "g"), ("t", "kg"), ("g", "kg"), ("mg", "g")], is_plausible);
         let shown = |mass: f64| format_value(mass, Dimension::MASS);
         let path = mass_path(wrong.0);
@@ -192,8 +192,8 @@ impl Model {
             |position: [QuantityId; 2]| (values[position[0]] - centre_m[0]).hypot(values[position[1]] - centre_m[1]);
         let distance_m = body.points.iter().map(|point| to_point(point.position_m)).fold(f64::INFINITY, f64::min);
         let is_far = distance_m.is_finite()
-            && distance_m > MOST_CENTRE_PER_EXTENT * extent_m
-            && distance_m > MOST_GYRATION_PER_LARGEST * largest_m;
+            && distance_m > MAX_CENTRE_PER_EXTENT * extent_m
+            && distance_m > MAX_GYRATION_PER_LARGEST * largest_m;
         if largest_m > 0.0 && is_far {
             let path = format!("body.{}.centre_of_mass", body.name);
             let entry = describe_path(&path);
@@ -206,7 +206,7 @@ impl Model {
         let is_plausible = |inertia: f64| {
             let gyration_m = (inertia / values[mass]).sqrt();
             let [least, most] = GYRATION_PER_EXTENT.map(|share| share * reach_m);
-            gyration_m >= least && (gyration_m <= most || gyration_m <= MOST_GYRATION_PER_LARGEST * largest_m)
+            gyration_m >= least && (gyration_m <= most || gyration_m <= MAX_GYRATION_PER_LARGEST * largest_m)
         };
         if largest_m == 0.0 || is_plausible(values[inertia]) {
             return;
@@ -235,7 +235,7 @@ impl Model {
         let damping_factor = (law.damping_factor)(values[restitution]);
         let delivered = delivered_restitution(damping_factor);
         // A law without loss says so by its name.
-        if damping_factor > 0.0 && delivered - values[restitution] > MOST_RESTITUTION_GAINED {
+        if damping_factor > 0.0 && delivered - values[restitution] > MAX_RESTITUTION_GAINED {
             let path = format!("contact.{}.restitution", contact.name);
             let problem = HardlyPossible::Restitution {
                 entry: describe_path(&path),
@@ -254,7 +254,7 @@ impl Model {
             let (key, clearance, Some(radius)) = (joint.kind.clearance_key(), play.clearance_m, play.radius_m) else {
                 continue;
             };
-            if values[clearance] > MOST_CLEARANCE_PER_RADIUS * values[radius] {
+            if values[clearance] > MAX_CLEARANCE_PER_RADIUS * values[radius] {
                 let path = format!("joint.{}.{key}", joint.name);
                 let [found_text, radius] = [clearance, radius].map(|id| format_value(values[id], Dimension::LENGTH));
                 let problem = HardlyPossible::Clearance { entry: describe_path(&path), found: found_text, radius };

@@ -16,8 +16,8 @@ const ABOVE: f64 = 10.0;
 const NAME: f64 = 26.0;
 const CHARACTER: f64 = 7.2;
 /// Least distances between ticks.
-const LEAST_ACROSS: f64 = 58.0;
-const LEAST_UP: f64 = 38.0;
+const MIN_ACROSS: f64 = 58.0;
+const MIN_UP: f64 = 38.0;
 /// Rows and columns of the key, and the room below it.
 const KEY_ROW: f64 = 19.0;
 const KEY_COLUMNS: usize = 2;
@@ -80,12 +80,12 @@ pub(crate) fn drawing(chart: &Chart) -> Drawn {
     let height = f64::from(chart.height);
     let y = chart.y_range.unwrap_or_else(|| y_range(chart));
     let plot_height = height - ABOVE - BELOW;
-    let (y_ticks, y_step) = ticks(y[0], y[1], (y[1] - y[0]) * LEAST_UP / plot_height, false);
+    let (y_ticks, y_step) = ticks(y[0], y[1], (y[1] - y[0]) * MIN_UP / plot_height, false);
     let y_texts: Vec<String> = y_ticks.iter().map(|tick| tick_text(*tick, y_step)).collect();
     let longest = y_texts.iter().map(|text| text.chars().count()).max().unwrap_or(1).max(3);
     let left = NAME + CHARACTER * longest as f64;
     let plot = Plot { left, top: ABOVE, width: WIDTH - left - MARGIN, height: plot_height, x: x_range(chart), y };
-    let least = (plot.x[1] - plot.x[0]) * LEAST_ACROSS / plot.width;
+    let least = (plot.x[1] - plot.x[0]) * MIN_ACROSS / plot.width;
     let (x_ticks, x_step) = ticks(plot.x[0], plot.x[1], least, chart.is_in_degrees());
     let told = |angle: f64| if is_one_turn(chart, &plot) { angle.rem_euclid(TURN_DEG) } else { angle };
     let bottom = plot.top + plot.height;

@@ -10,18 +10,18 @@ use crate::medium::script_data::digits_apart;
 use crate::numbers::number::PLAIN_DIGITS;
 
 /// Rows that the numbers behind a chart hold at most; longer histories keep the extremes of each stretch.
-const MOST_ROWS: usize = 20_000;
+const MAX_ROWS: usize = 20_000;
 /// Points that a picture has at most per curve.
-const MOST_POINTS: usize = 1600;
+const MAX_POINTS: usize = 1600;
 /// Rows of the table behind a chart.
 const TABLE_ROWS: usize = 24;
 
 impl Chart {
     /// The figure: picture, legend with read-out, caption, numbers.
     pub fn figure(mut self) -> Markup {
-        self.thin_out(MOST_ROWS);
+        self.thin_out(MAX_ROWS);
         let mut drawn = self.clone();
-        drawn.thin_out(MOST_POINTS);
+        drawn.thin_out(MAX_POINTS);
         // In the picture alone: the table has the poses of the record.
         let is_closed = drawn.close_turn();
         let Drawn { view, below, plot, drawn } = drawing(&drawn);
@@ -59,7 +59,7 @@ impl Chart {
     /// The picture alone, as an SVG document that takes its style from the page; `data-plot`, `data-x` and `data-y` say where its
     /// curves stand.
     pub fn document(mut self) -> String {
-        self.thin_out(MOST_POINTS);
+        self.thin_out(MAX_POINTS);
         let Drawn { view, below, plot, drawn } = drawing(&self);
         let picture = Picture {
             name: self.id.clone(),
@@ -186,7 +186,7 @@ fn cell(value: Option<f64>, digits: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::MOST_POINTS;
+    use super::MAX_POINTS;
     use crate::charts::chart::{Chart, Entry, EntryValues, Role};
     use crate::numbers::number::NumberWriter;
     use loosepin_text::units::{DisplayUnits, SiUnit};
@@ -201,13 +201,13 @@ mod tests {
         let units = DisplayUnits::default();
         let mut chart = Chart::over("a".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
         chart.entries.push(Entry::new("", Role::First, false, EntryValues::line(&values)));
-        chart.thin_out(MOST_POINTS);
-        assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
+        chart.thin_out(MAX_POINTS);
+        assert!(chart.x.len() <= MAX_POINTS + 2, "{} points", chart.x.len());
         let mut gapped = vec![0.5; POINTS];
         gapped[40_000..60_000].fill(f64::NAN);
         let mut broken = Chart::over("b".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
         broken.entries.push(Entry::new("", Role::First, false, EntryValues::line(&gapped)));
-        broken.thin_out(MOST_POINTS);
+        broken.thin_out(MAX_POINTS);
         assert!(broken.entries[0].values.lists()[0].iter().any(Option::is_none), "a gap stays one");
         let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));
         assert_eq!(peak.map(|row| chart.x[row]), Some(Some(PEAK_AT as f64)));

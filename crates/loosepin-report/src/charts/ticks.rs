@@ -3,7 +3,7 @@
 /// Steps between the ticks of angles in degrees.
 const ANGLE_STEPS: [f64; 12] = [0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0, 720.0];
 /// Closer than this angles have steps like other numbers.
-const LEAST_OF_ANGLES: f64 = 0.2;
+const MIN_OF_ANGLES: f64 = 0.2;
 /// From here on numbers have a power of ten.
 const LARGE: f64 = 1e7;
 /// Steps below this give numbers a power of ten.
@@ -16,7 +16,7 @@ pub(crate) fn ticks(from: f64, to: f64, least: f64, are_angles: bool) -> (Vec<f6
     if !is_usable {
         return (Vec::new(), 1.0);
     }
-    let are_angle_steps = are_angles && least > LEAST_OF_ANGLES;
+    let are_angle_steps = are_angles && least > MIN_OF_ANGLES;
     let of_angles = ANGLE_STEPS.into_iter().find(|step| are_angle_steps && *step >= least);
     let step = of_angles.unwrap_or_else(|| {
         let power = 10_f64.powf(least.log10().floor());

@@ -11,8 +11,8 @@ use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, 
 /// Digits of a difference of shares, percentage points.
 const POINT_DIGITS: usize = 2;
 /// Bounds that are named one by one where they are not compared, and rows of the table.
-const MOST_NAMED: usize = 8;
-const MOST_ROWS: usize = 200;
+const MAX_NAMED: usize = 8;
+const MAX_ROWS: usize = 200;
 
 /// A statistic that both studies bound.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -100,13 +100,13 @@ pub fn compared(
         |bound: &BoundRecord| before.bounds.iter().any(|own| is_same_but_read(own, bound) && !is_same(own, bound));
     let only_after = left.iter().map(|place| &after.bounds[*place]).filter(|bound| !is_read_otherwise(bound));
     alone.extend(only_after.map(|bound| format!("{} is in B alone.", words(after, bound, writer))));
-    let more = alone.len().saturating_sub(MOST_NAMED);
-    alone.truncate(MOST_NAMED);
+    let more = alone.len().saturating_sub(MAX_NAMED);
+    alone.truncate(MAX_NAMED);
     if more > 0 {
         alone.push(format!("{more} more statistics are in one of the studies alone."));
     }
-    let unshown = rows.len().saturating_sub(MOST_ROWS);
-    rows.truncate(MOST_ROWS);
+    let unshown = rows.len().saturating_sub(MAX_ROWS);
+    rows.truncate(MAX_ROWS);
     if unshown > 0 {
         alone.push(format!("{unshown} more statistics are in both studies: see bounds.csv of each."));
     }

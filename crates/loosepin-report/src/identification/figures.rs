@@ -14,7 +14,7 @@ const WIDTH: f64 = 960.0;
 const STRIP_HEIGHT: f64 = 320.0;
 const MAP_HEIGHT: f64 = 480.0;
 /// Distances beyond this are drawn there: how much further they are does not matter.
-const MOST_DISTANCE: f64 = 4.0;
+const MAX_DISTANCE: f64 = 4.0;
 /// Rows of a picture of ranges: where bars begin and end, how high a row is.
 const BAR_LEFT: f64 = 330.0;
 const BAR_RIGHT: f64 = WIDTH - 30.0;
@@ -54,14 +54,14 @@ pub(super) fn strip(specimen: &MotionSpecimen, unknown: usize, name: String, wri
         width: WIDTH,
         height: STRIP_HEIGHT,
         x: Axis::over(own.before_si.map(scaled).into_iter()).wider(),
-        y: Axis::over([0.0, MOST_DISTANCE].into_iter()),
+        y: Axis::over([0.0, MAX_DISTANCE].into_iter()),
     };
     let at = |point: &TestedPoint| {
         let value = point.values_si.get(unknown)?;
-        Some([axes.across(scaled(*value)), axes.up(point.distance.min(MOST_DISTANCE))])
+        Some([axes.across(scaled(*value)), axes.up(point.distance.min(MAX_DISTANCE))])
     };
     let [left, right] = own.after_si.map(|end_si| axes.across(scaled(end_si)));
-    let [top, bottom] = [MOST_DISTANCE, 0.0].map(|distance| axes.up(distance));
+    let [top, bottom] = [MAX_DISTANCE, 0.0].map(|distance| axes.up(distance));
     let [from, to] = own.before_si.map(|end_si| axes.across(scaled(end_si)));
     let limit = axes.up(1.0);
     let drawn = html! {
@@ -83,7 +83,7 @@ pub(super) fn strip(specimen: &MotionSpecimen, unknown: usize, name: String, wri
     let caption = html! {
         strong { "Distance of the measurement from the runs, at each tested value of " (own.name) "." }
         " Below the dashed line the test keeps the value (" span.regular { "blue" } "), above it is rejected (" span.irregular { "orange" }
-        "). Distances above " (MOST_DISTANCE) " are drawn there."
+        "). Distances above " (MAX_DISTANCE) " are drawn there."
         @if specimen.misfit.is_none() { " Shaded: the interval that is left." }
     };
     Picture { name, class: "map", view: [0.0, 0.0, WIDTH, STRIP_HEIGHT], below: 0.0, alternative, drawn }

@@ -21,7 +21,7 @@ use loosepin_result::motion_identification::MotionSpecimen;
 use loosepin_text::article::{Content, Fact, Medium, Section};
 
 /// Unknowns that are named in the answer.
-const MOST_NAMED: usize = 4;
+const MAX_NAMED: usize = 4;
 
 /// The page of an identification as one HTML text that needs no network. Text from files is escaped.
 pub fn identification_page(answer: &Identification) -> String {
@@ -112,7 +112,7 @@ fn answer_sentences(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<S
                 None => format!("{} is {}", unknown.name, range(unknown.after_si, &unknown.unit, writer)),
             }
         };
-        let words: Vec<String> = specimen.unknowns.iter().enumerate().take(MOST_NAMED).map(told).collect();
+        let words: Vec<String> = specimen.unknowns.iter().enumerate().take(MAX_NAMED).map(told).collect();
         named(&specimen.name, format!("{}.", words.join("; ")))
     };
     let of_readings = |specimen: &Specimen| match &specimen.outcome {

@@ -8,7 +8,7 @@ use loosepin_text::units::{Dimension, format_value, listed};
 use serde::Serialize;
 
 /// The largest deflection is drawn as at most this share of the length of the beam.
-const LARGEST_SHARE: f64 = 0.1;
+const MAX_SHARE: f64 = 0.1;
 /// Digits of what is sent: the picture shows three.
 const DIGITS: usize = 5;
 
@@ -112,7 +112,7 @@ fn bend(drawing: &Drawing, beam: &DrawnBeam, step: usize) -> Option<Bend> {
         normal: [-dy / length, dx / length],
         shapes: beam.deflections_m.iter().map(|shape| rounded(shape, MM_PER_M, 1)).collect(),
         turns: beam.turns_rad.iter().map(|turns| rounded(turns, 1.0, step)).collect(),
-        factor: magnification(LARGEST_SHARE * length / largest_mm),
+        factor: magnification(MAX_SHARE * length / largest_mm),
         track: Vec::new(),
     })
 }

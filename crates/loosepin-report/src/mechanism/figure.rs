@@ -20,7 +20,7 @@ const NAME: &str = "mechanism";
 /// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;
 /// Most poses in a page.
-const MOST_POSES: usize = 361;
+const MAX_POSES: usize = 361;
 /// A clearance is magnified at first to about this share of the diagonal: the ring around the journal is then as high as a
 /// slider's block, at most.
 const VISIBLE_SHARE: f64 = (BLOCK_PINS[1] - JOURNAL_PINS) * PIN_SHARE;
@@ -304,7 +304,7 @@ fn first_magnification(diagonal_mm: f64, clearance_mm: f64) -> f64 {
 
 fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnification: f64) -> Motion {
     let count = reference.drive_angle_rad.len();
-    let step = count.div_ceil(MOST_POSES).max(1);
+    let step = count.div_ceil(MAX_POSES).max(1);
     let pick = |value: &dyn Fn(usize) -> f64| -> Vec<Option<f64>> {
         (0..count).step_by(step).map(|pose| round_to_digits(value(pose), POSE_DIGITS)).collect()
     };

@@ -10,13 +10,13 @@ use crate::mechanism::signs::{ARROW_PINS, drive_sign};
 use loosepin_result::simulation::{Drawing, DrawnPin, PoseTable};
 
 /// Poses at which places are compared.
-const MOST_POSES: usize = 48;
+const MAX_POSES: usize = 48;
 /// Width of a letter and height of a line, as shares of the font's size: means of common fonts.
 const LETTER: [f64; 2] = [0.56, 1.0];
 /// Letters of a name in a picture; the whole name is its title.
-const MOST_LETTERS: usize = 24;
+const MAX_LETTERS: usize = 24;
 /// A name that hides another one in more of the poses is left out.
-const MOST_HIDDEN_SHARE: f64 = 0.1;
+const MAX_HIDDEN_SHARE: f64 = 0.1;
 /// Heights of a flag, in pins.
 const POLE_PINS: [f64; 2] = [7.0, 10.0];
 /// Length and height of a pennant, in pins.
@@ -136,7 +136,7 @@ pub(crate) fn labels(drawing: &Drawing, poses: &PoseTable, frame: &Frame, sizes:
     for mut label in wanted {
         let costs = label.places(sizes).into_iter().map(|place| (scene.cost(&label, place, &placed), place));
         let Some(((_, hidden), place)) = costs.min_by(|a, b| a.0.0.total_cmp(&b.0.0)) else { continue };
-        if hidden <= MOST_HIDDEN_SHARE * scene.poses.len() as f64 {
+        if hidden <= MAX_HIDDEN_SHARE * scene.poses.len() as f64 {
             label.place = place;
             placed.push(label);
         }
@@ -231,10 +231,10 @@ impl Label {
     }
 
     fn shown(&self) -> String {
-        if self.text.chars().count() <= MOST_LETTERS {
+        if self.text.chars().count() <= MAX_LETTERS {
             return self.text.clone();
         }
-        let kept: String = self.text.chars().take(MOST_LETTERS - 1).collect();
+        let kept: String = self.text.chars().take(MAX_LETTERS - 1).collect();
         format!("{kept}…")
     }
 
@@ -288,7 +288,7 @@ struct Scene<'a> {
 impl<'a> Scene<'a> {
     fn new(drawing: &Drawing, table: &'a PoseTable, frame: &Frame, sizes: Sizes) -> Self {
         let count = table.drive_angle_rad.len();
-        let poses: Vec<usize> = (0..count).step_by(count.div_ceil(MOST_POSES).max(1)).collect();
+        let poses: Vec<usize> = (0..count).step_by(count.div_ceil(MAX_POSES).max(1)).collect();
         let pin = sizes.pin;
         let supports = support_points(drawing)
             .map(|(x, y)| Area {
@@ -382,7 +382,7 @@ mod tests {
         assert_eq!((area.left, area.low, area.high), (0.0, 4.5, 6.5));
         assert!((area.right - (3.2 + 4.0 * 0.56 * 2.0)).abs() < 1e-12, "{area:?}");
         let long = Label { text: "x".repeat(30), ..label };
-        assert_eq!(long.shown().chars().count(), MOST_LETTERS);
+        assert_eq!(long.shown().chars().count(), MAX_LETTERS);
         assert!(long.drawn(sizes).into_string().contains(&"x".repeat(30)), "the title has it all");
     }
 }

@@ -70,13 +70,13 @@ fn whole_table(table: &Table) -> Markup {
 }
 
 /// Columns that a page has room for; a table with more moves sideways in its frame.
-const MOST_COLUMNS: usize = 8;
+const MAX_COLUMNS: usize = 8;
 
 /// Rows become cards on a narrow screen, where each cell stands behind the head of its column. Without groups the first cell of a row
 /// is its head.
 fn rows(table: &Table) -> Markup {
     let columns = table.columns_on(Medium::Page);
-    let is_wide = columns.len() > MOST_COLUMNS;
+    let is_wide = columns.len() > MAX_COLUMNS;
     let rows = html! {
         table class=[(!is_wide).then_some("cards")] {
             thead {

@@ -14,7 +14,7 @@ pub(crate) fn script_json<T: Serialize>(record: &T) -> Markup {
 }
 
 /// Digits that a number with all its places has at most, without round-off.
-const MOST_DIGITS: usize = 15;
+const MAX_DIGITS: usize = 15;
 /// Neighbours that are closer than this share of the largest value differ by round-off.
 const ROUND_OFF_SHARE: f64 = 1e-12;
 
@@ -25,7 +25,7 @@ pub(crate) fn digits_apart(values: &[f64], fewest: usize) -> usize {
     let gaps = finite().zip(finite().skip(1)).map(|(one, next)| (next - one).abs());
     let least = gaps.filter(|gap| *gap > ROUND_OFF_SHARE * largest).fold(f64::INFINITY, f64::min);
     let places = largest.log10().floor() - least.log10().floor();
-    if places.is_finite() { (places.max(0.0) as usize + 3).clamp(fewest, MOST_DIGITS.max(fewest)) } else { fewest }
+    if places.is_finite() { (places.max(0.0) as usize + 3).clamp(fewest, MAX_DIGITS.max(fewest)) } else { fewest }
 }
 
 /// Values of a horizontal axis: to the digits of a chart, and to more where neighbours need them.

@@ -13,13 +13,13 @@ pub(crate) const PLAIN_DIGITS: usize = 4;
 /// Digits of an error.
 const ERROR_DIGITS: usize = 1;
 /// Digits beyond which a value is not written out even if its error is smaller.
-const MOST_DIGITS: usize = 7;
+const MAX_DIGITS: usize = 7;
 /// Digits of what a person wrote, before zeros at the end are dropped.
 const INPUT_DIGITS: usize = 8;
 /// Below this, powers of ten are used.
-const SMALLEST_PLAIN: f64 = 1e-5;
+const MIN_PLAIN: f64 = 1e-5;
 /// From this up, powers of ten are used.
-const LARGEST_PLAIN: f64 = 1e7;
+const MAX_PLAIN: f64 = 1e7;
 /// A scaled value this close to a whole number (relative) is that number: decimal fractions have no exact binary form.
 const REPRESENTATION_NOISE: f64 = 1e-12;
 
@@ -263,7 +263,7 @@ pub(crate) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
     }
     let magnitude = decimal_magnitude(value);
     let last_place = magnitude - digits as i32 + 1;
-    if value.abs() < SMALLEST_PLAIN || value.abs() >= LARGEST_PLAIN {
+    if value.abs() < MIN_PLAIN || value.abs() >= MAX_PLAIN {
         let mantissa_places = digits.saturating_sub(1);
         let mantissa = round_to_place(value / 10f64.powi(magnitude), -(mantissa_places as i32), rounding);
         if mantissa.abs() >= 10.0 {
@@ -289,7 +289,7 @@ fn to_error(value: f64, error: f64, rounding: Rounding) -> String {
     let leading = error / 10f64.powi(error_magnitude);
     let place = if leading < 2.0 { error_magnitude - 1 } else { error_magnitude };
     let digits = decimal_magnitude(value) - place + 1;
-    significant(value, digits.clamp(2, MOST_DIGITS as i32) as usize, rounding)
+    significant(value, digits.clamp(2, MAX_DIGITS as i32) as usize, rounding)
 }
 
 /// A share in percent: more places the nearer it is to 0 or 1, where they matter.

@@ -35,11 +35,11 @@ fn condensed_sentence(BendingRecord { body, condensed, .. }: &BendingRecord, wri
 /// coordinates may not be needed.
 fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<String> {
     /// Angle at which foreshortening to second order is off by half a percent, rad.
-    const LARGEST_RAD: f64 = 0.1;
+    const MAX_RAD: f64 = 0.1;
     let BendingRecord { body, largest_angle_rad, is_nodal, other_formulation, .. } = bending;
-    let most = writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE);
+    let most = writer.value_trimmed(MAX_RAD, &SiUnit::ANGLE);
     if *is_nodal {
-        let keys = other_formulation.floating_frame().filter(|_| *largest_angle_rad < LARGEST_RAD)?;
+        let keys = other_formulation.floating_frame().filter(|_| *largest_angle_rad < MAX_RAD)?;
         return Some(format!(
             "The {body} turns by at most {} from the line through its ends. {keys} does up to {most}, with fewer \
              coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
@@ -58,7 +58,7 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
         }
     };
     // Not a number is no small angle.
-    (!(*largest_angle_rad <= LARGEST_RAD)).then(|| {
+    (!(*largest_angle_rad <= MAX_RAD)).then(|| {
         format!(
             "The {body} bends too far for its model: its sections turn by up to {}, and above {most} lengths are off by more than 0.5 % of what \
              bending shortens. {way_out}",

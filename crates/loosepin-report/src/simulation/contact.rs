@@ -16,7 +16,7 @@ use loosepin_text::units::SiUnit;
 use super::charts::{abscissa_words, impact_place, run_chart};
 
 /// Rows of the table of impacts; the others stand in `impacts.csv`.
-const MOST_IMPACTS: usize = 30;
+const MAX_IMPACTS: usize = 30;
 
 /// `None` if no joint has play.
 pub(super) fn contact_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Section> {
@@ -119,7 +119,7 @@ fn law_fact(joint: &JointSummary, writer: &NumberWriter) -> Fact {
 
 /// The contact force of each joint, and the first impacts.
 fn impacts(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
-    let shown = record.impacts.len().min(MOST_IMPACTS);
+    let shown = record.impacts.len().min(MAX_IMPACTS);
     let number_shown = count(shown as u64, &writer.about(&Tag::Count("impacts that are shown")));
     html! {
         @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {

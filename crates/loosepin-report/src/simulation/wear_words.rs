@@ -6,7 +6,7 @@ use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear
 use loosepin_text::units::{DisplayUnit, DisplayUnits, SiUnit};
 
 /// Sectors over which the widest patch of pressure is to lie, at least.
-const LEAST_SECTORS: f64 = 4.0;
+const MIN_SECTORS: f64 = 4.0;
 /// Half-width of the patch over the radius from which the surfaces are no half-spaces any more: the arc is 1.5 % longer than its chord.
 const WIDE_PATCH: f64 = 0.3;
 /// Depth over clearance from which the unworn geometry is told to be an estimate only.
@@ -76,7 +76,7 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, is_worn: bool, writer: &Num
             sentences.push(format!("{joint}, {word}: half as many sectors give a greatest depth {less} smaller."));
         }
     }
-    if checks.widest_patch_sectors > 0.0 && checks.widest_patch_sectors < LEAST_SECTORS {
+    if checks.widest_patch_sectors > 0.0 && checks.widest_patch_sectors < MIN_SECTORS {
         let width = writer.rounded(checks.widest_patch_sectors, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
             "{joint}: the widest contact lies over {width} sectors. {}: take more sectors.",

@@ -15,9 +15,9 @@ use loosepin_text::units::SiUnit;
 /// Digits of a bound in a sentence.
 pub(crate) const SENTENCE_DIGITS: usize = 2;
 /// Places of one output of which a sentence has the statistics, at most; the table has all.
-const MOST_PLACES: usize = 3;
+const MAX_PLACES: usize = 3;
 /// Further digits where both ends of a range are nearly the same, at most.
-const MOST_MORE_DIGITS: f64 = 6.0;
+const MAX_MORE_DIGITS: f64 = 6.0;
 
 /// The bound or the curve that answers for an output.
 #[derive(Clone, Copy)]
@@ -77,7 +77,7 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> 
             firsts.push(bound);
         }
     }
-    firsts.into_iter().take(MOST_PLACES).map(OutputSummary::Bound).collect()
+    firsts.into_iter().take(MAX_PLACES).map(OutputSummary::Bound).collect()
 }
 
 /// Whether two bounds are of one number of a run.
@@ -263,7 +263,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
 /// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
 pub(crate) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
-    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
+    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MAX_MORE_DIGITS) as usize } else { 0 };
     let [lowest, highest] = ["lowest", "highest"].map(|part| writer.tag().map(|tag| tag.part(part)));
     format!(
         "between {} and {}",

@@ -7,7 +7,7 @@ use loosepin_result::sweep::SweepRecord;
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 
 /// Rows of the table; the others stand in `sweep.csv`.
-const MOST_ROWS: usize = 24;
+const MAX_ROWS: usize = 24;
 
 /// Neighbouring values whose motion is of one kind.
 pub(super) struct Stretch {
@@ -70,8 +70,8 @@ pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> 
         ]
     };
     let mut section = Section::headed_on_page("sections", "Periodic and non-periodic motion");
-    section.push(Content::Table(Table::new(columns, stretches.iter().take(MOST_ROWS).map(row))));
-    let left = stretches.len().saturating_sub(MOST_ROWS);
+    section.push(Content::Table(Table::new(columns, stretches.iter().take(MAX_ROWS).map(row))));
+    let left = stretches.len().saturating_sub(MAX_ROWS);
     if left > 0 {
         let more = count(left as u64, &writer.about(&Tag::Count("ranges that are not shown")));
         section.push(Content::Note(Text::from(format!("{more} more in ")).code("sweep.csv").on(Medium::Page, ".")));

@@ -8,7 +8,7 @@ use loosepin_result::study::{ResponsePoint, SurrogateOutput, SurrogateVerdict};
 /// rest: what is left scatters by a third of the whole, and only direct runs tell how.
 const LEARNED_SHARE: f64 = 0.9;
 /// Doublings of the runs within which an error that falls must leave that little: more than 32 times the runs are a direct study.
-const MOST_DOUBLINGS: f64 = 5.0;
+const MAX_DOUBLINGS: f64 = 5.0;
 
 /// The sentences of such a history, a value at a pose or a curve, with what stands beside it; of anything else only that it is noise, where
 /// it is.
@@ -52,7 +52,7 @@ pub(crate) fn history_words(
 fn falls_too_slowly(output: &SurrogateOutput) -> bool {
     let (Some(q2), [.., half, all]) = (output.q2, &output.learning[..]) else { return false };
     let each = (all.held_out_si / half.held_out_si) * (all.held_out_si / half.held_out_si);
-    let left = (1.0 - q2) * libm::pow(each, MOST_DOUBLINGS);
+    let left = (1.0 - q2) * libm::pow(each, MAX_DOUBLINGS);
     left > 1.0 - LEARNED_SHARE
 }
 

@@ -152,9 +152,9 @@ pub(crate) fn nominal_sentences(result: &StudyResult, writer: &NumberWriter) -> 
 /// Differences of the runs over time, as powers of ten.
 fn difference_chart(measured: &MeasuredTrust, writer: &NumberWriter) -> Markup {
     /// Below this, m, a difference is round-off.
-    const SMALLEST_M: f64 = 1e-16;
+    const MIN_M: f64 = 1e-16;
     let powers: Vec<f64> =
-        measured.difference_m.iter().map(|&difference_m| libm::log10(difference_m.max(SMALLEST_M))).collect();
+        measured.difference_m.iter().map(|&difference_m| libm::log10(difference_m.max(MIN_M))).collect();
     Chart {
         y_label: "powers of ten of a metre".to_owned(),
         entries: vec![Entry::new("largest difference of a position", Role::First, false, EntryValues::line(&powers))],

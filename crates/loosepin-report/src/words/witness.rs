@@ -5,7 +5,7 @@ use crate::words::wording::{deviation_of, output_unit, place_words, response_wor
 use loosepin_result::study::{BoundRecord, StudyResult, Treatment, Witness};
 
 /// Bounds that are named at a witness, at most.
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 
 /// The mechanism of a witness.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,8 +55,8 @@ fn attained(result: &StudyResult, witness: &Witness, writer: &NumberWriter) -> V
     let upper = bounds().filter(|bound| bound.upper.witness == *witness).map(|bound| told("largest", bound));
     let lower = bounds().filter(|bound| bound.lower.witness == *witness).map(|bound| told("smallest", bound));
     let mut all: Vec<String> = of_requirements.chain(upper).chain(lower).collect();
-    let more = all.len().saturating_sub(MOST_NAMED);
-    all.truncate(MOST_NAMED);
+    let more = all.len().saturating_sub(MAX_NAMED);
+    all.truncate(MAX_NAMED);
     if more > 0 {
         all.push(format!("{more} more"));
     }

@@ -4,7 +4,7 @@ use super::SimulationRecord;
 use std::f64::consts::TAU;
 
 /// Turns that a spectrum looks at, the last ones: orders are told apart by one over their number.
-const MOST_TURNS: usize = 8;
+const MAX_TURNS: usize = 8;
 /// The highest order.
 const HIGHEST_ORDER: usize = 60;
 /// Of the angle between two samples.
@@ -47,7 +47,7 @@ impl SimulationRecord {
             [first, second, ..] => ((second - first).abs() * in_turn as f64 / TAU - 1.0).abs() < ROUND_OFF,
             _ => false,
         };
-        (whole > 0 && is_even).then_some((whole.min(MOST_TURNS), in_turn))
+        (whole > 0 && is_even).then_some((whole.min(MAX_TURNS), in_turn))
     }
 
     /// The spectrum of a history of this run over its last whole turns, eight at most, up to order 60 or half of the samples a turn. Absent where
@@ -94,10 +94,10 @@ impl SimulationRecord {
 impl Spectrum {
     /// The orders with the largest amplitudes, the largest first; none that is below a hundredth of the largest.
     pub fn dominant(&self, most: usize) -> Vec<(f64, f64)> {
-        const LEAST_SHARE: f64 = 0.01;
+        const MIN_SHARE: f64 = 0.01;
         let mut all: Vec<(f64, f64)> = self.orders.iter().copied().zip(self.amplitudes_si.iter().copied()).collect();
         all.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let least_si = all.first().map_or(0.0, |(_, largest)| LEAST_SHARE * largest);
+        let least_si = all.first().map_or(0.0, |(_, largest)| MIN_SHARE * largest);
         all.truncate(most);
         all.retain(|(_, amplitude_si)| *amplitude_si > 0.0 && *amplitude_si >= least_si);
         all

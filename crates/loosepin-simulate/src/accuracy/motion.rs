@@ -23,7 +23,7 @@ use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
-const LEAST_POSITIONS: usize = 12;
+const MIN_POSITIONS: usize = 12;
 
 /// Plan of a quasi-static answer.
 #[derive(Debug, Clone)]
@@ -113,8 +113,8 @@ fn motion_with(
     if input.speed_rad_s == 0.0 {
         return Err(AccuracyError::StandsStill { drive: input.name });
     }
-    if plan.positions < LEAST_POSITIONS {
-        return Err(AccuracyError::TooFewPositions { positions: plan.positions, least: LEAST_POSITIONS });
+    if plan.positions < MIN_POSITIONS {
+        return Err(AccuracyError::TooFewPositions { positions: plan.positions, least: MIN_POSITIONS });
     }
     let directions = directions(mechanism, values, &plan.scatter)?;
     let sample = Sample::new(mechanism, values)?;

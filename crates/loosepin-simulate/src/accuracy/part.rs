@@ -7,7 +7,7 @@ use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 /// A point that is somewhere slower than this share of its mean speed has no direction there.
-const LEAST_SHARE_OF_SPEED: f64 = 0.01;
+const MIN_SHARE_OF_SPEED: f64 = 0.01;
 
 /// One number of the quasi-static answer: a position, or a part of the error of a path.
 pub(super) struct Part {
@@ -75,5 +75,5 @@ impl PartKind {
 /// Whether a point moves all the way.
 fn has_direction(speeds: &[f64]) -> bool {
     let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
-    speeds.iter().all(|speed| *speed > LEAST_SHARE_OF_SPEED * mean)
+    speeds.iter().all(|speed| *speed > MIN_SHARE_OF_SPEED * mean)
 }

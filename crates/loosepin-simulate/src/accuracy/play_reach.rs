@@ -200,13 +200,13 @@ fn taken_m(tilt_rad: f64, half_length_m: f64, half_height_m: f64) -> f64 {
 ///
 /// Newton's method from θ = c/a, which lies below the root; the function is concave there, so that no step goes beyond it.
 fn largest_tilt_rad(clearance_m: f64, half_length_m: f64, half_height_m: f64) -> Option<f64> {
-    const MOST_STEPS: usize = 100;
+    const MAX_STEPS: usize = 100;
     let diagonal_m = Vec2::new(half_length_m, half_height_m).length();
     if half_height_m + clearance_m >= diagonal_m {
         return None;
     }
     let mut tilt_rad = clearance_m / half_length_m;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let (sine, cosine) = sin_cos(tilt_rad);
         let slope_m = half_length_m * cosine - half_height_m * sine;
         let next_rad = tilt_rad + (clearance_m - taken_m(tilt_rad, half_length_m, half_height_m)) / slope_m;

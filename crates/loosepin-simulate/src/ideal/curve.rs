@@ -8,7 +8,7 @@ use std::sync::Arc;
 const NODES_PER_TURN: usize = 96;
 /// Pieces into which the interval between two of these nodes is divided, at most. Where that is not enough, as at a jump of a velocity, the
 /// table errs beside the jump alone, by at most 4e-5 rad of the drive times the jump of the slope in m/rad.
-const MOST_PIECES: usize = 256;
+const MAX_PIECES: usize = 256;
 /// Places in a piece at which the table is held against the motion, as shares of the piece.
 const CHECKED: [f64; 3] = [0.25, 0.5, 0.75];
 
@@ -42,7 +42,7 @@ impl IdealNodes {
             let mut own = 1;
             let share = |place: f64| (interval as f64 + place) / intervals as f64;
             let length_s = span_s / intervals as f64;
-            while own < MOST_PIECES && differs(own, length_s, largest_error, |place| jets(share(place)))? {
+            while own < MAX_PIECES && differs(own, length_s, largest_error, |place| jets(share(place)))? {
                 own *= 2;
             }
             first.push(nodes);
@@ -178,7 +178,7 @@ mod tests {
     use std::sync::Arc;
 
     const TURN_S: f64 = 0.25;
-    const LARGEST_ERROR_M: f64 = 1e-9;
+    const MAX_ERROR_M: f64 = 1e-9;
 
     /// The table of a motion over one turn: its position and two derivatives over the angle of the drive.
     fn table(motion: impl Fn(f64) -> [f64; 3]) -> IdealCurve {
@@ -187,8 +187,7 @@ mod tests {
             let [value, slope, curvature] = motion(TAU * share);
             [value, slope * rate, curvature * rate * rate]
         };
-        let nodes =
-            IdealNodes::new(1.0, TURN_S, LARGEST_ERROR_M, |share| Ok::<_, Infallible>(vec![jet(share)])).unwrap();
+        let nodes = IdealNodes::new(1.0, TURN_S, MAX_ERROR_M, |share| Ok::<_, Infallible>(vec![jet(share)])).unwrap();
         let jets = vec![nodes.times_s(0.0, 1.0).map(jet).collect()];
         IdealCurve::of_jets(TURN_S, Arc::new(nodes), &jets)
     }
@@ -212,13 +211,13 @@ mod tests {
     fn analytic_a_crank_that_turns_once_needs_no_more_than_96_nodes() {
         let curve = table(crank(1.0));
         assert_eq!(curve.nodes.pieces, [1; 96]);
-        assert!(largest_error_m(&curve, crank(1.0)) < LARGEST_ERROR_M);
+        assert!(largest_error_m(&curve, crank(1.0)) < MAX_ERROR_M);
     }
 
     #[test]
     fn analytic_a_crank_that_turns_twenty_times_has_enough_nodes() {
         let curve = table(crank(20.0));
-        assert!(largest_error_m(&curve, crank(20.0)) < 1.1 * LARGEST_ERROR_M);
+        assert!(largest_error_m(&curve, crank(20.0)) < 1.1 * MAX_ERROR_M);
         let [_, slope, curvature] = crank(20.0)(TAU * 0.31);
         let piece = curve.nodes.piece(0.31);
         let quintic = curve.quintic(0, piece);
@@ -244,6 +243,6 @@ mod tests {
         let curve = table(rise);
         let divided = curve.nodes.pieces.iter().filter(|&&pieces| pieces > 16).count();
         assert_eq!(divided, 2, "{:?}", curve.nodes.pieces);
-        assert!(largest_error_m(&curve, rise) < 1.6 * LARGEST_ERROR_M);
+        assert!(largest_error_m(&curve, rise) < 1.6 * MAX_ERROR_M);
     }
 }

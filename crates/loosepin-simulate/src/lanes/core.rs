@@ -120,8 +120,8 @@ impl<'a> Core<'a> {
             self.set_records(lane, contact, &PlaySummary::default());
             let limit = DepthLimit::new(sample.play_of(contact));
             let place = LaneLayout::contact(contact);
-            self.set_number(lane, place + LaneLayout::LARGEST_GAP, limit.gap);
-            self.set_number(lane, place + LaneLayout::LARGEST_ROOT, limit.root);
+            self.set_number(lane, place + LaneLayout::MAX_GAP, limit.gap);
+            self.set_number(lane, place + LaneLayout::MAX_ROOT, limit.root);
         }
     }
 
@@ -496,8 +496,8 @@ impl<'a> Core<'a> {
         let exchange_j = smallest_exchange_j.max(self.start_read(lane, ReadLayout::FREE_KINETIC));
         for (place, value) in [
             (LaneLayout::ENERGY_AT_START, energy_j),
-            (LaneLayout::LARGEST_RESIDUAL, 0.0),
-            (LaneLayout::LARGEST_EXCHANGE, exchange_j),
+            (LaneLayout::MAX_RESIDUAL, 0.0),
+            (LaneLayout::MAX_EXCHANGE, exchange_j),
         ] {
             self.memory.set(Block::Lane, place, lane, value);
         }
@@ -524,8 +524,8 @@ impl<'a> Core<'a> {
             contact_loss_j: account.contact_loss_j,
             friction_loss_j: account.friction_loss_j,
             damping_loss_j: account.damping_loss_j,
-            largest_residual_j: number(LaneLayout::LARGEST_RESIDUAL),
-            largest_exchange_j: number(LaneLayout::LARGEST_EXCHANGE),
+            largest_residual_j: number(LaneLayout::MAX_RESIDUAL),
+            largest_exchange_j: number(LaneLayout::MAX_EXCHANGE),
         }
     }
 

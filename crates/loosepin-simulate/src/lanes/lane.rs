@@ -114,13 +114,13 @@ pub struct LaneRun {
 }
 
 /// Newton steps onto an event; from the polynomial's root two or three do.
-const MOST_TRIALS: u32 = 12;
+const MAX_TRIALS: u32 = 12;
 
 /// How far from the end of a good step an event may lie, so that the end is moved there by its slopes: where slopes change evenly, states inside
 /// of the step are then off by this many local errors at most, a tenth of the tolerance. The state at the end is off by far less.
-const MOST_MOVED: f64 = 0.1 / STEP_SHARE;
+const MAX_MOVED: f64 = 0.1 / STEP_SHARE;
 /// The same as a share of the step.
-const LARGEST_MOVED_SHARE: f64 = 1e-3;
+const MAX_MOVED_SHARE: f64 = 1e-3;
 
 /// Decision on an attempt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -301,8 +301,8 @@ impl LaneRun {
             if !turns
                 && let Some(jet) = jet
                 && let Some(by) = self.distance(search.event, jet, step)
-                && by.abs() <= LARGEST_MOVED_SHARE * trial
-                && by.abs() * step.change_of_slopes() <= MOST_MOVED
+                && by.abs() <= MAX_MOVED_SHARE * trial
+                && by.abs() * step.change_of_slopes() <= MAX_MOVED
             {
                 return Decision::Move(search.event, by);
             }
@@ -315,7 +315,7 @@ impl LaneRun {
             search.trial =
                 if newton > search.low && newton < search.high { newton } else { 0.5 * (search.low + search.high) };
         }
-        if search.trials < MOST_TRIALS {
+        if search.trials < MAX_TRIALS {
             self.phase = Phase::Searching(search);
             return Decision::Retry(search.trial);
         }

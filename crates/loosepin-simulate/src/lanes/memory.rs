@@ -70,9 +70,9 @@ impl LaneLayout {
     /// Mechanical energy at the start of the run, J.
     pub const ENERGY_AT_START: usize = 5;
     /// Largest residual of the energy account so far, J.
-    pub const LARGEST_RESIDUAL: usize = 6;
+    pub const MAX_RESIDUAL: usize = 6;
     /// Largest exchange of the energy account so far, J.
-    pub const LARGEST_EXCHANGE: usize = 7;
+    pub const MAX_EXCHANGE: usize = 7;
     /// Steps end here at the latest, s.
     pub const STOP: usize = 9;
     /// Longest step in time, s.
@@ -124,9 +124,9 @@ impl LaneLayout {
     /// Within the numbers of a contact: its largest normal force so far, N.
     pub const STRONGEST: usize = 5;
     /// Within the numbers of a contact: the gap function at the largest penetration that is allowed.
-    pub const LARGEST_GAP: usize = 6;
+    pub const MAX_GAP: usize = 6;
     /// Within the numbers of a contact: the root of that penetration, √m.
-    pub const LARGEST_ROOT: usize = 7;
+    pub const MAX_ROOT: usize = 7;
 
     /// For so many contacts, so many unknowns with a tolerance and so many numbers of what is followed.
     pub fn new(contacts: usize, weights: usize, followed: usize) -> Self {

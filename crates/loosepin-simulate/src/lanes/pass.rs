@@ -15,7 +15,7 @@ use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, is_front_corner};
 
 /// The force at the edge of a guide over that of its law, 1/cos θ, up to a tilt of 33°.
-const LARGEST_STRETCH: f64 = 1.2;
+const MAX_STRETCH: f64 = 1.2;
 /// Rates of a contact are taken to be no faster than this, m/s: infinite ones times a law's number that is zero are none.
 const FASTEST_M_S: f64 = 1e100;
 
@@ -30,7 +30,7 @@ const LASTING_MINIMA: f64 = 4.0;
 pub const STALLED_SHARE: f64 = 1e-7;
 /// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
 /// solution, and round-off is far below.
-pub const LARGEST_RESIDUAL: f64 = 1e-9;
+pub const MAX_RESIDUAL: f64 = 1e-9;
 
 /// Parts of a pass that all lanes share.
 #[derive(Debug, Clone)]
@@ -221,7 +221,7 @@ impl Pass {
         for contact in 0..sample.contacts.len() {
             let of_lane = &lane[LaneLayout::contact(contact)..];
             let is_root = is_set(of_lane[LaneLayout::HAS_ROOT]);
-            let limit = T::select(is_root, of_lane[LaneLayout::LARGEST_ROOT], of_lane[LaneLayout::LARGEST_GAP]);
+            let limit = T::select(is_root, of_lane[LaneLayout::MAX_ROOT], of_lane[LaneLayout::MAX_GAP]);
             good = unless(ends[self.reads.gap(contact)].less_than(limit), good);
             if let (Some([first, last]), Some(place)) =
                 (sample.play_of(contact).shape.face_ends_m(), self.reads.along(contact))
@@ -235,7 +235,7 @@ impl Pass {
                 good = unless(holds, good);
             }
         }
-        let residual = T::from_f64(LARGEST_RESIDUAL);
+        let residual = T::from_f64(MAX_RESIDUAL);
         let mut bad = zero;
         for index in 0..self.reads.frictions() {
             let is_solved = ends[self.reads.friction(index)].less_than(residual);
@@ -292,7 +292,7 @@ impl Pass {
         let kinetic_j = blocks.start_reads[ReadLayout::FREE_KINETIC];
         let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs()).max(kinetic_j);
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
-        for (place, value) in [(LaneLayout::LARGEST_RESIDUAL, residual_j), (LaneLayout::LARGEST_EXCHANGE, exchange_j)] {
+        for (place, value) in [(LaneLayout::MAX_RESIDUAL, residual_j), (LaneLayout::MAX_EXCHANGE, exchange_j)] {
             let largest = blocks.lane[place];
             blocks.lane[place] = T::select(is_chosen, largest.max(value), largest);
         }
@@ -443,7 +443,7 @@ impl Pass {
                 force_n *= slot.end_stiffening + one;
             }
             if numbers.shape.face_ends_m().is_some() {
-                force_n *= T::from_f64(LARGEST_STRETCH);
+                force_n *= T::from_f64(MAX_STRETCH);
             }
             if numbers.foundation.is_some() {
                 // Nothing limits the force of a worn joint from its penetration alone: every step in contact is looked at.
@@ -453,7 +453,7 @@ impl Pass {
             let is_strongest = of_lane[LaneLayout::STRONGEST].less_than(force_n);
             let is_record = T::select(is_deepest, one, T::select(is_strongest, one, notable));
             notable = T::select(is_closed, is_record, notable);
-            let root = of_lane[LaneLayout::LARGEST_ROOT];
+            let root = of_lane[LaneLayout::MAX_ROOT];
             let is_deep = T::select(depth_m.less_than(root * root), deep, one);
             deep = T::select(is_closed, is_deep, deep);
 

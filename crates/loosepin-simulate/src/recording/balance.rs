@@ -2,7 +2,7 @@
 
 use crate::failure::RunFailure;
 use crate::recording::report::RunReport;
-use crate::settings::LARGEST_ENERGY_RESIDUAL;
+use crate::settings::MAX_ENERGY_RESIDUAL;
 use loosepin_mechanics::model::Model;
 
 impl RunReport {
@@ -14,7 +14,7 @@ impl RunReport {
         let Some(account) = &self.energy else { return Ok(()) };
         let exchange_j = account.largest_exchange_j;
         // Also where it is not a number.
-        if !(account.relative_residual() <= LARGEST_ENERGY_RESIDUAL) {
+        if !(account.relative_residual() <= MAX_ENERGY_RESIDUAL) {
             return Err(RunFailure::EnergyNotBalanced { residual_j: account.largest_residual_j, exchange_j });
         }
         let of_joints = self.friction_losses.iter().map(|friction| (Some(friction.joint), "friction", friction.loss_j));
@@ -24,7 +24,7 @@ impl RunReport {
             (None, "damping", account.damping_loss_j),
         ];
         for (joint, law, loss_j) in of_joints.chain(of_all) {
-            if loss_j < -LARGEST_ENERGY_RESIDUAL * exchange_j {
+            if loss_j < -MAX_ENERGY_RESIDUAL * exchange_j {
                 let joint = joint.map(|joint| model.play_name(joint).to_owned());
                 return Err(RunFailure::LawGainsEnergy { law, joint, gained_j: -loss_j, exchange_j });
             }

@@ -67,14 +67,14 @@ impl Plan {
             return Err(RunFailure::ImplicitWithoutNodes);
         }
         let rows = self.cycle.recorded_turns * self.cycle.samples_per_turn as f64;
-        if !(rows <= MOST_ROWS as f64) {
-            return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
+        if !(rows <= MAX_ROWS as f64) {
+            return Err(RunFailure::TooManyRows { rows, most: MAX_ROWS });
         }
         let states = if self.with_states { NUMBERS_OF_A_STATE * mechanism.model.bodies.len() } else { 0 };
         // The ideal values stand beside those of the run.
         let numbers = 2 * columns(&mechanism.model).len() + mechanism.contacts.len() + states + NUMBERS_OF_A_ROW;
-        if rows * numbers as f64 > MOST_NUMBERS as f64 {
-            return Err(RunFailure::TooManyNumbers { rows, numbers, most: MOST_NUMBERS });
+        if rows * numbers as f64 > MAX_NUMBERS as f64 {
+            return Err(RunFailure::TooManyNumbers { rows, numbers, most: MAX_NUMBERS });
         }
         let least = least_evaluations(mechanism, sample, &self.window(mechanism, values)?, &self.settings);
         let limit = self.settings.largest_evaluations;
@@ -106,9 +106,9 @@ pub fn input(mechanism: &Mechanism, values: &Values, span: CycleSpan) -> Result<
 }
 
 /// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
-pub const MOST_ROWS: usize = 1_000_000;
+pub const MAX_ROWS: usize = 1_000_000;
 /// Numbers of a history, at most: a gibibyte.
-pub const MOST_NUMBERS: usize = 1 << 27;
+pub const MAX_NUMBERS: usize = 1 << 27;
 /// Numbers of a row beside those of outputs, contacts and bodies: the time and the energies.
 const NUMBERS_OF_A_ROW: usize = 10;
 /// Numbers of a row for each body where states are recorded: three coordinates, their rates and accelerations.

@@ -39,12 +39,12 @@ const OVER_LOCAL_ERROR: f64 = 200.0;
 /// Pieces of a turn after which the separation is set up again.
 const PIECES: u32 = 8;
 /// A piece over which the separation changes by more than this factor, either way, is halved.
-const MOST_CHANGE: f64 = 100.0;
+const MAX_CHANGE: f64 = 100.0;
 /// A piece is halved so often at most.
-const MOST_HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 /// Growth over all turns below which the exponent counts as zero: a thousandfold. Neighbours that part evenly, as those of a
 /// frictionless pendulum, reach elevenfold at most.
-const LEAST_GROWTH: f64 = 6.9;
+const MIN_GROWTH: f64 = 6.9;
 
 /// The largest Lyapunov exponent λ = lim ln(d(t)/d(0))/t of the motion of `sample` (Benettin, Galgani, Giorgilli and Strelcyn
 /// 1980).
@@ -79,9 +79,9 @@ pub fn largest_exponent(
     let (mean, error) = mean_and_error(&growth);
     let half = STUDENT_95 * error;
     let total = mean * growth.len() as f64;
-    let kind = if mean - half > 0.0 && total > LEAST_GROWTH {
+    let kind = if mean - half > 0.0 && total > MIN_GROWTH {
         NeighbourKind::Part
-    } else if mean + half < 0.0 && total < -LEAST_GROWTH {
+    } else if mean + half < 0.0 && total < -MIN_GROWTH {
         NeighbourKind::Meet
     } else {
         NeighbourKind::Undecided
@@ -190,7 +190,7 @@ impl<'a> Pair<'a> {
         let mut advance = |state: &MotionState| go_on(mechanism, sample, settings, Some(state), to_s, kept);
         let (run, neighbour) = (advance(&self.run)?, advance(&self.neighbour)?);
         let factor = self.distance(&run, &neighbour) / before;
-        if !(factor < MOST_CHANGE && factor * MOST_CHANGE > 1.0) && halvings < MOST_HALVINGS {
+        if !(factor < MAX_CHANGE && factor * MAX_CHANGE > 1.0) && halvings < MAX_HALVINGS {
             let middle_s = 0.5 * (from_s + to_s);
             return Ok(self.follow(from_s, middle_s, halvings + 1)? + self.follow(middle_s, to_s, halvings + 1)?);
         }

@@ -5,7 +5,7 @@ use loosepin_result::simulation::{Swing, SwingCourse};
 /// Share of the recorded part, counted from its end, that is looked at: what went before is taken for settling.
 const LOOKED_AT: f64 = 0.5;
 /// Whole swings below which nothing is said.
-const LEAST_SWINGS: usize = 4;
+const MIN_SWINGS: usize = 4;
 /// A value has crossed the middle when it is further beyond than this share of half the range.
 const BAND: f64 = 0.1;
 /// Last swings over first ones below which the swings die out, and above which they grow.
@@ -35,7 +35,7 @@ pub fn swing(time_s: &[f64], error_si: &[f64], resolved_si: f64) -> Option<Swing
             is_below = false;
         }
     }
-    let count = begins.len().checked_sub(1).filter(|count| *count >= LEAST_SWINGS)?;
+    let count = begins.len().checked_sub(1).filter(|count| *count >= MIN_SWINGS)?;
     let amplitudes: Vec<f64> = begins
         .windows(2)
         .map(|pair| range(&error_si[pair[0].0..pair[1].0]))

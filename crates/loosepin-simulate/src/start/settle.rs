@@ -39,11 +39,11 @@ const SLOW: f64 = 0.1;
 /// Change of a shape over which slopes are taken, rad, and m for each metre of the mechanism.
 const DIFFERENCE: f64 = 1e-7;
 /// Largest sum of the turns of the elements in a step of the load, rad.
-const LARGEST_TURN: f64 = 1.0;
+const MAX_TURN: f64 = 1.0;
 /// Largest change of a coordinate of a node with which Newton's method goes on, rad, and m for each metre of the mechanism.
 const FAR: f64 = 10.0;
 /// Least share of the load that is added at once.
-const LEAST_SHARE: f64 = 1e-4;
+const MIN_SHARE: f64 = 1e-4;
 /// Largest residual of a loop that counts as closed, m for each metre of the mechanism, or rad.
 const CLOSED: f64 = 1e-9;
 
@@ -127,7 +127,7 @@ impl<'s, 'a> Settling<'s, 'a> {
             return self.demand_stable(relative, 1.0);
         }
         let own = self.motion.dynamics.sample().clone();
-        self.coordinates.bear(self.motion, &own, LEAST_SHARE);
+        self.coordinates.bear(self.motion, &own, MIN_SHARE);
         let unloaded = self.stability(relative);
         let (mut share, mut growth) = (0.0_f64, 1.0);
         // The last change for each share added.
@@ -140,7 +140,7 @@ impl<'s, 'a> Settling<'s, 'a> {
             self.slopes = None;
             let found = self.find(0.0, &mut tried).and_then(|()| self.demand_stable(&tried, unloaded));
             let tree = &self.motion.dynamics.mechanism().real;
-            if found.is_ok() && self.coordinates.turn_rad(tree, relative, &tried) <= LARGEST_TURN {
+            if found.is_ok() && self.coordinates.turn_rad(tree, relative, &tried) <= MAX_TURN {
                 for ((rate, tried), from) in rates.iter_mut().zip(&tried).zip(&*relative) {
                     *rate = (tried - from) / (next - share);
                 }
@@ -149,7 +149,7 @@ impl<'s, 'a> Settling<'s, 'a> {
                 growth *= 2.0;
             } else {
                 growth *= 0.5;
-                if growth < LEAST_SHARE {
+                if growth < MIN_SHARE {
                     return Err(RunFailure::NotSettled);
                 }
             }

@@ -1,7 +1,7 @@
 //! From the wear of single cycles to that of thousands, by Heun's method (`docs/theory/wear.md`, equations 17 to 19).
 
 use crate::failure::RunFailure;
-use loosepin_mechanics::model::MOST_JUMPS;
+use loosepin_mechanics::model::MAX_JUMPS;
 
 /// Depths of the sectors of bearing and journal of each joint, m.
 pub type Depths = Vec<[Vec<f64>; 2]>;
@@ -84,8 +84,8 @@ pub fn life(
 ) -> Result<Life, RunFailure> {
     let first = run(&start)?;
     let stable_cycles = first.stable_cycles;
-    if matches!(length, JumpLength::Controlled { .. }) && cycles > MOST_JUMPS as f64 * stable_cycles {
-        return Err(RunFailure::JumpsTooShort { cycles, stable_cycles, most: MOST_JUMPS });
+    if matches!(length, JumpLength::Controlled { .. }) && cycles > MAX_JUMPS as f64 * stable_cycles {
+        return Err(RunFailure::JumpsTooShort { cycles, stable_cycles, most: MAX_JUMPS });
     }
     let mut life = Life {
         paths_j: vec![0.0; first.paths_j.len()],
@@ -99,8 +99,8 @@ pub fn life(
     while let Some(from) = life.points.last().filter(|from| from.cycles < cycles) {
         // The number of this jump; what was tried in vain does not count.
         let number = life.points.len();
-        if number > MOST_JUMPS {
-            return Err(RunFailure::TooManyJumps { reached: from.cycles, cycles, most: MOST_JUMPS });
+        if number > MAX_JUMPS {
+            return Err(RunFailure::TooManyJumps { reached: from.cycles, cycles, most: MAX_JUMPS });
         }
         let left = cycles - from.cycles;
         let (jump, is_last) = match length {

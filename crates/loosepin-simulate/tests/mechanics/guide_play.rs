@@ -436,7 +436,7 @@ fn identity_corners_that_touch_almost_together_do_not_stall() {
     /// Largest residual over largest exchange: a tolerance of 1e-9 m is a larger share of a fall of 20 µm.
     const ENERGY_RESIDUAL: f64 = 1e-6;
     /// A fall with two or four contacts takes some hundred evaluations; a stall takes thousands.
-    const MOST_EVALUATIONS: u64 = 4000;
+    const MAX_EVALUATIONS: u64 = 4000;
     let smooth = file("block_on_a_slope.toml").replace("friction = { coefficient = 0.2 }\n", "");
     // A torque tilts the block a little on its way down: the corners meet the face from 1e-15 m to 1e-6 m apart.
     for torque_n_m in [0.0, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3] {
@@ -444,7 +444,7 @@ fn identity_corners_that_touch_almost_together_do_not_stall() {
             format!("[load.twist]\nkind = \"torque\"\nbody = \"block\"\ntorque = \"{torque_n_m} N m\"\n\n[initial.");
         let case = case(&smooth.replacen("[initial.", &load, 1));
         let (report, seen) = observed(&case, 0.004);
-        assert!(report.counters.evaluations < MOST_EVALUATIONS, "{torque_n_m}: {:?}", report.counters);
+        assert!(report.counters.evaluations < MAX_EVALUATIONS, "{torque_n_m}: {:?}", report.counters);
         assert!(seen.states.contains(&vec![2]) || seen.states.contains(&vec![3]), "{:?}", seen.states);
         let energy = report.energy.expect("it was integrated");
         assert!(energy.relative_residual() < ENERGY_RESIDUAL, "{torque_n_m}: {energy:?}");

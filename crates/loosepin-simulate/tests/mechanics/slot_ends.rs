@@ -97,7 +97,7 @@ fn analytic_even_flights_from_end_to_end() {
     /// Of a time over that of a flight.
     const TIME_ERROR: f64 = 1e-11;
     /// 26 of both contacts beside those of the flights, the shortest steps first.
-    const MOST_STEPS: u64 = 200;
+    const MAX_STEPS: u64 = 200;
     let clearance_m = 1e-5;
     let end_m = HALF_LENGTH_M + clearance_m;
     for speed_m_s in [0.1, 1.0, 10.0] {
@@ -115,7 +115,7 @@ fn analytic_even_flights_from_end_to_end() {
             for ([_, before_m_s], [_, after_m_s]) in [(first, left), (second, found.ends[1])] {
                 assert!((after_m_s / before_m_s - 0.8).abs() < RESTITUTION_ERROR, "{label}: {after_m_s}");
             }
-            assert!(found.steps < MOST_STEPS, "{label}: {} steps", found.steps);
+            assert!(found.steps < MAX_STEPS, "{label}: {} steps", found.steps);
         }
     }
 }

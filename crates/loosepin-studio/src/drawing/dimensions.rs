@@ -13,7 +13,7 @@ use crate::messages::{DimensionKind, SeenDimension};
 const MM_PER_M: f64 = 1e3;
 /// Most numbers that are looked for behind lengths and angles: each is found by working out all expressions of the model. A drawing with
 /// more dimensions is not readable; those beyond have no field.
-const MOST_NUMBERS: usize = 200;
+const MAX_NUMBERS: usize = 200;
 
 /// The dimensions of a model, in the order of its bodies, then of its joints.
 pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
@@ -22,7 +22,7 @@ pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
     for point in model.joints.iter().flat_map(|joint| joint.kind.points()) {
         held[point.body.0].push(point);
     }
-    let left = Cell::new(MOST_NUMBERS);
+    let left = Cell::new(MAX_NUMBERS);
     let number = |id: QuantityId| {
         left.set(left.get().checked_sub(1)?);
         number_behind(model, id)

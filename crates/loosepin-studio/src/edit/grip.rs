@@ -27,9 +27,9 @@ const FREE_SHARE: f64 = 0.02;
 /// Nobody drags further, m.
 const FURTHEST_M: f64 = 1e6;
 /// Most points that lie at one centre: each is looked for in all joints.
-const MOST_HELD: usize = 200;
+const MAX_HELD: usize = 200;
 /// Most coordinates that a drag changes: for each, all expressions of the model are worked out.
-const MOST_COORDINATES: usize = 400;
+const MAX_COORDINATES: usize = 400;
 /// Keys of a distribution that say where it lies, beside its nominal value with a tolerance.
 const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
 const TOLERANCE: &str = "tolerance";
@@ -121,8 +121,8 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
             vec![found.ok_or_else(|| format!("there is no point '{body}.{point}' any more"))?]
         }
     };
-    if held.len() > MOST_HELD {
-        return Err(format!("{} points lie here: {MOST_HELD} at most are moved together", held.len()));
+    if held.len() > MAX_HELD {
+        return Err(format!("{} points lie here: {MAX_HELD} at most are moved together", held.len()));
     }
     let to_m = posed.allowed_m(&held, posed.at_m(held[0]), to_m);
     let expected_m = (0..model.joints.len()).map(|index| {
@@ -162,9 +162,9 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
         Ok(moved) => moved,
         Err(words) => return refused(words),
     };
-    if coordinates.len() > MOST_COORDINATES {
+    if coordinates.len() > MAX_COORDINATES {
         let count = coordinates.len();
-        return refused(format!("this moves {count} coordinates: {MOST_COORDINATES} at most are changed at once"));
+        return refused(format!("this moves {count} coordinates: {MAX_COORDINATES} at most are changed at once"));
     }
     let mut settings: Vec<Setting> = Vec::new();
     for (coordinate, value_si) in coordinates {

@@ -13,7 +13,7 @@ const STEP_RAD: f64 = PI / 12.0;
 /// The same where they need not be round, rad.
 const FINE_STEP_RAD: f64 = PI / 180.0;
 /// Nearer to its point a place says no direction, m.
-const LEAST_M: f64 = 1e-6;
+const MIN_M: f64 = 1e-6;
 
 /// The angle that a guide is to have, so that its line goes through a place; in steps of 15°, or of 1°.
 ///
@@ -30,7 +30,7 @@ pub fn turned(
         return Err(format!("{} has no line that can be turned", model.joints[joint].name));
     };
     let way = minus(to_m, Posed::new(model, poses).at_m(point));
-    if !(length(way) > LEAST_M) {
+    if !(length(way) > MIN_M) {
         return Err("this place is the point of the guide: it says no direction".to_owned());
     }
     let step_rad = if is_free { FINE_STEP_RAD } else { STEP_RAD };

@@ -3,7 +3,7 @@
 use loosepin::units::{format_number, parse_unit};
 
 /// Fixed notation beyond these many decimals is no length that anybody makes.
-const MOST_DECIMALS: usize = 12;
+const MAX_DECIMALS: usize = 12;
 
 /// A number with its unit: `120 mm`.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,14 +46,14 @@ impl Written {
     pub fn moved_by_si(&self, difference_si: f64) -> String {
         let moved = self.value + difference_si / self.unit_si;
         // Digits that are round-off of the sum go.
-        let scale = 10_f64.powi(MOST_DECIMALS as i32);
+        let scale = 10_f64.powi(MAX_DECIMALS as i32);
         format!("{}{}", format_number((moved * scale).round() / scale), self.behind)
     }
 }
 
 /// The least of 1, 2, 5 times a power of ten that is not below `least`, and the decimals that write its multiples.
 fn round_step(least: f64) -> (f64, usize) {
-    let power = (least.log10() - 1e-9).floor().clamp(-(MOST_DECIMALS as f64), 12.0) as i32;
+    let power = (least.log10() - 1e-9).floor().clamp(-(MAX_DECIMALS as f64), 12.0) as i32;
     let (first, power) = [(1.0, power), (2.0, power), (5.0, power), (1.0, power + 1)]
         .into_iter()
         .find(|(first, power)| first * 10_f64.powi(*power) >= least * (1.0 - 1e-9))

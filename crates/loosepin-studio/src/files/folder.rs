@@ -11,9 +11,9 @@ use crate::files::listed::Known;
 use crate::network::refusal::Refusal;
 
 /// Largest text, bytes.
-pub const LARGEST_TEXT: usize = 1 << 20;
+pub const MAX_TEXT: usize = 1 << 20;
 /// Largest table that a text names, bytes.
-const LARGEST_TABLE: usize = 8 << 20;
+const MAX_TABLE: usize = 8 << 20;
 /// Characters of a new folder's name.
 const LONGEST_NAME: usize = 64;
 /// Longest path, bytes.
@@ -76,7 +76,7 @@ impl Folder {
     /// # Errors
     /// The path is none of this folder; a file that is too large, or no UTF-8.
     pub fn read(&self, path: &str) -> Result<StoredText, Refusal> {
-        let text = text_of(path, self.bytes(path, LARGEST_TEXT)?)?;
+        let text = text_of(path, self.bytes(path, MAX_TEXT)?)?;
         Ok(StoredText { tag: tag(&text), text })
     }
 
@@ -85,7 +85,7 @@ impl Folder {
     /// # Errors
     /// As [`Self::read`].
     pub fn read_table(&self, path: &str) -> Result<String, Refusal> {
-        text_of(path, self.bytes(path, LARGEST_TABLE)?)
+        text_of(path, self.bytes(path, MAX_TABLE)?)
     }
 
     /// Reads a file of at most so many bytes.
@@ -106,7 +106,7 @@ impl Folder {
         if Path::new(path).extension().is_none_or(|extension| extension != "toml") {
             return Err(Refusal::bad(format!("'{path}' is not written: the studio writes .toml files only")));
         }
-        if text.len() > LARGEST_TEXT {
+        if text.len() > MAX_TEXT {
             return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, format!("'{path}' has more than 1 MiB")));
         }
         let relative = relative(path)?;
@@ -114,7 +114,7 @@ impl Folder {
         let parent = self.opened.open_below(relative.parent().unwrap_or(Path::new("")));
         let parent = parent.map_err(|error| not_readable(path, &error))?;
         let lock = lock_texts(&parent).map_err(|error| not_written(path, &error))?;
-        let found = match parent.read(Path::new(name), LARGEST_TEXT as u64) {
+        let found = match parent.read(Path::new(name), MAX_TEXT as u64) {
             Ok(bytes) => Some(tag(&text_of(path, bytes)?)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(not_written(path, &error)),

@@ -18,7 +18,7 @@ use loosepin::study::says_study;
 use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
-use crate::files::folder::{Folder, LARGEST_TEXT};
+use crate::files::folder::{Folder, MAX_TEXT};
 use crate::files::listed::{Known, ListedFile, ListedResult, Version};
 use crate::messages::Document;
 use crate::view::texts::{model_beside, plain};
@@ -163,7 +163,7 @@ impl Reading<'_> {
 
     /// A model or a study; other TOML files are none of ours.
     fn file(&mut self, found: &Found) -> Option<ListedFile> {
-        let text = String::from_utf8(self.bytes(&found.path, LARGEST_TEXT as u64)?).ok()?;
+        let text = String::from_utf8(self.bytes(&found.path, MAX_TEXT as u64)?).ok()?;
         let source = Source::new(found.path.as_str(), text.as_str());
         let model = model_beside(&found.path, &text).map(|model| plain(&model));
         let is_model = text.contains("[body");

@@ -13,7 +13,7 @@ use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
 
 /// Largest record of a result, bytes.
-const LARGEST_SUMMARY: usize = 256 << 20;
+const MAX_SUMMARY: usize = 256 << 20;
 
 /// The record of the finished study in a folder of results.
 ///
@@ -30,7 +30,7 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
         return Err(Refusal::bad(format!("the study in '{path}' is not finished")).with_hint("run it to its end first"));
     }
     let file = format!("{path}/{SUMMARY_FILE}");
-    let result = read(folder, &file, LARGEST_SUMMARY, StudyResult::from_json)?;
+    let result = read(folder, &file, MAX_SUMMARY, StudyResult::from_json)?;
     if result.format != FORMAT {
         let message = format!("'{file}' has format {}; this version reads format {FORMAT}", result.format);
         return Err(Refusal::bad(message).with_hint("run the study again, or use the version that wrote it"));

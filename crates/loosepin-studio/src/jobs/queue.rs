@@ -18,9 +18,9 @@ use crate::jobs::job::{Outcome, read_study, run, run_witness};
 use crate::messages::{Job, JobDraft, JobKind, JobState, Shown};
 
 /// Most jobs that wait.
-const MOST_WAITING: usize = 16;
+const MAX_WAITING: usize = 16;
 /// Jobs that are remembered after they have ended.
-const MOST_ENDED: usize = 50;
+const MAX_ENDED: usize = 50;
 /// Least time between two messages on a job that runs.
 const REST: Duration = Duration::from_millis(200);
 /// Messages that a slow connection may be behind; it hears of the newest again with the next one.
@@ -123,8 +123,8 @@ impl Jobs {
                 JobKind::Run => format!("a single run of {subject} is not finished yet: wait for it, or stop it"),
             });
         }
-        if state.waiting.len() >= MOST_WAITING {
-            return Err(format!("{MOST_WAITING} runs wait already; stop one of them, or wait"));
+        if state.waiting.len() >= MAX_WAITING {
+            return Err(format!("{MAX_WAITING} runs wait already; stop one of them, or wait"));
         }
         state.last_id += 1;
         let job = Job {
@@ -146,7 +146,7 @@ impl Jobs {
         state.waiting.push_back((id, task));
         state.jobs.push(job.clone());
         let ended = state.jobs.iter().filter(|job| !is_open(job)).count();
-        if ended > MOST_ENDED
+        if ended > MAX_ENDED
             && let Some(oldest) = state.jobs.iter().position(|job| !is_open(job))
         {
             state.jobs.remove(oldest);

@@ -19,7 +19,7 @@ use crate::network::times::Times;
 use crate::network::visitors::Visitors;
 
 /// Most connections at once, live ones too; where all have shown the token, further ones wait.
-const MOST_CONNECTIONS: usize = 64;
+const MAX_CONNECTIONS: usize = 64;
 /// Most bytes of a head, and of what is read or written at a time.
 const BUFFER: usize = 64 << 10;
 /// Rest after the system has refused a connection, for example since too many files are open.
@@ -27,7 +27,7 @@ const REST: Duration = Duration::from_millis(50);
 
 /// Serves `router` to all who connect, for ever. Requests carry their [`Visitor`](crate::network::visitors::Visitor).
 pub async fn accept(listener: TcpListener, router: Router, times: Times) {
-    let visitors = Visitors::new(MOST_CONNECTIONS, times.stay);
+    let visitors = Visitors::new(MAX_CONNECTIONS, times.stay);
     loop {
         let Ok((stream, _)) = listener.accept().await else {
             sleep(REST).await;

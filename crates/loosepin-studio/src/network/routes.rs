@@ -12,7 +12,7 @@ use loosepin::templates::find_template;
 use serde::de::DeserializeOwned;
 
 use crate::edit;
-use crate::files::folder::{LARGEST_TEXT, StoredText};
+use crate::files::folder::{MAX_TEXT, StoredText};
 use crate::files::gallery::cards;
 use crate::files::listing::listing;
 use crate::messages::Look;
@@ -32,7 +32,7 @@ const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 
 /// Ends and centres of an imported drawing that are one, m: as the command takes them.
 const SAME_PLACE_M: f64 = 1e-5;
 /// Largest page of a result that is shown, bytes.
-const LARGEST_REPORT: usize = 64 << 20;
+const MAX_REPORT: usize = 64 << 20;
 
 /// What comes of a request.
 pub type Answer = Result<Response, Refusal>;
@@ -48,7 +48,7 @@ pub async fn asset(Path(name): Path<String>) -> Response {
 
 pub async fn hello(State(studio): State<Studio>) -> Response {
     let folder = studio.folder.root().display().to_string();
-    json(&HelloAnswer { version: VERSION, folder, limits: Limits { text_bytes: LARGEST_TEXT } })
+    json(&HelloAnswer { version: VERSION, folder, limits: Limits { text_bytes: MAX_TEXT } })
 }
 
 pub async fn templates(State(studio): State<Studio>) -> Answer {
@@ -197,7 +197,7 @@ pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
 pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
     let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was used already, or is too old");
     let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
-    let page = in_background(move || studio.folder.bytes(&path, LARGEST_REPORT)).await?;
+    let page = in_background(move || studio.folder.bytes(&path, MAX_REPORT)).await?;
     let headers = [("content-type", "text/html; charset=utf-8"), ("content-security-policy", REPORT_POLICY)];
     Ok((headers, page).into_response())
 }

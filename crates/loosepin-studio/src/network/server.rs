@@ -15,7 +15,7 @@ use loosepin::diagnostics::{Code, problems};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
-use crate::files::folder::{Folder, LARGEST_TEXT};
+use crate::files::folder::{Folder, MAX_TEXT};
 use crate::jobs::queue::Jobs;
 use crate::network::connections::accept;
 use crate::network::guard::guard;
@@ -27,11 +27,11 @@ use crate::network::token::Token;
 use crate::studio::Studio;
 
 /// Largest body of a request: a text, each letter escaped.
-const LARGEST_BODY: usize = 4 * LARGEST_TEXT;
+const MAX_BODY: usize = 4 * MAX_TEXT;
 /// Most requests whose bodies are read at once: they hold 32 MiB together.
-const MOST_BODIES: usize = 8;
+const MAX_BODIES: usize = 8;
 /// Most live connections.
-const MOST_SEATS: usize = 8;
+const MAX_SEATS: usize = 8;
 /// How often it is looked whether the server is to end.
 const TICK: Duration = Duration::from_millis(100);
 
@@ -90,8 +90,8 @@ pub fn serve_within(
         folder: served,
         jobs: Arc::clone(&jobs),
         tickets: Arc::default(),
-        seats: Arc::new(Semaphore::new(MOST_SEATS)),
-        bodies: Arc::new(Semaphore::new(MOST_BODIES)),
+        seats: Arc::new(Semaphore::new(MAX_SEATS)),
+        bodies: Arc::new(Semaphore::new(MAX_BODIES)),
         times: *times,
     };
     let outcome = runtime.block_on(async {
@@ -143,7 +143,7 @@ fn router(studio: Studio) -> Router {
         .route("/api/result", post(result_routes::result))
         .route("/api/adopt", post(result_routes::adopt))
         .fallback(routes::missing)
-        .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(DefaultBodyLimit::max(MAX_BODY))
         .layer(from_fn_with_state(studio.clone(), guard))
         .with_state(studio)
 }

@@ -12,7 +12,7 @@ use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::watch;
 use tokio::time::timeout;
 
-use crate::files::folder::{Folder, LARGEST_TEXT};
+use crate::files::folder::{Folder, MAX_TEXT};
 use crate::jobs::queue::Task;
 use crate::messages::{FromPage, Look, Seen, ToPage};
 use crate::network::mailbox::Mailbox;
@@ -22,9 +22,9 @@ use crate::studio::Studio;
 use crate::view::look::{cut, look_until};
 
 /// Longest message: two texts, each letter escaped.
-const LARGEST_MESSAGE: usize = 4 * LARGEST_TEXT;
+const MAX_MESSAGE: usize = 4 * MAX_TEXT;
 /// Most messages in a second: twice those of a screen that drags.
-const MOST_A_SECOND: u32 = 200;
+const MAX_A_SECOND: u32 = 200;
 /// How often the files of the last look are looked at.
 const WATCH: Duration = Duration::from_secs(1);
 
@@ -34,7 +34,7 @@ pub async fn live(
     Extension(visitor): Extension<Visitor>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
-    let upgrade = upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE);
+    let upgrade = upgrade.max_message_size(MAX_MESSAGE).max_frame_size(MAX_MESSAGE);
     upgrade.on_upgrade(async move |socket| converse(studio, visitor, socket).await)
 }
 
@@ -183,7 +183,7 @@ impl Rate {
             *self = Self::new();
         }
         self.count += 1;
-        self.count <= MOST_A_SECOND
+        self.count <= MAX_A_SECOND
     }
 }
 

@@ -16,7 +16,7 @@ use crate::network::visitors::Place;
 
 /// Most bytes of a connection that has not shown the token: heads of requests, and a first message. Nobody else makes the studio
 /// keep more than that.
-const MOST_WITHOUT_TOKEN: usize = 64 << 10;
+const MAX_WITHOUT_TOKEN: usize = 64 << 10;
 
 /// A connection with its place, which it has until it is dropped.
 pub struct Stream {
@@ -74,7 +74,7 @@ impl AsyncRead for Stream {
         let before = buffer.filled().len();
         let outcome = Pin::new(&mut self.tcp).poll_read(context, buffer);
         self.received = self.received.saturating_add(buffer.filled().len() - before);
-        if self.received > MOST_WITHOUT_TOKEN && !self.place.visitor.has_token() {
+        if self.received > MAX_WITHOUT_TOKEN && !self.place.visitor.has_token() {
             return Poll::Ready(Err(ErrorKind::InvalidData.into()));
         }
         outcome

@@ -8,13 +8,13 @@ use crate::view::places::stretch;
 use crate::view::texts::Texts;
 
 /// Most complaints that a page is sent: a list of thousands is of no use to anybody, and takes seconds to be drawn.
-const MOST_SHOWN: usize = 200;
+const MAX_SHOWN: usize = 200;
 
 /// The first complaints in the order of their places; the last one says how many more there are.
 pub fn seen(complaints: &Complaints, texts: &Texts) -> Vec<SeenComplaint> {
     let sorted = complaints.sorted();
-    let mut seen: Vec<SeenComplaint> = sorted.iter().take(MOST_SHOWN).map(|complaint| one(complaint, texts)).collect();
-    if let Some(left) = sorted.get(MOST_SHOWN..).filter(|left| !left.is_empty()) {
+    let mut seen: Vec<SeenComplaint> = sorted.iter().take(MAX_SHOWN).map(|complaint| one(complaint, texts)).collect();
+    if let Some(left) = sorted.get(MAX_SHOWN..).filter(|left| !left.is_empty()) {
         let gravest = left.iter().max_by_key(|complaint| complaint.severity).unwrap_or(&left[0]);
         seen.push(SeenComplaint {
             document: None,

@@ -15,7 +15,7 @@ use crate::messages::{Look, Shown};
 use crate::network::refusal::Refusal;
 
 /// Most names of tables that are looked up for a text.
-const MOST_TABLES: usize = 64;
+const MAX_TABLES: usize = 64;
 
 /// A model and perhaps a study of it, with their tables: nothing else is opened to read them.
 pub struct Texts {
@@ -145,7 +145,7 @@ fn tables(read: &dyn Fn(&str) -> Option<String>, path: &str, text: &str) -> Vec<
     let strings = text.split(['"', '\'', '\n']).filter(|string| string.to_ascii_lowercase().ends_with(".csv"));
     let mut looked_up = HashSet::new();
     let names = strings.map(|written| beside(path, written)).filter(|name| looked_up.insert(name.clone()));
-    names.take(MOST_TABLES).filter_map(|name| Some(Source::new(name.as_str(), read(&plain(&name))?))).collect()
+    names.take(MAX_TABLES).filter_map(|name| Some(Source::new(name.as_str(), read(&plain(&name))?))).collect()
 }
 
 #[cfg(test)]

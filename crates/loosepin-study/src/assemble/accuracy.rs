@@ -7,8 +7,8 @@ use loosepin_bounds::{Assessment, Standing, Statistic};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
 
 /// Errors fall at least with this power of the number of runs where anything is to be foreseen, and at most with the other one.
-const LEAST_PACE: f64 = 0.1;
-const MOST_PACE: f64 = 1.5;
+const MIN_PACE: f64 = 0.1;
+const MAX_PACE: f64 = 1.5;
 /// The power where nothing has been seen yet: that of independent runs.
 const USUAL_PACE: f64 = 0.5;
 
@@ -88,10 +88,10 @@ fn runs_needed(share: f64, ended: &Ended) -> Option<u64> {
     let pace = match (ended.history.first(), ended.history.last()) {
         (Some(first), Some(last)) if last.runs > first.runs && first.share.is_finite() => {
             let pace = (first.share / last.share).ln() / (last.runs as f64 / first.runs as f64).ln();
-            if pace < LEAST_PACE {
+            if pace < MIN_PACE {
                 return None;
             }
-            pace.min(MOST_PACE)
+            pace.min(MAX_PACE)
         }
         _ => USUAL_PACE,
     };

@@ -83,7 +83,7 @@ mod tests {
     use loosepin_uncertainty::{Distribution, RandomVariable};
     use std::path::Path;
 
-    const LEAST_SHARE: f64 = 0.75;
+    const MIN_SHARE: f64 = 0.75;
 
     /// The slider-crank with a worn pin in few and short runs, one requirement that is met easily.
     fn study() -> Study {
@@ -94,7 +94,7 @@ mod tests {
              [sampling]\nouter = 4\ninner = 32\ntolerance = \"1e-6 m\"\n\
              [random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", standard_deviation = \"0.02 mm\" }} }}\n\
              [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"5 mm\"\nover = \"cycle\"\n\
-             probability_at_least = {LEAST_SHARE}\n"
+             probability_at_least = {MIN_SHARE}\n"
         );
         let path = folder.join("study.toml");
         Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|complaints| panic!("{complaints}"))

@@ -11,7 +11,7 @@ use loosepin_uncertainty::EpistemicVariable;
 use rayon::prelude::*;
 
 /// Values for which a result has bands, at most: the first ones of the plan.
-const MOST_VALUES: usize = 64;
+const MAX_VALUES: usize = 64;
 /// With fewer runs the ends of the band lie beyond the extreme ones: 1/0.025.
 const FEWEST_RUNS: usize = 40;
 /// Digits that are kept: finer than any screen.
@@ -45,7 +45,7 @@ pub fn value_bands(material: &Material<'_>, ask: &Ask, mixed: &CurveRange) -> Ve
         let key: Vec<u64> = epistemic.iter().map(|value| value.to_bits()).collect();
         meant.extend(runs.get(&key).filter(|own| own.len() >= FEWEST_RUNS).map(|own| (epistemic, own)));
     }
-    meant.truncate(MOST_VALUES);
+    meant.truncate(MAX_VALUES);
     let of_value = |&(epistemic, own): &(&[f64], &Vec<usize>)| {
         let mut band = CurveRange::default();
         let mut values = Vec::with_capacity(own.len());

@@ -6,7 +6,7 @@ use loosepin_result::repeat::InputRole;
 use loosepin_result::study::{ResponsePoint, StudyResult, Treatment, Witness, WitnessCommand};
 
 /// Witnesses that are listed at most.
-const MOST_WITNESSES: usize = 6;
+const MAX_WITNESSES: usize = 6;
 
 /// The commands, to be given in the folder of the input files.
 pub fn witness_commands(study: &Study, result: &StudyResult) -> Vec<WitnessCommand> {
@@ -14,7 +14,7 @@ pub fn witness_commands(study: &Study, result: &StudyResult) -> Vec<WitnessComma
     let commands = witnesses(result).into_iter().filter_map(|witness| {
         Some(WitnessCommand { witness: witness.clone(), command: witness_command(study, &model.name, witness)? })
     });
-    commands.take(MOST_WITNESSES).collect()
+    commands.take(MAX_WITNESSES).collect()
 }
 
 /// Different witnesses of requirements and of bounds that are no points of curves, the most important first.

@@ -9,7 +9,7 @@ use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
 use loosepin_result::study::{CurveRange, DraftCurve};
 
 /// Most poses of a curve: as many as a small picture shows.
-const MOST_POSES: usize = 60;
+const MAX_POSES: usize = 60;
 
 /// One curve for each ask for the whole cycle; none where no run is of use.
 pub(crate) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec<DraftCurve> {
@@ -30,7 +30,7 @@ pub(crate) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec
 fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at: &[Vec<usize>]) -> DraftCurve {
     let plan = &response.shared.plan;
     let output = &plan.outputs[ask.output];
-    let step = ask.columns.len().div_ceil(MOST_POSES).max(1);
+    let step = ask.columns.len().div_ceil(MAX_POSES).max(1);
     let columns: Vec<usize> = ask.columns.iter().copied().step_by(step).collect();
     let angle = |&column: &usize| match plan.columns[column].spot {
         Spot::Pose { angle_rad, .. } => angle_rad,

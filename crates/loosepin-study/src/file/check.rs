@@ -12,7 +12,7 @@ use loosepin_text::units::{Dimension, format_apart, format_number, format_value}
 use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
-const MOST_IMPOSSIBLE_SHARE: f64 = 0.01;
+const MAX_IMPOSSIBLE_SHARE: f64 = 0.01;
 /// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
 const QUANTILES: usize = 1000;
 /// Probability of what a distribution is taken not to come to: beyond six standard deviations of a normal one.
@@ -20,7 +20,7 @@ const NEARLY_NONE: f64 = 1e-9;
 /// Of numbers that are written in two files.
 const ROUND_OFF: f64 = 1e-9;
 /// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
-const MOST_CORNERS: usize = 1024;
+const MAX_CORNERS: usize = 1024;
 
 /// What is written of the input `path` in a table of inputs.
 pub(super) fn entry_of<'t>(table: &Option<Entry<'t>>, path: &str) -> Option<Entry<'t>> {
@@ -166,7 +166,7 @@ impl StudyReader {
         let shown: Vec<(QuantityId, Vec<f64>)> =
             self.epistemic.iter().filter_map(|input| Some((input.quantity()?, input.variable.shown()))).collect();
         let corners = shown.iter().fold(1_usize, |corners, (_, values)| corners.saturating_mul(values.len()));
-        if corners > MOST_CORNERS {
+        if corners > MAX_CORNERS {
             return Ok(());
         }
         let mut values = self.model.quantities.nominal();
@@ -207,7 +207,7 @@ impl StudyReader {
         } else {
             drawn.iter().filter_map(|&value_si| Some((value_si, lost(value_si)?))).collect()
         };
-        let is_too_much = all.len() as f64 > MOST_IMPOSSIBLE_SHARE * drawn.len() as f64;
+        let is_too_much = all.len() as f64 > MAX_IMPOSSIBLE_SHARE * drawn.len() as f64;
         let &(value_si, clearance) = all.first().filter(|_| is_too_much)?;
         Some(StudyProblem::ClearanceTouchesZero {
             path: input.path.clone(),
@@ -249,11 +249,11 @@ impl StudyReader {
                 }
             }
             let share = f64::from(impossible) / QUANTILES as f64;
-            if share > MOST_IMPOSSIBLE_SHARE {
+            if share > MAX_IMPOSSIBLE_SHARE {
                 return first.map(|error| StudyProblem::ImpossibleShare {
                     path: input.path.clone(),
                     share_percent: format_number(100.0 * share),
-                    most_percent: 100.0 * MOST_IMPOSSIBLE_SHARE,
+                    most_percent: 100.0 * MAX_IMPOSSIBLE_SHARE,
                     error,
                 });
             }

@@ -33,7 +33,7 @@ pub use measurements::measurement::{
     Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature,
 };
 pub use measurements::motion::MotionProblem;
-pub use measurements::specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
+pub use measurements::specimen::MIN_ROWS as MIN_SPECIMEN_ROWS;
 pub use measurements::specimen_problem::SpecimenProblem;
 pub use problem::StudyProblem;
 pub use questions::accuracy::AccuracyProblem;
@@ -47,7 +47,7 @@ pub use random_inputs::random_problem::RandomProblem;
 pub use random_inputs::tolerance::{number_and_unit, signed_parts, states_nominal};
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
-pub use sizes::{MOST_POSES, MOST_RUNS};
+pub use sizes::{MAX_POSES, MAX_RUNS};
 pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
 use words::READINGS;

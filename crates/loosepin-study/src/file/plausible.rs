@@ -10,7 +10,7 @@ use loosepin_text::units::{Dimension, format_value};
 use loosepin_uncertainty::Distribution;
 
 /// Standard deviation over the length from which it is warned of; the scatter of parts is below a hundredth.
-const MOST_SCATTER: f64 = 0.1;
+const MAX_SCATTER: f64 = 0.1;
 /// Scatter below this share of the largest body is one of a small offset, which may be as large as the offset.
 const SMALL_OFFSET: f64 = 0.01;
 
@@ -42,7 +42,7 @@ impl StudyReader {
             }
         }
         let deviation_m = input.variable.standard_deviation();
-        let is_wild = deviation_m >= MOST_SCATTER * nominal_m.abs() && deviation_m >= least_m;
+        let is_wild = deviation_m >= MAX_SCATTER * nominal_m.abs() && deviation_m >= least_m;
         is_wild.then(|| StudyProblem::WildScatter { path, found: length(deviation_m), nominal: length(nominal_m) })
     }
 }

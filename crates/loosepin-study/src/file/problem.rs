@@ -1,6 +1,6 @@
 //! What can be wrong with a study beyond its single entries.
 
-use super::sizes::MOST_POSES;
+use super::sizes::MAX_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};
@@ -182,7 +182,7 @@ problems! {
         WrongDrive { entry: String, name: String, due: String } => Code::AskNotPossible,
             says("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'");
         TooManyPoses { entry: String, found: usize } => Code::TooMany,
-            says("{entry} has {found} poses; must be at most {MOST_POSES}"),
+            says("{entry} has {found} poses; must be at most {MAX_POSES}"),
             hint("at = \"cycle\" asks for the whole curve");
         /// Two poses whose numbers would have the same name.
         PosesTooNear { entry: String, pose: String, apart: String } => Code::AskNotPossible,

@@ -2,14 +2,14 @@
 
 use super::description::Sampling;
 use super::reader::StudyReader;
-use loosepin_bounds::MOST_OUTER;
+use loosepin_bounds::MAX_OUTER;
 use loosepin_mechanics::model::{CYCLE_NUMBERS, Cycle};
 use loosepin_text::document::{Entry, Kind, Reads, Table, Usual, Value, count};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
 /// Samples of the random inputs, at most: that many Sobol' points are distinct.
-pub(super) const MOST_INNER: u64 = 1 << 24;
+pub(super) const MAX_INNER: u64 = 1 << 24;
 
 /// A value, or several of different dimensions.
 pub(super) const ACCURACY: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
@@ -31,9 +31,9 @@ record! {
             "leave it out; runs are made at every value of the parameters that the search looks at, as with \"never\"",
         )];
     /// points in the box of the intervals
-    optional outer: usize = count(1, MOST_OUTER as u64), "64", or 64;
+    optional outer: usize = count(1, MAX_OUTER as u64), "64", or 64;
     /// samples of the random inputs at each of them
-    optional inner: usize = count(2, MOST_INNER), "256", or 256;
+    optional inner: usize = count(2, MAX_INNER), "256", or 256;
     /// independent randomisations, which tell the sampling error
     optional replicates: usize = count(2, 1024), "4", or 4;
     /// a step may err by 0.5 % of it, in contacts that last by 10 %

@@ -20,7 +20,7 @@ use loosepin_text::units::Rule;
 use std::sync::LazyLock;
 
 /// What a double holds exactly, so that a seed survives every file format.
-const LARGEST_SEED: u64 = (1 << 53) - 1;
+const MAX_SEED: u64 = (1 << 53) - 1;
 
 record! {
     /// what is uncertain in a model, and what is asked
@@ -30,7 +30,7 @@ record! {
     /// the model file, from the folder of this file
     required model: Entry<'t> = Kind::Text, "\"model.toml\"";
     /// the same seed gives the same results
-    optional seed: u64 = count(0, LARGEST_SEED), "1", or 1;
+    optional seed: u64 = count(0, MAX_SEED), "1", or 1;
     /// what is run and recorded, where it differs from the model
     optional cycle: Entry<'t> = Kind::Table(&StudyCycleTable::KEYS), "";
     /// how many runs, and how accurate

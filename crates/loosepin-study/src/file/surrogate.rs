@@ -3,7 +3,7 @@
 use super::description::{EpistemicInput, StudySurrogate};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::sampling::MOST_INNER;
+use super::sampling::MAX_INNER;
 use crate::file::questions::ask::Ask;
 use loosepin_surrogate::{Choice, Kind as Only};
 use loosepin_text::document::{Entry, Kind, Reads, Value, choice, count};
@@ -29,9 +29,9 @@ record! {
     /// auto takes for each output what has the least held-out error
     optional kind: SurrogateWord = choice::<SurrogateWord>(), "\"auto\"", or "auto";
     /// runs to learn from; 25 for each uncertain input and at least 100 if left out
-    optional training_runs: usize = count(4, MOST_TRAINING), "100";
+    optional training_runs: usize = count(4, MAX_TRAINING), "100";
     /// direct runs at each witness, a multiple of the replicates; 16 in each if left out
-    optional confirming_runs: usize = count(2, MOST_INNER), "64";
+    optional confirming_runs: usize = count(2, MAX_INNER), "64";
     /// double-loop: the direct bounds stand beside; confirming: no direct runs but those
     optional direct: DirectRuns = choice::<DirectRuns>(), "\"confirming\"", or "double-loop";
 }
@@ -40,10 +40,10 @@ record! {
 pub(super) const SURROGATE: Kind = Kind::AnyOf(&[choice::<SurrogateWord>(), Kind::Table(&SurrogateTable::KEYS)]);
 
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
-const MOST_TRAINING: u64 = 2000;
+const MAX_TRAINING: u64 = 2000;
 /// Training runs for each uncertain input, and at least.
 const TRAINING_PER_INPUT: usize = 25;
-const LEAST_TRAINING: usize = 100;
+const MIN_TRAINING: usize = 100;
 /// Direct runs at a witness in each replicate.
 const CONFIRMING_PER_REPLICATE: usize = 16;
 
@@ -77,7 +77,7 @@ impl StudyReader {
         }
         Some(StudySurrogate {
             choice,
-            training_runs: table.training_runs.unwrap_or((TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING)),
+            training_runs: table.training_runs.unwrap_or((TRAINING_PER_INPUT * inputs).max(MIN_TRAINING)),
             confirming_runs: table.confirming_runs.unwrap_or((CONFIRMING_PER_REPLICATE * replicates).min(inner)),
             is_alone: alone.is_some(),
         })

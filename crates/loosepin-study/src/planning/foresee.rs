@@ -14,19 +14,19 @@ use std::time::{Duration, Instant};
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
 /// Of combinations of laws, which are batches of their own, so many are timed.
-const MOST_VARIANTS: usize = 4;
+const MAX_VARIANTS: usize = 4;
 /// The mechanisms among the runs, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
 /// as long as a run.
 const MECHANISMS: usize = 4;
 const FREE_MECHANISMS: usize = 1;
 /// No further run is begun when all but the first preparation have taken so long.
-const MOST_PREPARING: Duration = Duration::from_millis(10);
+const MAX_PREPARING: Duration = Duration::from_millis(10);
 /// Multiplications of all timed runs, about a hundredth of a second; and evaluations without which a run shows nothing.
 const TIMED_MULTIPLICATIONS: f64 = 1.2e7;
-const LEAST_EVALUATIONS: f64 = 100.0;
+const MIN_EVALUATIONS: f64 = 100.0;
 /// The share of their time that timed runs have to come to, on average, where forces decide the motion: it begins with a settling, which
 /// tells nothing of the rest.
-const LEAST_FREE_SHARE: f64 = 0.1;
+const MIN_FREE_SHARE: f64 = 0.1;
 
 /// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some hundred
 /// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
@@ -38,10 +38,10 @@ pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let plans = planned(study, &response, default_threads())?;
     let mut foreseen = Foreseen { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut foreseen));
-    let variants = response.mechanisms.len().min(MOST_VARIANTS);
+    let variants = response.mechanisms.len().min(MAX_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
     // What has no room for the lanes of a thread runs on its own.
-    let runs = ((all / LEAST_EVALUATIONS) as usize).min(TIMED_RUNS);
+    let runs = ((all / MIN_EVALUATIONS) as usize).min(TIMED_RUNS);
     if runs == 0 {
         return Ok(foreseen);
     }
@@ -90,9 +90,9 @@ impl Timing {
 fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
     let (mechanisms, least_share) =
-        if response.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, LEAST_FREE_SHARE) };
+        if response.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, MIN_FREE_SHARE) };
     let mut timing = Timing::default();
-    for variant in 0..response.mechanisms.len().min(MOST_VARIANTS) {
+    for variant in 0..response.mechanisms.len().min(MAX_VARIANTS) {
         let is_meant = |epistemic: &[f64]| response.variant(epistemic) == variant;
         // The mechanisms are the same at each value of the epistemic inputs, as in the study: where these do not change an ideal motion,
         // it is known at all but the first. Where there is but one value, each has a mechanism of its own.
@@ -117,7 +117,7 @@ fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize
         Execution::best(),
         || {
             asked.push((Instant::now(), ended.get()));
-            let is_in_time = asked.get(1).is_none_or(|(second, _)| second.elapsed() < MOST_PREPARING);
+            let is_in_time = asked.get(1).is_none_or(|(second, _)| second.elapsed() < MAX_PREPARING);
             waiting.next().filter(|_| is_in_time)
         },
         |_, outcome| {

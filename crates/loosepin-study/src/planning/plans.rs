@@ -1,7 +1,7 @@
 //! Plans of all questions of a study, made once, before anything has run.
 
 use crate::error::StudyError;
-use crate::file::{Budget, MOST_RUNS, Study};
+use crate::file::{Budget, MAX_RUNS, Study};
 use crate::planning::budget::{Limits, budget};
 use crate::planning::goals::goals;
 use crate::planning::problem::problem;
@@ -31,7 +31,7 @@ const BYTES_PER_THREAD: usize = 3 << 20;
 /// Of that, what is in use: most of a stack is not. Measured: 0.1 to 0.7 MiB.
 const BYTES_USED_PER_THREAD: usize = 1 << 20;
 /// So many numbers of all runs, 128 MiB, are in a file beside the results rather than in memory.
-const LEAST_IN_SCRATCH: usize = 1 << 24;
+const MIN_IN_SCRATCH: usize = 1 << 24;
 const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 
 /// Plans of all questions of a study.
@@ -116,7 +116,7 @@ impl Size {
     /// That there are no more runs than anybody waits for, and that the memory at hand suffices for them.
     fn check(self, at_hand: &MemoryAtHand) -> Result<(), StudyError> {
         let Self { runs, numbers, threads, .. } = self;
-        if runs as u64 > MOST_RUNS {
+        if runs as u64 > MAX_RUNS {
             return Err(StudyError::TooManyRuns { runs });
         }
         for kind in [MemoryKind::Pages, MemoryKind::Data, MemoryKind::Addresses] {
@@ -149,7 +149,7 @@ impl Size {
 
 /// Whether so many runs are in a file where there is a folder for it.
 fn is_large(runs: usize, numbers: usize) -> bool {
-    numbers.saturating_mul(runs) >= LEAST_IN_SCRATCH
+    numbers.saturating_mul(runs) >= MIN_IN_SCRATCH
 }
 
 /// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.

@@ -7,9 +7,9 @@ use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
-use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
+use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
 use crate::response::columns::{Spot, StudyColumn};
-use crate::response::study_response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
+use crate::response::study_response::{MAX_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
 use crate::runs::all_runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{AnswerPart, FurtherOutput, FurtherTurns, QuestionAnswer, Reduction};
@@ -19,18 +19,18 @@ use loosepin_text::record;
 /// Without `runs` they take this share of the turns that the study has taken, within these limits.
 const SHARE_OF_STUDY: f64 = 0.05;
 const FEWEST_RUNS: usize = 8;
-const LARGEST_SHARE_RUNS: usize = 64;
+const MAX_SHARE_RUNS: usize = 64;
 /// As many as a run may record beside one turn.
-const MOST_TURNS: u64 = MOST_RECORDED_TURNS as u64 - 1;
+const MAX_TURNS: u64 = MAX_RECORDED_TURNS as u64 - 1;
 
 record! {
     /// what turns after the recorded ones change, where the motion does not repeat itself
     lenient struct FurtherTurnsTable for Reads;
     /// turns after the recorded ones
-    optional count: usize = count(1, MOST_TURNS), "20", or 5;
+    optional count: usize = count(1, MAX_TURNS), "20", or 5;
     /// runs that are made again, of those whose motion does not repeat itself; all of them if it is more than there are; if left out 8 to
     /// 64, for about a twentieth of the work of the study
-    optional runs: usize = count(1, MOST_RUNS), "200";
+    optional runs: usize = count(1, MAX_RUNS), "200";
 }
 
 /// The question as it is listed.
@@ -233,7 +233,7 @@ fn number_of_runs(settings: Settings, study: &Study, made: usize) -> usize {
     }
     let own = study.cycle.transient_turns + study.cycle.recorded_turns;
     let affordable = SHARE_OF_STUDY * made as f64 * own / (own + f64::from(settings.turns));
-    (affordable as usize).clamp(FEWEST_RUNS, LARGEST_SHARE_RUNS)
+    (affordable as usize).clamp(FEWEST_RUNS, MAX_SHARE_RUNS)
 }
 
 /// `count` of `runs`, spread evenly; all of them where there are no more.

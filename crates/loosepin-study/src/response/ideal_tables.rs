@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Numbers of all of them together, at most: 64 MiB. Where a study has more mechanisms, those behind are made for each run.
-const MOST_NUMBERS: usize = 8 << 20;
+const MAX_NUMBERS: usize = 8 << 20;
 
 /// All numbers on which an ideal motion depends, bit by bit.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -71,7 +71,7 @@ impl IdealTables {
     pub fn keep(&self, key: IdealKey, ideal: KnownIdeal) {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let numbers = key.0.len() + ideal.numbers();
-        if known.numbers + numbers <= MOST_NUMBERS {
+        if known.numbers + numbers <= MAX_NUMBERS {
             // Another thread may have found the same.
             if known.motions.insert(key, ideal).is_none() {
                 known.numbers += numbers;

@@ -1,6 +1,6 @@
 //! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
 
-use crate::file::{EpistemicSubject, MOST_POSES, Study, Where};
+use crate::file::{EpistemicSubject, MAX_POSES, Study, Where};
 use crate::response::columns::{ColumnPlan, Spot};
 use crate::response::extras::RunExtras;
 use crate::response::ideal_tables::IdealTables;
@@ -21,13 +21,13 @@ use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
 
 /// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
-const MOST_TURNS: f64 = 10_000.0;
+const MAX_TURNS: f64 = 10_000.0;
 /// Recorded ones, at most: each has a table of the ideal motion.
-pub const MOST_RECORDED_TURNS: f64 = 1000.0;
+pub const MAX_RECORDED_TURNS: f64 = 1000.0;
 /// Numbers of a run that are asked for, at most: each has bounds of its own, with hundreds of numbers in the files and on the page.
-pub const MOST_COLUMNS: usize = 20_000;
+pub const MAX_COLUMNS: usize = 20_000;
 /// Combinations of contact laws, at most: each is a mechanism of its own.
-const MOST_LAWS: usize = 64;
+const MAX_LAWS: usize = 64;
 
 problems! {
     /// Why a study cannot begin.
@@ -48,11 +48,11 @@ problems! {
             hint("record at least one whole turn, or ask for an angle that is passed");
         /// More poses than a study can bound.
         TooManyPoses { poses: f64 } => Code::AskNotPossible,
-            says("curves of {poses} poses are asked for; must be at most {MOST_POSES}"),
+            says("curves of {poses} poses are asked for; must be at most {MAX_POSES}"),
             hint("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve");
         /// More numbers of a run than a study can bound.
         TooManyColumns { columns: usize } => Code::TooMany,
-            says("all questions together are about {columns} numbers of each run; must be at most {MOST_COLUMNS}"),
+            says("all questions together are about {columns} numbers of each run; must be at most {MAX_COLUMNS}"),
             hint("ask for fewer poses, or for fewer samples_per_turn in the [cycle] of the study");
         /// More turns than a run of a study may have; `key` of `table` says so.
         TooManyTurns { turns: f64, what: &'static str, most: f64, table: &'static str, key: &'static str } => Code::AskNotPossible,
@@ -60,7 +60,7 @@ problems! {
             hint("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model");
         /// More mechanisms than are made.
         TooManyLaws { combinations: usize } => Code::AskNotPossible,
-            says("{combinations} combinations of contact laws; must be at most {MOST_LAWS}"),
+            says("{combinations} combinations of contact laws; must be at most {MAX_LAWS}"),
             hint("shorten the lists of laws");
         /// A path whose point stands still somewhere.
         PathStandsStill { output: String, share_percent: f64 } => Code::AskNotPossible,
@@ -154,7 +154,7 @@ impl StudyResponse {
         check_drive(study)?;
         check_turns(study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
-        if poses > MOST_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
+        if poses > MAX_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
         }
         let nominal = study.model.quantities.evaluate(&middle)?;
@@ -166,7 +166,7 @@ impl StudyResponse {
         let mechanism = &mechanisms[0];
         let nominal_input = study.model.input(study.cycle.span, &nominal);
         let plan = ColumnPlan::new(study, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
-        if plan.columns.len() > MOST_COLUMNS {
+        if plan.columns.len() > MAX_COLUMNS {
             return Err(PrepareError::TooManyColumns { columns: plan.columns.len() });
         }
         check_poses(study, &plan)?;
@@ -287,7 +287,7 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
         })
         .collect();
     let combinations = lists.iter().fold(1_usize, |product, (_, laws)| product.saturating_mul(laws.len()));
-    if combinations > MOST_LAWS {
+    if combinations > MAX_LAWS {
         return Err(PrepareError::TooManyLaws { combinations });
     }
     let of = |combination: usize| {
@@ -304,8 +304,8 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
 /// A run of so many turns before the recorded ones, and of these, must end in a person's time.
 pub fn check_turns(transient: f64, recorded: f64) -> Result<(), PrepareError> {
     for (turns, what, most, key) in [
-        (recorded, "recorded", MOST_RECORDED_TURNS, "recorded_turns"),
-        (transient + recorded, "run", MOST_TURNS, "transient_turns"),
+        (recorded, "recorded", MAX_RECORDED_TURNS, "recorded_turns"),
+        (transient + recorded, "run", MAX_TURNS, "transient_turns"),
     ] {
         if turns > most {
             return Err(PrepareError::TooManyTurns { turns, what, most, table: "cycle", key });
@@ -370,7 +370,7 @@ fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
 fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, span_s: f64) -> Result<(), PrepareError> {
     /// Speeds that are looked at, for each piece of the curve.
     const LOOKS: usize = 4;
-    const LEAST_SHARE: f64 = 0.01;
+    const MIN_SHARE: f64 = 0.01;
     for output in plan.outputs.iter().enumerate().filter(|(index, _)| plan.is_used(*index)).map(|(_, output)| output) {
         let Seen::Path(readings, part) = output.seen else { continue };
         let places = readings.map(|reading| positions.iter().position(|known| *known == reading));
@@ -379,7 +379,7 @@ fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, spa
         let velocity = |look: usize| [x, y].map(|reading| curve.jet(reading, look as f64 / looks as f64, span_s)[1]);
         let velocities: Vec<[f64; 2]> = (0..=looks).map(velocity).collect();
         let mean = velocities.iter().map(|[x, y]| x.hypot(*y)).sum::<f64>() / velocities.len() as f64;
-        let slow = velocities.windows(2).position(|pair| !(least_length(pair[0], pair[1]) > LEAST_SHARE * mean));
+        let slow = velocities.windows(2).position(|pair| !(least_length(pair[0], pair[1]) > MIN_SHARE * mean));
         if let Some(look) = slow {
             let share_percent = 100.0 * (look as f64 + 0.5) / looks as f64;
             return Err(PrepareError::PathStandsStill { output: output.name.clone(), share_percent });

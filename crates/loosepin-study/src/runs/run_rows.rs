@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Mechanisms that are held ready, at most: that of the study, and those with inputs that are loosened at the moment.
-const MOST_READY: usize = 4;
+const MAX_READY: usize = 4;
 
 /// Makes runs of a study for somebody else.
 pub struct RunRows {
@@ -116,7 +116,7 @@ impl RunRows {
             _ => StudyResponse::new(&with_loosened(&self.study, loosened)?)?,
         });
         let mut ready = lock();
-        if ready.len() == MOST_READY {
+        if ready.len() == MAX_READY {
             ready.remove(0);
         }
         ready.push(Ready { loosened: loosened.to_vec(), response: Arc::clone(&response) });

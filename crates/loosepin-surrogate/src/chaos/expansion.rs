@@ -23,7 +23,7 @@ const HIGHEST_DEGREE: usize = 16;
 /// Exponents q of the hyperbolic sets: the smaller, the fewer products.
 const EXPONENTS: [f64; 3] = [1.0, 0.75, 0.5];
 /// Most candidates of one set.
-const MOST_CANDIDATES: usize = 1_800;
+const MAX_CANDIDATES: usize = 1_800;
 /// Degrees without a better error after which an exponent is given up.
 const PATIENCE: usize = 3;
 
@@ -66,7 +66,7 @@ impl Chaos {
         for exponent in EXPONENTS {
             let (mut least, mut worse) = (f64::INFINITY, 0);
             for degree in 1..=HIGHEST_DEGREE {
-                let Some(set) = hyperbolic_set(design.inputs(), degree, exponent, MOST_CANDIDATES) else { break };
+                let Some(set) = hyperbolic_set(design.inputs(), degree, exponent, MAX_CANDIDATES) else { break };
                 // Sets of one degree differ by what they hold, so the same number means the same set.
                 if tried.contains(&(set.len() * (HIGHEST_DEGREE + 1) + degree)) {
                     continue;

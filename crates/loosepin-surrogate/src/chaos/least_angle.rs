@@ -3,7 +3,7 @@
 use loosepin_math::dense::dot;
 
 /// Correlation, relative to the first, at which nothing is left to be explained.
-const LEAST_CORRELATION: f64 = 1e-10;
+const MIN_CORRELATION: f64 = 1e-10;
 
 /// Columns centred and of length one; nothing in place of those that are constant.
 fn normalised(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
@@ -41,7 +41,7 @@ pub(crate) fn angle_order(columns: &[Vec<f64>], values: &[f64], most: usize) -> 
         if active.is_empty() {
             first = largest;
         }
-        if !(largest > LEAST_CORRELATION * first) {
+        if !(largest > MIN_CORRELATION * first) {
             break;
         }
         is_out[next] = true;

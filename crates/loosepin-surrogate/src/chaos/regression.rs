@@ -3,7 +3,7 @@
 use loosepin_math::dense::dot;
 
 /// What is left of a column after the others are taken out, relative to itself, below which it is a combination of them.
-const LEAST_INDEPENDENCE: f64 = 1e-9;
+const MIN_INDEPENDENCE: f64 = 1e-9;
 
 /// y ~ Ψ c with Ψ = Q R, Q orthonormal (modified Gram-Schmidt, twice). The first column is constant.
 pub(crate) struct Regression {
@@ -54,7 +54,7 @@ impl Regression {
             }
         }
         let length = dot(&direction, &direction).sqrt();
-        if !(length > LEAST_INDEPENDENCE * dot(column, column).sqrt()) {
+        if !(length > MIN_INDEPENDENCE * dot(column, column).sqrt()) {
             return false;
         }
         for entry in &mut direction {

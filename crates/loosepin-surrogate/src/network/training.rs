@@ -25,7 +25,7 @@ const FIRST_BETA: f64 = 1e3;
 /// Relative change of F and of the evidence at which training ends.
 const TOLERANCE: f64 = 1e-4;
 /// β is held below this: errors of 1e-4 of the output's standard deviation are as good as none.
-const LARGEST_BETA: f64 = 1e8;
+const MAX_BETA: f64 = 1e8;
 const ALPHA_BOUNDS: (f64, f64) = (1e-4, 1e6);
 
 /// A trained network and the logarithm of its evidence.
@@ -101,7 +101,7 @@ pub(crate) fn train(points: &[Vec<f64>], values: &[f64], neurons: usize, seed: u
             alpha[g] = (alpha[g] * next).sqrt().clamp(ALPHA_BOUNDS.0, ALPHA_BOUNDS.1);
         }
         let free = (count as f64 - known.iter().sum::<f64>()).max(0.05 * count as f64);
-        beta = (beta * free / state.square.max(1e-30)).sqrt().min(LARGEST_BETA);
+        beta = (beta * free / state.square.max(1e-30)).sqrt().min(MAX_BETA);
         if gain < TOLERANCE * value && (evidence - before).abs() < TOLERANCE * evidence.abs().max(1.0) {
             break;
         }

@@ -12,7 +12,7 @@ const STACK_POINTER: u8 = 4;
 
 /// The registers that hold the addresses of the blocks: rcx, rdx, rsi, r8 to r11, rdi. None of them belongs to the caller
 /// in the System V convention; rdi comes last because it holds the table of addresses at entry.
-pub(super) const BLOCK_REGISTERS: [u8; super::LARGEST_BLOCKS] = [1, 2, 6, 8, 9, 10, 11, 7];
+pub(super) const BLOCK_REGISTERS: [u8; super::MAX_BLOCKS] = [1, 2, 6, 8, 9, 10, 11, 7];
 
 /// Prefix bits "pp": the operand-size prefix that most vector instructions carry, or none.
 const PREFIX_NONE: u8 = 0;

@@ -22,7 +22,7 @@ pub enum NativeError {
         source: std::io::Error,
     },
     /// The lanes do not fill whole vectors.
-    #[error("{lanes} lanes for {level}; must be a positive multiple of {} up to {}", level.vector_lanes(), super::LARGEST_LANES)]
+    #[error("{lanes} lanes for {level}; must be a positive multiple of {} up to {}", level.vector_lanes(), super::MAX_LANES)]
     UnevenLanes {
         /// The lanes asked for.
         lanes: usize,
@@ -30,7 +30,7 @@ pub enum NativeError {
         level: Level,
     },
     /// More blocks than there are registers for their addresses.
-    #[error("the program uses {given} blocks; must be at most {}", super::LARGEST_BLOCKS)]
+    #[error("the program uses {given} blocks; must be at most {}", super::MAX_BLOCKS)]
     TooManyBlocks {
         /// The blocks of the program.
         given: usize,
@@ -48,7 +48,7 @@ pub enum NativeError {
     /// More values are needed at a time than a stack should hold.
     #[error(
         "the machine code needs a stack frame of {bytes} bytes; must be at most {}\nhint: interpret the program instead",
-        super::LARGEST_FRAME_BYTES
+        super::MAX_FRAME_BYTES
     )]
     FrameTooLarge {
         /// The size of the frame.

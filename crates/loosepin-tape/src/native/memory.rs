@@ -15,7 +15,7 @@ use super::evaluate::check_blocks;
 use super::place::Place;
 use super::program::Program;
 use super::translate::{KernelSize, translate};
-use super::{LARGEST_BLOCKS, Level};
+use super::{Level, MAX_BLOCKS};
 
 /// Machine code as [`super::assemble`] writes it: of the table of the addresses of the blocks, and how often the instructions are to run.
 #[cfg(target_arch = "x86_64")]
@@ -115,7 +115,7 @@ impl Kernel {
     /// [`NativeError::TooFewBlocks`] and [`NativeError::BlockTooShort`].
     pub fn run(&self, blocks: &mut [&mut [f64]]) -> Result<(), NativeError> {
         check_blocks(blocks, &self.values_per_block, self.lanes)?;
-        let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
+        let mut addresses = [std::ptr::null_mut(); MAX_BLOCKS];
         for (address, numbers) in addresses.iter_mut().zip(blocks) {
             *address = numbers.as_mut_ptr();
         }
@@ -131,7 +131,7 @@ impl Kernel {
 pub(super) struct PlacedKernel {
     kernel: Kernel,
     /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
-    parts: [Part; LARGEST_BLOCKS],
+    parts: [Part; MAX_BLOCKS],
 }
 
 /// Numbers of a block, from the first to behind the last.
@@ -155,7 +155,7 @@ impl PlacedKernel {
     /// What a call of it needs.
     fn call(&self) -> Call {
         let Kernel { entry, lanes, size, .. } = self.kernel;
-        let mut moved = [Moved { own: 0, block: 0, first: 0 }; LARGEST_BLOCKS];
+        let mut moved = [Moved { own: 0, block: 0, first: 0 }; MAX_BLOCKS];
         let used = self.parts.iter().enumerate().filter(|(_, part)| part.end > 0);
         let elsewhere = used.filter(|(own, part)| part.block != *own || part.first != 0);
         let mut moves = 0;
@@ -167,8 +167,8 @@ impl PlacedKernel {
     }
 
     /// For each block, how many numbers it must have at least.
-    fn needed(&self) -> [usize; LARGEST_BLOCKS] {
-        let mut needed = [0; LARGEST_BLOCKS];
+    fn needed(&self) -> [usize; MAX_BLOCKS] {
+        let mut needed = [0; MAX_BLOCKS];
         for part in &self.parts {
             needed[part.block] = needed[part.block].max(part.end);
         }
@@ -185,7 +185,7 @@ struct Call {
     /// So many of its blocks do not begin where that of the caller with the same number does.
     moves: usize,
     /// These, one after the other.
-    moved: [Moved; LARGEST_BLOCKS],
+    moved: [Moved; MAX_BLOCKS],
 }
 
 /// A block of a kernel that begins elsewhere.
@@ -220,7 +220,7 @@ pub(super) struct PlacedKernels {
     kernels: Vec<PlacedKernel>,
     calls: Vec<Call>,
     /// For each block, how many numbers it must have at least.
-    needed: [usize; LARGEST_BLOCKS],
+    needed: [usize; MAX_BLOCKS],
 }
 
 impl PlacedKernels {
@@ -243,8 +243,8 @@ impl PlacedKernels {
     /// # Errors
     ///
     /// [`NativeError::BlockTooShort`]; nothing has run then.
-    pub fn run(&self, lanes: &Range<usize>, blocks: &mut [&mut [f64]; LARGEST_BLOCKS]) -> Result<(), NativeError> {
-        let mut starts = [std::ptr::null_mut::<f64>(); LARGEST_BLOCKS];
+    pub fn run(&self, lanes: &Range<usize>, blocks: &mut [&mut [f64]; MAX_BLOCKS]) -> Result<(), NativeError> {
+        let mut starts = [std::ptr::null_mut::<f64>(); MAX_BLOCKS];
         for (block, (numbers, &needed)) in blocks.iter_mut().zip(&self.needed).enumerate() {
             if numbers.len() < needed {
                 return Err(NativeError::BlockTooShort { block, given: numbers.len(), needed });
@@ -262,8 +262,8 @@ impl PlacedKernels {
             }
             for &Moved { own: number, block, first } in call.moved.iter().take(call.moves) {
                 // The remainders are the numbers themselves, and tell that they are in range.
-                let start = starts[usize::from(block) % LARGEST_BLOCKS];
-                own[usize::from(number) % LARGEST_BLOCKS] = start.wrapping_add(first + before);
+                let start = starts[usize::from(block) % MAX_BLOCKS];
+                own[usize::from(number) % MAX_BLOCKS] = start.wrapping_add(first + before);
             }
             // SAFETY: the code is executable while its kernel, which is among those of `self`, lives. Each address that it uses points, moved by
             // the lanes of the trips before, to as many numbers as its highest
@@ -282,14 +282,14 @@ impl PlacedKernels {
 ///
 /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], and [`NativeError::PlacesOverlap`] where two blocks have numbers in
 /// common.
-pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<[Part; LARGEST_BLOCKS], NativeError> {
+pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<[Part; MAX_BLOCKS], NativeError> {
     if places.len() < values.len() {
         return Err(NativeError::TooFewBlocks { given: places.len(), needed: values.len() });
     }
-    let mut parts = [Part::default(); LARGEST_BLOCKS];
+    let mut parts = [Part::default(); MAX_BLOCKS];
     for (index, (place, &values)) in places.iter().zip(values).enumerate() {
         let Place { block, first } = *place;
-        if block >= LARGEST_BLOCKS || index >= LARGEST_BLOCKS {
+        if block >= MAX_BLOCKS || index >= MAX_BLOCKS {
             return Err(NativeError::TooManyBlocks { given: block.max(index) + 1 });
         }
         if values == 0 {

@@ -71,10 +71,10 @@ pub use sequence::{Routine, Sequence};
 pub use translate::KernelSize;
 
 /// Most blocks of a program: as many as there are registers for their addresses that need not be saved for the caller.
-pub const LARGEST_BLOCKS: usize = 8;
+pub const MAX_BLOCKS: usize = 8;
 
 /// Largest stack frame of a kernel: an eighth of the stack of a thread, if that is what Rust gives one.
-pub const LARGEST_FRAME_BYTES: usize = 1 << 18;
+pub const MAX_FRAME_BYTES: usize = 1 << 18;
 
 /// Most lanes of a kernel.
-pub const LARGEST_LANES: usize = 1024;
+pub const MAX_LANES: usize = 1024;

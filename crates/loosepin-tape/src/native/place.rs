@@ -1,6 +1,6 @@
 //! Where the blocks of a program lie among those of a sequence of programs.
 
-use super::LARGEST_BLOCKS;
+use super::MAX_BLOCKS;
 
 /// Where a block of a program begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,10 +13,10 @@ pub struct Place {
 
 impl Place {
     /// Each block where the block of the same number begins.
-    pub const ALL: [Self; LARGEST_BLOCKS] = {
-        let mut places = [Self { block: 0, first: 0 }; LARGEST_BLOCKS];
+    pub const ALL: [Self; MAX_BLOCKS] = {
+        let mut places = [Self { block: 0, first: 0 }; MAX_BLOCKS];
         let mut block = 0;
-        while block < LARGEST_BLOCKS {
+        while block < MAX_BLOCKS {
             places[block].block = block;
             block += 1;
         }

@@ -7,7 +7,7 @@ use super::instruction::{Arithmetic, FusedForm, Instruction, Memory, Operand, Pr
 use super::node::{BinaryOperation, FusedSigns, MaskOperation};
 use super::random_programs::{Random, comparable};
 use super::translate::KernelSize;
-use super::{Kernel, LARGEST_BLOCKS, Level, NativeError};
+use super::{Kernel, Level, MAX_BLOCKS, NativeError};
 
 const SIGN_BIT: u64 = 1 << 63;
 
@@ -59,7 +59,7 @@ impl Generator<'_> {
         }
         let vector = pick(self.random, &[0, 1, 3, 4, 126, 127, 128, 139]);
         let offset_bytes = (vector * self.level.vector_bytes()) as i32;
-        Memory::Slot { block: self.random.below(LARGEST_BLOCKS) as u8, offset_bytes }
+        Memory::Slot { block: self.random.below(MAX_BLOCKS) as u8, offset_bytes }
     }
 
     fn mask_place(&mut self) -> Memory {
@@ -299,17 +299,17 @@ fn sequence(generator: &mut Generator, length: usize) -> Vec<Instruction> {
 fn check_sequence(random: &mut Random, level: Level, length: usize) {
     let instructions = sequence(&mut Generator { random, level }, length);
     let lanes = level.vector_lanes();
-    let layout = Layout { level, blocks: LARGEST_BLOCKS, trips: 1, step_bytes: 0 };
+    let layout = Layout { level, blocks: MAX_BLOCKS, trips: 1, step_bytes: 0 };
     let allocated = Allocated { instructions, frame_vectors: FRAME_VECTORS };
     let code = assemble(&allocated, &CONSTANTS, layout);
     let size = KernelSize { interleaved: 1, trips: 1, ..KernelSize::default() };
-    let kernel = Kernel::new(&code, size, vec![BLOCK_VECTORS; LARGEST_BLOCKS], level, lanes);
+    let kernel = Kernel::new(&code, size, vec![BLOCK_VECTORS; MAX_BLOCKS], level, lanes);
     if !level.is_supported() {
         assert!(matches!(kernel, Err(NativeError::NotSupported { .. })));
         return;
     }
     let start: Vec<Vec<f64>> =
-        (0..LARGEST_BLOCKS).map(|_| (0..BLOCK_VECTORS * lanes).map(|_| random.operand()).collect()).collect();
+        (0..MAX_BLOCKS).map(|_| (0..BLOCK_VECTORS * lanes).map(|_| random.operand()).collect()).collect();
     let mut native = start.clone();
     let mut blocks: Vec<&mut [f64]> = native.iter_mut().map(Vec::as_mut_slice).collect();
     kernel.expect("executable memory").run(&mut blocks).expect("blocks of the right length");

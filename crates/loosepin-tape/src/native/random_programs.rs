@@ -1,7 +1,7 @@
 //! Random programs as machine code and interpreted, compared bit for bit.
 
 use super::translate::translate_interleaved;
-use super::{Graph, Kernel, LARGEST_BLOCKS, Level, Mask, NativeError, Place, Program, Routine, Sequence, Slot, Value};
+use super::{Graph, Kernel, Level, MAX_BLOCKS, Mask, NativeError, Place, Program, Routine, Sequence, Slot, Value};
 
 /// Random numbers for tests: SplitMix64 (Steele, Lea and Flood 2014).
 pub(super) struct Random(pub u64);
@@ -273,7 +273,7 @@ fn identity_lanes_evaluated_together_and_alone_give_the_same_bits() {
 #[test]
 fn identity_a_sequence_gives_the_same_bits_as_its_programs_one_by_one() {
     const LANES: usize = 40;
-    const LENGTHS: [usize; LARGEST_BLOCKS] = [12, 12, 12, 12, 0, 0, 0, 0];
+    const LENGTHS: [usize; MAX_BLOCKS] = [12, 12, 12, 12, 0, 0, 0, 0];
     let mut random = Random(10);
     for _ in 0..20 {
         let shape = Shape { nodes: 60, inputs: 4, outputs: 4, reach: 20, blocks: 2, is_in_place: true };

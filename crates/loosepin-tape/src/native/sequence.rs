@@ -5,7 +5,7 @@ use super::evaluate::Interpreted;
 use super::memory::{Kernel, PlacedKernel, PlacedKernels, parts};
 use super::place::Place;
 use super::program::Program;
-use super::{LARGEST_BLOCKS, Level};
+use super::{Level, MAX_BLOCKS};
 use std::ops::Range;
 
 /// A program, and its machine code where that is wanted and can be had.
@@ -77,7 +77,7 @@ impl Sequence {
     /// # Errors
     ///
     /// [`NativeError::BlockTooShort`]; some of what comes before may have been done.
-    pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS], scratch: &mut Vec<f64>) -> Result<(), NativeError> {
+    pub fn run(&self, blocks: &mut [&mut [f64]; MAX_BLOCKS], scratch: &mut Vec<f64>) -> Result<(), NativeError> {
         self.run_on(0..usize::MAX, blocks, scratch)
     }
 
@@ -89,7 +89,7 @@ impl Sequence {
     pub fn run_on(
         &self,
         lanes: Range<usize>,
-        blocks: &mut [&mut [f64]; LARGEST_BLOCKS],
+        blocks: &mut [&mut [f64]; MAX_BLOCKS],
         scratch: &mut Vec<f64>,
     ) -> Result<(), NativeError> {
         for call in &self.calls {

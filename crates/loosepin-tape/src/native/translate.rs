@@ -7,7 +7,7 @@ use super::instruction::{Instruction, Memory};
 use super::lower::lower;
 use super::program::Program;
 use super::schedule::schedule;
-use super::{LARGEST_BLOCKS, LARGEST_FRAME_BYTES, LARGEST_LANES, Level};
+use super::{Level, MAX_BLOCKS, MAX_FRAME_BYTES, MAX_LANES};
 
 /// Parts of the machine code of a kernel.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -61,11 +61,11 @@ pub(super) fn translate_interleaved(
     lanes: usize,
     interleaved: usize,
 ) -> Result<(Code, KernelSize), NativeError> {
-    if lanes == 0 || lanes > LARGEST_LANES || !lanes.is_multiple_of(level.vector_lanes()) {
+    if lanes == 0 || lanes > MAX_LANES || !lanes.is_multiple_of(level.vector_lanes()) {
         return Err(NativeError::UnevenLanes { lanes, level });
     }
     let values_per_block = program.values_per_block();
-    if values_per_block.len() > LARGEST_BLOCKS {
+    if values_per_block.len() > MAX_BLOCKS {
         return Err(NativeError::TooManyBlocks { given: values_per_block.len() });
     }
     for (block, &values) in values_per_block.iter().enumerate() {
@@ -77,7 +77,7 @@ pub(super) fn translate_interleaved(
     let lowered = lower(program, &order, level, lanes, interleaved);
     let allocated = allocate(&lowered, level);
     let frame_bytes = allocated.frame_vectors as usize * level.vector_bytes();
-    if frame_bytes > LARGEST_FRAME_BYTES {
+    if frame_bytes > MAX_FRAME_BYTES {
         return Err(NativeError::FrameTooLarge { bytes: frame_bytes });
     }
     let layout = Layout {

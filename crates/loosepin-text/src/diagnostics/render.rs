@@ -8,7 +8,7 @@ use super::visible::visible;
 use super::{Complaint, Complaints, Severity};
 
 /// Complaints shown before the rest is only counted.
-const MOST_SHOWN: usize = 50;
+const MAX_SHOWN: usize = 50;
 
 /// Whether annotated source is coloured by terminal escapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl fmt::Display for Complaint {
 /// The plain form of each complaint, one after the other.
 impl fmt::Display for Complaints {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, complaint) in self.sorted().iter().take(MOST_SHOWN).enumerate() {
+        for (index, complaint) in self.sorted().iter().take(MAX_SHOWN).enumerate() {
             if index > 0 {
                 writeln!(formatter)?;
             }
@@ -56,7 +56,7 @@ impl fmt::Display for Complaints {
 
 impl Complaints {
     fn unshown(&self) -> usize {
-        self.len().saturating_sub(MOST_SHOWN)
+        self.len().saturating_sub(MAX_SHOWN)
     }
 
     /// The complaints with the lines that they are about, for a terminal.
@@ -66,7 +66,7 @@ impl Complaints {
             Colour::Always => Renderer::styled(),
         };
         let mut text = String::new();
-        for complaint in self.sorted().into_iter().take(MOST_SHOWN) {
+        for complaint in self.sorted().into_iter().take(MAX_SHOWN) {
             text.push_str(&complaint.render(&renderer));
             text.push_str("\n\n");
         }

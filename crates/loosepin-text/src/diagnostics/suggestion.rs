@@ -6,9 +6,9 @@ pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str
     // Longer names are no slips of a known key, and the distance costs their square.
     const LONGEST_NAME_CHARS: usize = 100;
     // Enough for any model; a file of thousands of wrong names must not cost thousands squared.
-    const MOST_CANDIDATES: usize = 500;
+    const MAX_CANDIDATES: usize = 500;
     // Entries of the tables that distances are worked out in: 200 candidates of 16 characters, which all have the letters of the name.
-    const MOST_ENTRIES: usize = 50_000;
+    const MAX_ENTRIES: usize = 50_000;
     let length_chars = name.chars().count();
     if length_chars > LONGEST_NAME_CHARS {
         return None;
@@ -18,14 +18,14 @@ pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str
     let letters = letters(&name);
     let mut entries = 0;
     let mut nearest: Option<(usize, &str)> = None;
-    for candidate in candidates.into_iter().take(MOST_CANDIDATES) {
+    for candidate in candidates.into_iter().take(MAX_CANDIDATES) {
         let candidate_chars = candidate.chars().count();
         let lowercase = candidate.to_lowercase();
         if candidate_chars.abs_diff(length_chars) > allowed_edits || unshared(&letters, &lowercase) > allowed_edits {
             continue;
         }
         entries += length_chars * candidate_chars;
-        if entries > MOST_ENTRIES {
+        if entries > MAX_ENTRIES {
             break;
         }
         let edits = strsim::osa_distance(&name, &lowercase);

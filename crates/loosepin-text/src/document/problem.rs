@@ -4,7 +4,7 @@ use crate::diagnostics::{Code, problems};
 use crate::units::{Dimension, Rule, listed, quoted};
 
 /// The largest file that is read.
-pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
+pub(super) const MAX_FILE_BYTES: usize = 1 << 20;
 
 problems! {
     /// An error in a file or an entry of it. `entry` and `table` are paths in words.
@@ -17,7 +17,7 @@ problems! {
             says("the file is not UTF-8 text from here on"),
             hint("save the file as UTF-8");
         TooLarge { file: String, size_bytes: usize } => Code::FileTooLarge,
-            says("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read");
+            says("{file} has {size_bytes} bytes; a file of at most {MAX_FILE_BYTES} is read");
         Syntax { reason: String, line: String } => Code::TomlSyntax,
             says("not TOML here: {reason}"),
             hint_of(number_with_comma(line)

@@ -12,7 +12,7 @@ use super::keys::{Keys, Kind};
 use super::meant_file::{file_of_like_name, files_inside};
 use super::other_words::by_other_word;
 use super::path::{EntryPath, is_name};
-use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
+use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, first_control_character, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
@@ -42,7 +42,7 @@ pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
 /// A file that cannot be read, is too large, or is not UTF-8 (with the place of the first wrong byte).
 pub fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
     let name = path.display().to_string();
-    match read_named(path, LARGEST_FILE_BYTES as u64) {
+    match read_named(path, MAX_FILE_BYTES as u64) {
         Ok(bytes) => source_from_bytes(&name, bytes),
         Err(error) => match Refused::of(&error) {
             Some(Refused::TooLarge { size_bytes, .. }) => {
@@ -88,7 +88,7 @@ pub fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Comp
 /// Every place where it is not TOML.
 pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Complaints> {
     let size_bytes = source.text().len();
-    if size_bytes > LARGEST_FILE_BYTES {
+    if size_bytes > MAX_FILE_BYTES {
         let problem = DocumentProblem::TooLarge { file: source.name().to_owned(), size_bytes };
         return Err(Complaints::one(&problem, None));
     }

@@ -62,8 +62,8 @@ impl UnitProduct {
 
 /// k where `factor` is exactly 10^k, for the k whose powers a double holds exactly.
 fn decimal_exponent(factor: f64) -> Option<i32> {
-    const LARGEST_EXACT: i32 = 22;
-    (0..=LARGEST_EXACT).find(|exponent| 10_f64.powi(*exponent) == factor)
+    const MAX_EXACT: i32 = 22;
+    (0..=MAX_EXACT).find(|exponent| 10_f64.powi(*exponent) == factor)
 }
 
 impl Parser<'_> {

@@ -1,7 +1,7 @@
 //! The range that a value must lie in.
 
 /// Turns in one run, at most: far more than anybody waits for, and few enough that counters hold them.
-const MOST_TURNS: f64 = 1e6;
+const MAX_TURNS: f64 = 1e6;
 /// Pressure angles of teeth lie below 45 deg; usual ones are 14.5 to 30 deg.
 const PRESSURE_ANGLE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
@@ -33,7 +33,7 @@ macro_rules! rules {
 
 impl Rule {
     /// The numbers that rules name, SI.
-    pub(super) const LIMITS: [f64; 5] = [0.0, 0.5, 1.0, MOST_TURNS, PRESSURE_ANGLE_RAD];
+    pub(super) const LIMITS: [f64; 5] = [0.0, 0.5, 1.0, MAX_TURNS, PRESSURE_ANGLE_RAD];
 }
 
 rules! {
@@ -44,8 +44,8 @@ rules! {
     Restitution "in (0, 1]" x > 0.0 && x <= 1.0;
     PoissonRatio "in [0, 0.5]" (0.0..=0.5).contains(&x);
     AtLeastOne ">= 1" x >= 1.0;
-    Turns "in [0, 1e6]" (0.0..=MOST_TURNS).contains(&x);
-    SomeTurns "in (0, 1e6]" x > 0.0 && x <= MOST_TURNS;
+    Turns "in [0, 1e6]" (0.0..=MAX_TURNS).contains(&x);
+    SomeTurns "in (0, 1e6]" x > 0.0 && x <= MAX_TURNS;
     Probability "in (0, 1)" x > 0.0 && x < 1.0;
     PressureAngle ">= 0 deg and < 45 deg" (0.0..PRESSURE_ANGLE_RAD).contains(&x);
     RequiredProbability "in (0, 1]" x > 0.0 && x <= 1.0;

@@ -270,7 +270,7 @@ mod tests {
     fn identity_stated_errors_contain_the_truth_as_often_as_they_promise() {
         const SEEDS: u64 = 200;
         /// 95 % of 200 less three standard deviations of that count.
-        const LEAST_CONTAINED: usize = 180;
+        const MIN_CONTAINED: usize = 180;
         let truth = [0.313_905_2, 0.442_411_1, 0.0, 0.557_588_9, 0.442_411_1, 0.243_683_7];
         let mut contained = [0; 6];
         for seed in 0..SEEDS {
@@ -281,7 +281,7 @@ mod tests {
                 *count += usize::from((index.value - truth).abs() <= index.error);
             }
         }
-        assert!(contained.iter().all(|&count| count >= LEAST_CONTAINED), "{contained:?} of {SEEDS}");
+        assert!(contained.iter().all(|&count| count >= MIN_CONTAINED), "{contained:?} of {SEEDS}");
     }
 
     #[test]

@@ -51,7 +51,7 @@ pub enum CopulaError {
 }
 
 /// What a least eigenvalue must exceed: the round-off of a Cholesky decomposition.
-const LEAST_EIGENVALUE: f64 = 1e-12;
+const MIN_EIGENVALUE: f64 = 1e-12;
 
 impl GaussianCopula {
     /// The copula of `inputs` random inputs with these correlations of the normal variables behind them; those of pairs that are
@@ -79,7 +79,7 @@ impl GaussianCopula {
         for group in groups(inputs, &pairs) {
             let matrix = matrix_of(&group, &pairs);
             let least_eigenvalue = least_eigenvalue(matrix.clone());
-            let factor = cholesky(&matrix).filter(|_| least_eigenvalue > LEAST_EIGENVALUE);
+            let factor = cholesky(&matrix).filter(|_| least_eigenvalue > MIN_EIGENVALUE);
             let Some(factor) = factor else {
                 return Err(CopulaError::NotPositiveDefinite { inputs: group, least_eigenvalue });
             };
@@ -186,10 +186,10 @@ fn cholesky(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
 
 /// The least eigenvalue of a symmetric matrix, by Jacobi's rotations (C. G. J. Jacobi 1846; cyclic sweeps).
 fn least_eigenvalue(mut a: Vec<Vec<f64>>) -> f64 {
-    const MOST_SWEEPS: usize = 60;
+    const MAX_SWEEPS: usize = 60;
     const SMALL: f64 = 1e-30;
     let n = a.len();
-    for _ in 0..MOST_SWEEPS {
+    for _ in 0..MAX_SWEEPS {
         let off: f64 = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| a[i][j] * a[i][j]).sum();
         if off < SMALL {
             break;

@@ -15,7 +15,7 @@ const REACH: f64 = 14.0;
 /// Step of the trapezoidal rule.
 const STEP: f64 = 1.0 / 64.0;
 /// How near to ±1 the correlation of the normal variables may come.
-const MOST_NORMAL: f64 = 0.999_9;
+const MAX_NORMAL: f64 = 0.999_9;
 
 /// A linear correlation that these two distributions cannot have.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -63,12 +63,12 @@ impl CorrelationSeries {
     ///
     /// [`UnattainableCorrelation`] with the range that is attainable.
     pub fn normal(&self, wanted: f64) -> Result<f64, UnattainableCorrelation> {
-        let [least, most] = [-MOST_NORMAL, MOST_NORMAL].map(|normal| self.linear(normal));
+        let [least, most] = [-MAX_NORMAL, MAX_NORMAL].map(|normal| self.linear(normal));
         if !(wanted > least && wanted < most) {
             return Err(UnattainableCorrelation { wanted, least, most });
         }
         // Increasing: halving cannot fail, and 60 halvings leave nothing.
-        let (mut low, mut high) = (-MOST_NORMAL, MOST_NORMAL);
+        let (mut low, mut high) = (-MAX_NORMAL, MAX_NORMAL);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             if self.linear(middle) < wanted {

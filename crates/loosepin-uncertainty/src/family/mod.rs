@@ -35,7 +35,7 @@ use crate::functions::normal::{normal_cdf, normal_quantile};
 use crate::variables::distribution::DistributionError;
 
 /// The least share of a distribution that a truncation may keep: below it the distribution functions lose digits.
-pub(super) const LEAST_SHARE_KEPT: f64 = 1e-100;
+pub(super) const MIN_SHARE_KEPT: f64 = 1e-100;
 
 /// The shares of a distribution on both sides of a value, each with its own digits: P(X <= x) and P(X > x).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Discrete, Family, LEAST_SHARE_KEPT, Tails};
+use super::{Discrete, Family, MIN_SHARE_KEPT, Tails};
 use crate::variables::distribution::DistributionError;
 
 /// What lies between `lower` and `upper` (an end may be infinite), rescaled: F_t(x) = (F(x) - F(lower))/(F(upper) - F(lower)).
@@ -49,7 +49,7 @@ impl Truncated {
         });
         // The difference is taken where both numbers are small.
         let share = if ends[0].below > 0.5 { ends[0].above - ends[1].above } else { ends[1].below - ends[0].below };
-        if share < LEAST_SHARE_KEPT {
+        if share < MIN_SHARE_KEPT {
             return Err(DistributionError::NothingLeft { family, lower, upper, share });
         }
         Ok(Arc::new(Self { of, lower, upper, below: ends[0].below, above: ends[1].above, share }))

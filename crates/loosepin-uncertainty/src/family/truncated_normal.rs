@@ -1,12 +1,12 @@
 //! The normal distribution cut to an interval.
 
-use super::{Family, LEAST_SHARE_KEPT, Tails, finite, ordered, positive};
+use super::{Family, MIN_SHARE_KEPT, Tails, finite, ordered, positive};
 use crate::functions::normal::{normal_cdf, normal_quantile};
 use crate::variables::distribution::DistributionError;
 
 /// Cuts narrower than this, in standard deviations before the cut, have their moments from a power series.
 const NARROW: f64 = 1.0;
-/// Terms of that series: enough for the last digit wherever a cut keeps more than `LEAST_SHARE_KEPT`.
+/// Terms of that series: enough for the last digit wherever a cut keeps more than `MIN_SHARE_KEPT`.
 const SERIES_TERMS: usize = 64;
 
 /// Mean and standard deviation before the cut to `lower` .. `upper`.
@@ -31,7 +31,7 @@ impl TruncatedNormal {
         let (below, above) = (normal_cdf(a), normal_cdf(-b));
         // The difference is taken where both numbers are small.
         let share = if a > 0.0 { normal_cdf(-a) - above } else { normal_cdf(b) - below };
-        if share < LEAST_SHARE_KEPT {
+        if share < MIN_SHARE_KEPT {
             return Err(DistributionError::NothingKept { mean, standard_deviation, lower, upper, share });
         }
         Ok(Self { mean, standard_deviation, lower, upper, below, above, share })

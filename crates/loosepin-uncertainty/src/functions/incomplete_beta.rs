@@ -34,12 +34,12 @@ fn ln_lower_part(a: f64, b: f64, x: f64, one_minus_x: f64) -> f64 {
 
 fn continued_fraction(a: f64, b: f64, x: f64) -> f64 {
     const SMALLEST: f64 = 1e-300;
-    const MOST_TERMS: u32 = 100_000;
+    const MAX_TERMS: u32 = 100_000;
     let guard = |value: f64| if value.abs() < SMALLEST { SMALLEST } else { value };
     let mut c = 1.0;
     let mut d = 1.0 / guard(1.0 - (a + b) * x / (a + 1.0));
     let mut fraction = d;
-    for term in 1..=MOST_TERMS {
+    for term in 1..=MAX_TERMS {
         let m = f64::from(term);
         let even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m));
         d = 1.0 / guard(1.0 + even * d);
@@ -78,7 +78,7 @@ pub(crate) fn inverse_incomplete_beta(a: f64, b: f64, probability: f64, compleme
 
 /// Solves I_x(a, b) = p for p <= 1/2.
 fn solve_lower_tail(a: f64, b: f64, probability: f64) -> f64 {
-    const MOST_STEPS: usize = 200;
+    const MAX_STEPS: usize = 200;
     let ln_probability = libm::log(probability);
     let ln_normalisation = ln_beta(a, b);
     // I_x <= x^a/(a B) max(1, (1-x)^(b-1)): the bound with equality as x -> 0 starts the bracket, t = ln x.
@@ -88,7 +88,7 @@ fn solve_lower_tail(a: f64, b: f64, probability: f64) -> f64 {
     }
     let mut high = 0.0;
     let mut t = low;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let x = libm::exp(t);
         let ln_value = ln_incomplete_beta(a, b, t);
         let excess = ln_value - ln_probability;

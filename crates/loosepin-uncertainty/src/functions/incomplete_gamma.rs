@@ -64,9 +64,9 @@ fn excess_over_logarithm(x: f64, a: f64) -> f64 {
 
 /// Σ xⁿ/((a + 1) ... (a + n)).
 fn series(a: f64, x: f64) -> f64 {
-    const MOST_TERMS: u32 = 1_000_000;
+    const MAX_TERMS: u32 = 1_000_000;
     let (mut term, mut sum) = (1.0, 1.0);
-    for n in 1..=MOST_TERMS {
+    for n in 1..=MAX_TERMS {
         term *= x / (a + f64::from(n));
         sum += term;
         if term <= f64::EPSILON * sum {
@@ -79,13 +79,13 @@ fn series(a: f64, x: f64) -> f64 {
 /// Q(a, x) Γ(a)/(x^a e^-x).
 fn continued_fraction(a: f64, x: f64) -> f64 {
     const SMALLEST: f64 = 1e-300;
-    const MOST_TERMS: u32 = 1_000_000;
+    const MAX_TERMS: u32 = 1_000_000;
     let guard = |value: f64| if value.abs() < SMALLEST { SMALLEST } else { value };
     let mut b = x + 1.0 - a;
     let mut c = 1.0 / SMALLEST;
     let mut d = 1.0 / guard(b);
     let mut fraction = d;
-    for n in 1..=MOST_TERMS {
+    for n in 1..=MAX_TERMS {
         let n = f64::from(n);
         let numerator = -n * (n - a);
         b += 2.0;
@@ -105,7 +105,7 @@ fn continued_fraction(a: f64, x: f64) -> f64 {
 /// Newton's method on the logarithm of the smaller tail as a function of ln x, held inside a bracket that only shrinks; it
 /// starts from the cube of a normal variable (E. B. Wilson and M. M. Hilferty 1931).
 pub(crate) fn inverse_incomplete_gamma(a: f64, below: f64, above: f64) -> f64 {
-    const MOST_STEPS: usize = 200;
+    const MAX_STEPS: usize = 200;
     if below <= 0.0 {
         return 0.0;
     }
@@ -134,7 +134,7 @@ pub(crate) fn inverse_incomplete_gamma(a: f64, below: f64, above: f64) -> f64 {
         low = high;
         high += (high - t).abs().max(1.0);
     }
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let (over, slope) = excess(t);
         if over > 0.0 {
             high = t;

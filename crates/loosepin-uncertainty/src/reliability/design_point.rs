@@ -9,20 +9,20 @@ const HALF_STEP: f64 = 0.05;
 /// A design point is found when the steps fall below this, in standard deviations.
 const LAST_STEP: f64 = 1e-3;
 /// Two design points nearer than this, in standard deviations, are one.
-const LEAST_DISTANCE: f64 = 0.5;
+const MIN_DISTANCE: f64 = 0.5;
 /// Design points further than the nearest by more than this contribute less than 1 % of it.
 const FURTHEST_BEYOND: f64 = 1.2;
 /// A step is halved at most so often.
-const MOST_HALVINGS: u32 = 4;
+const MAX_HALVINGS: u32 = 4;
 /// No step goes further out than this: no event there is worth a number.
-const LARGEST_RADIUS: f64 = 10.0;
+const MAX_RADIUS: f64 = 10.0;
 /// Radius at which directions are tried for further starts.
 const PROBE_RADIUS: f64 = 3.0;
 /// Random directions that are tried, for each dimension and at least.
 const PROBES_PER_DIMENSION: usize = 6;
-const LEAST_PROBES: usize = 24;
+const MIN_PROBES: usize = 24;
 /// Two starts make at least this angle: its cosine.
-const LARGEST_COSINE: f64 = 0.75;
+const MAX_COSINE: f64 = 0.75;
 /// Separates the stream of random numbers.
 const PROBES: u64 = 0x7072_6f62_6573;
 
@@ -87,7 +87,7 @@ pub fn design_points<E>(
         design.index *= sign;
         let apart = |other: &DesignPoint| {
             let squares = other.point.iter().zip(&design.point).map(|(a, b)| (a - b) * (a - b));
-            squares.sum::<f64>().sqrt() > LEAST_DISTANCE
+            squares.sum::<f64>().sqrt() > MIN_DISTANCE
         };
         if found.iter().all(apart) {
             found.push(design);
@@ -118,12 +118,12 @@ pub(super) fn descend<E>(
             return Ok(None);
         }
         let straight = (dot(&gradient, &point) - value) / steepness;
-        let factor = straight.clamp(-LARGEST_RADIUS / steepness.sqrt(), LARGEST_RADIUS / steepness.sqrt());
+        let factor = straight.clamp(-MAX_RADIUS / steepness.sqrt(), MAX_RADIUS / steepness.sqrt());
         let target: Vec<f64> = gradient.iter().map(|g| factor * g).collect();
         let penalty = 2.0 * (square(&point) / steepness).sqrt().max(1.0);
         let merit = |at: &[f64], value: f64| 0.5 * square(at) + penalty * value.abs();
         // All lengths of the step at once: they are few, and a batch takes no longer than its longest run.
-        let lengths: Vec<f64> = (0..=MOST_HALVINGS).map(|halvings| 0.5_f64.powi(halvings as i32)).collect();
+        let lengths: Vec<f64> = (0..=MAX_HALVINGS).map(|halvings| 0.5_f64.powi(halvings as i32)).collect();
         let trials: Vec<Vec<f64>> = lengths
             .iter()
             .map(|length| point.iter().zip(&target).map(|(x, y)| x + length * (y - x)).collect())
@@ -178,7 +178,7 @@ fn further_starts<E>(
         }
     }
     let key = hash(search.seed, PROBES);
-    for index in 0..LEAST_PROBES.max(PROBES_PER_DIMENSION * dimensions) / 2 {
+    for index in 0..MIN_PROBES.max(PROBES_PER_DIMENSION * dimensions) / 2 {
         let direction: Vec<f64> = (0..dimensions).map(|axis| normal(hash(key, index as u64), axis as u64)).collect();
         let length = square(&direction).sqrt();
         // A direction and its opposite.
@@ -192,7 +192,7 @@ fn further_starts<E>(
     let mut starts: Vec<Vec<f64>> = Vec::new();
     for index in order {
         let cosine = |other: &Vec<f64>| dot(other, &probes[index]) / (PROBE_RADIUS * PROBE_RADIUS);
-        if starts.len() < search.starts && starts.iter().all(|other| cosine(other) < LARGEST_COSINE) {
+        if starts.len() < search.starts && starts.iter().all(|other| cosine(other) < MAX_COSINE) {
             starts.push(probes[index].clone());
         }
     }

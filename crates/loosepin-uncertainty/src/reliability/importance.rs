@@ -169,12 +169,12 @@ mod tests {
     fn analytic_one_in_a_hundred_thousand_to_a_tenth() {
         const SEEDS: u64 = 60;
         /// 95 % of 60 less three standard deviations of that count.
-        const LEAST_CONTAINED: usize = 52;
+        const MIN_CONTAINED: usize = 52;
         for known in LIMIT_STATES.iter().chain([&FOUR_BRANCHES]) {
             let truth = (known.probability)();
             let found: Vec<RareProbability> = (0..SEEDS).map(|seed| estimate(known, seed)).collect();
             let contained = found.iter().filter(|f| f.high.interval[0] <= truth && truth <= f.high.interval[1]).count();
-            assert!(contained >= LEAST_CONTAINED, "{}: {contained} of {SEEDS}", known.name);
+            assert!(contained >= MIN_CONTAINED, "{}: {contained} of {SEEDS}", known.name);
             let squares: f64 = found.iter().map(|f| (f.high.value / truth - 1.0).powi(2)).sum();
             let deviation = (squares / SEEDS as f64).sqrt();
             assert!(deviation < 0.1, "{}: {deviation}", known.name);

@@ -6,7 +6,7 @@ use crate::{hash, normal, normal_quantile};
 /// Share of each level that the next one begins from.
 const LEVEL_SHARE: usize = 10;
 /// Levels, at most: probabilities down to 1e-12.
-const MOST_LEVELS: usize = 12;
+const MAX_LEVELS: usize = 12;
 /// Share of candidates that the chains aim to accept.
 const TARGET_ACCEPTANCE: f64 = 0.44;
 /// Chains whose acceptance is looked at together, as a share of all: the width of the steps adapts in between.
@@ -41,7 +41,7 @@ impl SubsetSimulation {
 
     /// Evaluations at most: those of every level that there may be.
     pub fn most_runs(&self) -> usize {
-        self.points() * MOST_LEVELS
+        self.points() * MAX_LEVELS
     }
 }
 
@@ -87,7 +87,7 @@ pub fn subset_simulation<E>(
         let hits = is_event.iter().filter(|hit| **hit).count();
         let share = hits as f64 / level as f64;
         // As many below the threshold of the event as the level needs, or nothing beyond it any more.
-        let is_last = threshold <= 0.0 || number == MOST_LEVELS || share == 1.0;
+        let is_last = threshold <= 0.0 || number == MAX_LEVELS || share == 1.0;
         if is_last {
             // The levels hold all failed runs and all of the event; the last one tells them apart.
             let hits = |is_hit: &dyn Fn(f64) -> bool| values.iter().map(|&value| is_hit(value)).collect::<Vec<bool>>();
@@ -205,7 +205,7 @@ mod tests {
     fn analytic_one_in_a_hundred_thousand_to_a_quarter() {
         const SEEDS: u64 = 40;
         /// 95 % of 40 less three standard deviations of that count.
-        const LEAST_CONTAINED: usize = 34;
+        const MIN_CONTAINED: usize = 34;
         for known in LIMIT_STATES.iter().chain([&FOUR_BRANCHES]) {
             let truth = (known.probability)();
             let estimate = |seed| {
@@ -221,11 +221,7 @@ mod tests {
             let stated = found.iter().map(|f| f.high.coefficient_of_variation()).sum::<f64>() / SEEDS as f64;
             assert!(deviation < 0.25, "{}: {deviation}, stated {stated}", known.name);
             let contained = found.iter().filter(|f| f.high.interval[0] <= truth && truth <= f.high.interval[1]).count();
-            assert!(
-                contained >= LEAST_CONTAINED,
-                "{}: {contained} of {SEEDS}; {deviation}, stated {stated}",
-                known.name
-            );
+            assert!(contained >= MIN_CONTAINED, "{}: {contained} of {SEEDS}; {deviation}, stated {stated}", known.name);
             assert!(found.iter().all(|f| f.runs < 20_000), "{}", known.name);
         }
     }
@@ -254,7 +250,7 @@ mod tests {
         // Φ(-3) reach the limit; of them Φ(-3.2), those that go furthest, fail.
         const SEEDS: u64 = 20;
         /// 95 % of 20 less three standard deviations of that count.
-        const LEAST_CONTAINED: usize = 16;
+        const MIN_CONTAINED: usize = 16;
         let mut fails = |points: &[Vec<f64>]| -> Result<Vec<f64>, Infallible> {
             Ok(points.iter().map(|point| if point[0] > 3.2 { f64::NAN } else { 3.0 - point[0] }).collect())
         };
@@ -267,6 +263,6 @@ mod tests {
                 *count += usize::from(found.interval[0] <= truth && truth <= found.interval[1]);
             }
         }
-        assert!(contained.iter().all(|&count| count >= LEAST_CONTAINED), "{contained:?} of {SEEDS}");
+        assert!(contained.iter().all(|&count| count >= MIN_CONTAINED), "{contained:?} of {SEEDS}");
     }
 }

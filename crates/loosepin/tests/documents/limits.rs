@@ -1,8 +1,8 @@
 //! The page of limits states the numbers of the code.
 
-use loosepin::model::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
-use loosepin::simulate::{MOST_NUMBERS, MOST_ROWS, Settings};
-use loosepin::study::{MOST_COLUMNS, MOST_POSES, MOST_RUNS, STATED_BYTES};
+use loosepin::model::{MAX_BODIES, MAX_ENTRIES, MAX_JOINTS};
+use loosepin::simulate::{MAX_NUMBERS, MAX_ROWS, Settings};
+use loosepin::study::{MAX_COLUMNS, MAX_POSES, MAX_RUNS, STATED_BYTES};
 
 #[test]
 fn every_limit_stands_on_its_page() {
@@ -15,14 +15,14 @@ fn every_limit_stands_on_its_page() {
         let number = cell.split_whitespace().next().unwrap_or_default();
         assert_eq!(number, most.to_string(), "{row}");
     };
-    stated("moving bodies", MOST_BODIES as u64);
-    stated("joints", MOST_JOINTS as u64);
-    stated("contacts", MOST_ENTRIES as u64);
-    stated("rows of a history", MOST_ROWS as u64);
-    stated("numbers of a history", MOST_NUMBERS as u64);
+    stated("moving bodies", MAX_BODIES as u64);
+    stated("joints", MAX_JOINTS as u64);
+    stated("contacts", MAX_ENTRIES as u64);
+    stated("rows of a history", MAX_ROWS as u64);
+    stated("numbers of a history", MAX_NUMBERS as u64);
     stated("evaluations of the equations of motion", Settings::for_simulation().largest_evaluations);
-    stated("poses of a question", MOST_POSES as u64);
-    stated("numbers of a run", MOST_COLUMNS as u64);
-    stated("runs", MOST_RUNS);
+    stated("poses of a question", MAX_POSES as u64);
+    stated("numbers of a run", MAX_COLUMNS as u64);
+    stated("runs", MAX_RUNS);
     stated("others", STATED_BYTES >> 30);
 }

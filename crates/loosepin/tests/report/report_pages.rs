@@ -8,7 +8,7 @@ use loosepin::units::SiUnit;
 use scraper::{ElementRef, Html, Selector};
 
 /// A page must stay small enough to be sent by mail.
-const LARGEST_PAGE_BYTES: usize = 1_500_000;
+const MAX_PAGE_BYTES: usize = 1_500_000;
 /// What the terminal is taken to hold; commands to be copied are exempt.
 const TERMINAL_CHARACTERS: usize = 100;
 /// A name as a careless or hostile file might hold it.
@@ -39,7 +39,7 @@ fn parsed(name: &str, text: &str) -> Html {
 fn pages_are_well_formed_and_small() {
     for (name, text) in pages() {
         parsed(name, &text);
-        assert!(text.len() < LARGEST_PAGE_BYTES, "{name} has {} bytes", text.len());
+        assert!(text.len() < MAX_PAGE_BYTES, "{name} has {} bytes", text.len());
     }
 }
 

@@ -136,8 +136,8 @@ fn analytic_a_curve_of_one_random_length_moves_as_a_whole() {
     let result = conducted_at("", 256, &crank, question);
     let curve = &result.curves[0];
     let band = &curve.simultaneous[0];
-    const MOST_FACTOR: f64 = 1.2;
-    assert!(band.share == 0.9 && band.factor >= 1.0 && band.factor < MOST_FACTOR, "{band:?}");
+    const MAX_FACTOR: f64 = 1.2;
+    assert!(band.share == 0.9 && band.factor >= 1.0 && band.factor < MAX_FACTOR, "{band:?}");
     assert_eq!(band.band.lower_si.len(), curve.pose_rad.len());
     let rows: Vec<&BoundRecord> =
         result.bounds.iter().filter(|bound| bound.statistic.word() == "simultaneous_band").collect();

@@ -18,7 +18,7 @@ use loosepin_math::{FourRows, beside_one_another, dots_of_each, exponentials, on
 use loosepin_surrogate::{Factor, Whitened, matern_five_halves_of};
 
 /// To the factors of no more points than this others are appended: those of many take memory for as long as they are kept.
-pub(in crate::search) const MOST_APPENDED_TO: usize = 128;
+pub(in crate::search) const MAX_APPENDED_TO: usize = 128;
 
 /// Places that are predicted side by side: as many as there are numbers in two vectors.
 const PLACES_AT_ONCE: usize = 8;
@@ -238,7 +238,7 @@ impl Model {
             Some(known) => known.appended(covariance, count)?,
             None => Factor::try_new(covariance, count)?,
         };
-        let factor = if count > MOST_APPENDED_TO { factor.closed() } else { factor };
+        let factor = if count > MAX_APPENDED_TO { factor.closed() } else { factor };
         let whitened = Whitened::of_factor(Arc::new(factor), count, &columns);
         let by_point: Vec<f64> = (0..count).flat_map(|i| whitened.trend.iter().map(move |column| column[i])).collect();
         let information = Cholesky::new(gram(&by_point, size), size)?;

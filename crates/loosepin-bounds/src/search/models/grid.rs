@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 
 use crate::search::models::assessment::NOISE_RATIOS;
-use crate::search::models::gaussian_process::{Distances, Kernel, MOST_APPENDED_TO, Model, Smoothness};
+use crate::search::models::gaussian_process::{Distances, Kernel, MAX_APPENDED_TO, Model, Smoothness};
 use crate::search::models::trend::Trend;
 use crate::search::rough::roughness::Regressors;
 use crate::search::search_box::Axes;
@@ -17,7 +17,7 @@ use loosepin_surrogate::Factor;
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
 /// Kernels of a noise ratio, at most: three smoothnesses of each length scale.
-const MOST_KERNELS: usize = 3 * LENGTH_SCALES.len();
+const MAX_KERNELS: usize = 3 * LENGTH_SCALES.len();
 
 /// Length scale of the model with kinks, in units of the diagonal of the box. Likelihood takes the longest nearly always: a deviation then
 /// grows with the root of the distance from the points.
@@ -87,7 +87,7 @@ impl Grid {
 
     /// Number of models, at most: [`Model::place`] is less.
     pub fn most_models(&self) -> usize {
-        self.levels.len() * MOST_KERNELS + 1
+        self.levels.len() * MAX_KERNELS + 1
     }
 
     /// The model of a process with kinks everywhere, without noise; nothing where its matrix is singular to round-off. Likelihood does not choose it
@@ -96,7 +96,7 @@ impl Grid {
         let prepare = || {
             let kernel = Kernel { smoothness: Smoothness::Never, length_scale: LENGTH_WITH_KINKS * self.diagonal };
             let (trend, covariance) = ((self.trend, &self.terms[..]), kernel.covariance(&self.distances, 0));
-            let place = self.levels.len() * MOST_KERNELS;
+            let place = self.levels.len() * MAX_KERNELS;
             Model::try_new(place, &self.seen, covariance, trend, kernel, NOISE_RATIOS[0], None)
         };
         self.with_kinks.get_or_init(prepare).as_ref()
@@ -117,7 +117,7 @@ impl Grid {
 
     /// Whether points may be appended to it.
     pub fn may_be_appended_to(&self) -> bool {
-        self.seen.len() <= MOST_APPENDED_TO
+        self.seen.len() <= MAX_APPENDED_TO
     }
 
     /// Factors of the models that have been prepared, by their places.
@@ -141,7 +141,7 @@ impl Grid {
     fn model(&self, (place, kernel): (usize, Kernel), level: usize) -> Option<Model> {
         let diagonal = self.diagonal;
         let scale = LENGTH_SCALES.iter().position(|scale| scale * diagonal == kernel.length_scale);
-        let place = level * MOST_KERNELS + place;
+        let place = level * MAX_KERNELS + place;
         let known = self.known.get(&place).map(|known| &**known);
         // Where points are appended to a factor, what is known in it is not needed again.
         let first = known.map_or(0, Factor::known);

@@ -1,8 +1,8 @@
 //! Smoothers of parts of the box, where there are more points than one smoother factorises.
 //!
-//! Up to [`MOST_TOGETHER`] points are seen by one smoother. More of them are divided, always in half along the longest side of a
-//! part, until no part holds more than [`MOST_OWN`]. The smoother of a part sees the nearest points of other parts as well,
-//! [`MOST_SEEN`] in all, so that it does not end at the border. A place is predicted by the smoother of the part that it lies in.
+//! Up to [`MAX_TOGETHER`] points are seen by one smoother. More of them are divided, always in half along the longest side of a
+//! part, until no part holds more than [`MAX_OWN`]. The smoother of a part sees the nearest points of other parts as well,
+//! [`MAX_SEEN`] in all, so that it does not end at the border. A place is predicted by the smoother of the part that it lies in.
 //! Each part chooses its own process: work and memory grow with the number of points, and a response may be rough in one part and
 //! smooth in another. Local processes: R. B. Gramacy and D. W. Apley, "Local Gaussian process approximation for large computer
 //! experiments", Journal of Computational and Graphical Statistics 24 (2015) 561-578; there each place has its own.
@@ -16,13 +16,13 @@ use crate::search::models::smoother::{Fit, Smoother};
 use crate::search::search_box::{Axes, Region};
 
 /// Points that one smoother sees, at most: it factorises matrices of this order.
-const MOST_TOGETHER: usize = 512;
+const MAX_TOGETHER: usize = 512;
 
 /// Points of a part's own, at most, where there are several parts.
-const MOST_OWN: usize = 256;
+const MAX_OWN: usize = 256;
 
-/// Points that the smoother of a part sees: two of them take no longer than one of [`MOST_TOGETHER`] points.
-const MOST_SEEN: usize = 384;
+/// Points that the smoother of a part sees: two of them take no longer than one of [`MAX_TOGETHER`] points.
+const MAX_SEEN: usize = 384;
 
 /// The models of one set of points, shared by all statistics that are known there.
 pub(crate) struct LocalSmoothers {
@@ -88,7 +88,7 @@ impl LocalSmoothers {
         axes: &Axes,
         grid: impl Fn(usize, &[Vec<f64>]) -> Option<Arc<Grid>>,
     ) -> Option<Self> {
-        if points.len() <= MOST_TOGETHER {
+        if points.len() <= MAX_TOGETHER {
             let (region, seen) = (Region::whole(points.first()?.len()), (0..points.len()).collect());
             let grid = grid(0, &points)?;
             let smoother = Smoother::new(grid, points, candidates, axes);
@@ -271,7 +271,7 @@ impl<'a> LocalFits<'a> {
 
 /// Appends `own` points in `region`, in increasing order, or the parts that they are divided into.
 fn divide(points: &[Vec<f64>], own: Vec<usize>, region: Region, parts: &mut Vec<(Region, Vec<usize>)>) {
-    if own.len() <= MOST_OWN {
+    if own.len() <= MAX_OWN {
         return parts.push((region, own));
     }
     let Some((axis, border)) = division(points, &own, &region) else { return parts.push((region, own)) };
@@ -307,7 +307,7 @@ fn with_neighbours(points: &[Vec<f64>], own: &[usize], region: &Region, axes: &A
     let others = (0..points.len()).filter(|point| own.binary_search(point).is_err());
     let mut others: Vec<(f64, usize)> = others.map(|point| (region.distance(axes, &points[point]), point)).collect();
     others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let near = others.into_iter().take(MOST_SEEN.saturating_sub(own.len())).map(|(_, point)| point);
+    let near = others.into_iter().take(MAX_SEEN.saturating_sub(own.len())).map(|(_, point)| point);
     let mut seen: Vec<usize> = own.iter().copied().chain(near).collect();
     seen.sort_unstable();
     seen
@@ -315,7 +315,7 @@ fn with_neighbours(points: &[Vec<f64>], own: &[usize], region: &Region, axes: &A
 
 #[cfg(test)]
 mod tests {
-    use super::{LocalSmoothers, MOST_OWN, MOST_SEEN, MOST_TOGETHER, divide};
+    use super::{LocalSmoothers, MAX_OWN, MAX_SEEN, MAX_TOGETHER, divide};
     use crate::search::design::{candidates, first_points};
     use crate::search::models::noise::Noise;
     use crate::search::models::prediction::Allowance;
@@ -337,8 +337,8 @@ mod tests {
         let axes = Axes::open(2);
         let points = points();
         let smoothers = LocalSmoothers::try_new(points.clone(), &candidates(2).unwrap(), true, &axes).unwrap();
-        assert!(smoothers.parts.len() >= POINTS.div_ceil(MOST_OWN), "{}", smoothers.parts.len());
-        assert!(smoothers.parts.iter().all(|part| part.seen.len() == MOST_SEEN));
+        assert!(smoothers.parts.len() >= POINTS.div_ceil(MAX_OWN), "{}", smoothers.parts.len());
+        assert!(smoothers.parts.iter().all(|part| part.seen.len() == MAX_SEEN));
         let values: Vec<f64> = points.iter().map(|u| ripple(u)).collect();
         let fits = smoothers.fit(&values, &Noise::NONE);
         assert_eq!(fits.places().len(), candidates(2).unwrap().len() + POINTS);
@@ -358,7 +358,7 @@ mod tests {
     #[test]
     fn identity_a_ripple_lies_within_the_stated_deviation_across_the_borders() {
         // Share of places within two deviations; a Gaussian process would have 0.95, chosen grid and all.
-        const LEAST_SHARE: f64 = 0.9;
+        const MIN_SHARE: f64 = 0.9;
         let points = points();
         let values: Vec<f64> = points.iter().map(|u| ripple(u)).collect();
         let deviation = |count: usize| {
@@ -375,11 +375,11 @@ mod tests {
                 places += 1;
                 largest = largest.max(at.deviation);
             }
-            assert!(within as f64 / f64::from(places) > LEAST_SHARE, "{within} of {places}");
+            assert!(within as f64 / f64::from(places) > MIN_SHARE, "{within} of {places}");
             largest
         };
         // More points than one smoother sees say more.
-        let (few, many) = (deviation(MOST_TOGETHER), deviation(POINTS));
+        let (few, many) = (deviation(MAX_TOGETHER), deviation(POINTS));
         assert!(many < 0.5 * few, "{many} {few}");
     }
 
@@ -394,6 +394,6 @@ mod tests {
         let mut members: Vec<usize> = parts.iter().flat_map(|(_, own)| own.iter().copied()).collect();
         members.sort_unstable();
         assert_eq!(members, (0..POINTS).collect::<Vec<_>>());
-        assert!(parts.iter().filter(|(_, own)| own.len() > MOST_OWN).count() == 1, "{}", parts.len());
+        assert!(parts.iter().filter(|(_, own)| own.len() > MAX_OWN).count() == 1, "{}", parts.len());
     }
 }

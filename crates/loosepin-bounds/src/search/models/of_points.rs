@@ -17,20 +17,20 @@ use crate::search::target::Target;
 pub(crate) const TARGETS_AT_ONCE: usize = 16;
 
 /// Two new points of one round keep this distance, in units of the box.
-pub(in crate::search) const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
+pub(in crate::search) const MIN_DISTANCE_IN_ROUND: f64 = 0.02;
 
 /// A new point keeps this distance from all earlier ones.
-pub(in crate::search) const LEAST_DISTANCE: f64 = 1e-6;
+pub(in crate::search) const MIN_DISTANCE: f64 = 1e-6;
 
 /// With more targets than this (the poses of curves) next points are sought at the candidates alone, and the reach of each is found by a few
 /// short climbs.
-pub(crate) const MOST_LOCATED_TARGETS: usize = 256;
+pub(crate) const MAX_LOCATED_TARGETS: usize = 256;
 
 /// From this share of noise on, what values differ by from one point to the next says more of it than of the statistic.
 const MOSTLY_NOISE: f64 = 0.5;
 
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
-const MOST_NEIGHBOURHOODS: usize = 12;
+const MAX_NEIGHBOURHOODS: usize = 12;
 
 /// Distances of these surroundings along each axis, in units of the box.
 const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
@@ -137,7 +137,7 @@ impl<'a> Search<'a> {
             extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
             let near = extremes
                 .into_iter()
-                .take(MOST_NEIGHBOURHOODS)
+                .take(MAX_NEIGHBOURHOODS)
                 .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
@@ -152,7 +152,7 @@ impl<'a> Search<'a> {
 
     /// Whether there are so many targets that they are the poses of curves.
     pub fn is_of_curves(&self) -> bool {
-        self.targets > MOST_LOCATED_TARGETS
+        self.targets > MAX_LOCATED_TARGETS
     }
 
     /// The models of `target`, one for each combination of the discrete inputs.
@@ -204,8 +204,8 @@ impl<'a> Search<'a> {
     pub fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
         let mut chosen: Vec<Place> = Vec::new();
         for place in places {
-            let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
-                && chosen.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
+            let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE)
+                && chosen.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE_IN_ROUND);
             if is_new && chosen.len() < count {
                 chosen.push(place);
             }

@@ -34,7 +34,7 @@ use loosepin_math::dense::dot;
 use loosepin_math::{beside_one_another, dots_of_each};
 
 /// A deviation σ below this share of the range of the estimates is round-off.
-const LEAST_DEVIATION: f64 = 1e-12;
+const MIN_DEVIATION: f64 = 1e-12;
 
 /// Lists of values that are worked out side by side: as many as there are numbers in two vectors.
 const LISTS_AT_ONCE: usize = 8;
@@ -281,7 +281,7 @@ impl<'v> Prepared<'v> {
         let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
         let residual = smoother.grid.residual(&values);
         let freedom = (count - smoother.grid.terms.len() / count) as f64;
-        let floor = (LEAST_DEVIATION * range).powi(2);
+        let floor = (MIN_DEVIATION * range).powi(2);
         let of_noise = if noise.variance > floor { noise.variance } else { 0.0 };
         // What polynomials in the random inputs give exactly is smooth in u as well.
         let has_noise = !noise.replicates.is_empty() || of_noise > 0.0;
@@ -487,8 +487,8 @@ mod tests {
     #[test]
     fn identity_a_smooth_function_lies_within_the_stated_deviation() {
         // Share of places within two deviations; a Gaussian process would have 0.95, chosen grid and all.
-        const LEAST_SHARE: f64 = 0.9;
-        const LARGEST_DEVIATION: f64 = 0.05; // of a function with range 2.6
+        const MIN_SHARE: f64 = 0.9;
+        const MAX_DEVIATION: f64 = 0.05; // of a function with range 2.6
         let points = first_points(7, 2, 32).unwrap();
         let function = |u: &[f64]| (4.0 * u[0]).sin() + 0.6 * (3.0 * u[1] + u[0]).cos();
         let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
@@ -503,9 +503,9 @@ mod tests {
                 (mean - function(place)).abs() <= 2.0 * deviation + 1e-9
             })
             .count() as f64;
-        assert!(within / places > LEAST_SHARE, "{}", within / places);
+        assert!(within / places > MIN_SHARE, "{}", within / places);
         let largest = fit.at_places(Allowance::ONE).fold(0.0_f64, |largest, at| largest.max(at.deviation));
-        assert!(largest < LARGEST_DEVIATION, "{largest}");
+        assert!(largest < MAX_DEVIATION, "{largest}");
     }
 
     #[test]
@@ -550,7 +550,7 @@ mod tests {
         const CELLS: u64 = 100; // along each axis
         const SEEDS: u64 = 40;
         // 0.99 are to hold: more than two of 40 miss with probability 0.007.
-        const MOST_MISSES: usize = 2;
+        const MAX_MISSES: usize = 2;
         let trend = |u: &[f64]| 0.3 * (3.0 * u[0]).sin() + 0.2 * u[1] * u[1];
         let (mut misses, mut found, mut conceded) = (0, 0.0, 0.0);
         for seed in 0..SEEDS {
@@ -574,7 +574,7 @@ mod tests {
             found += fit.at(&[0.5, 0.5], Allowance::CONCESSION).roughness.deviation / SEEDS as f64;
             conceded += (most - greatest) / SEEDS as f64;
         }
-        assert!(misses <= MOST_MISSES, "{misses} of {SEEDS}");
+        assert!(misses <= MAX_MISSES, "{misses} of {SEEDS}");
         // The mean of 40 deviations from about 50 degrees of freedom: to 0.1/√40 of itself.
         assert!((found / ROUGHNESS - 1.0).abs() < 0.1, "{found}");
         // In a corner 64 points leave 0.55 ω of the smooth part open, and four times that is conceded.

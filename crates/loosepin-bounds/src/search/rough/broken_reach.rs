@@ -13,17 +13,17 @@ use loosepin_math::dense::dot;
 
 /// Where slopes meet, only points so near to the extreme are its neighbours, in units of the box: a rounded extreme changes by a few resolutions of the
 /// search there, so that where it is taken for a kink little is conceded.
-const LARGEST_DISTANCE: f64 = 1e-3;
+const MAX_DISTANCE: f64 = 1e-3;
 
 /// The largest fall/d² of the neighbours, over the largest one further away, from which slopes are taken to meet. It is 3 where a rounded
 /// extreme lies as far from the summit as from its neighbour on the other side.
-const LEAST_STEEPENING: f64 = 3.0;
+const MIN_STEEPENING: f64 = 3.0;
 
 /// Least distance of points that count as further away, over that of the steepest neighbour.
 const FURTHER: f64 = 10.0;
 
 /// Fall/d² across an edge, over the largest one on this side of it, from which it is one. Around a rounded extreme it does not grow.
-const LEAST_BREAK: f64 = 10.0;
+const MIN_BREAK: f64 = 10.0;
 
 /// Of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more, up
 /// to the second, on the other.
@@ -89,13 +89,13 @@ impl Surroundings {
     /// How far beyond the extreme where slopes meet there.
     fn beyond_kink(&self) -> Option<f64> {
         let (nearest, others) = self.beside.split_at_checked(2 * self.dimensions)?;
-        if nearest.last()?.distance > LARGEST_DISTANCE {
+        if nearest.last()?.distance > MAX_DISTANCE {
             return None;
         }
         let steepest = nearest.iter().max_by(|a, b| a.curvature().total_cmp(&b.curvature()))?;
         let is_further = |other: &&Neighbour| other.distance > FURTHER * steepest.distance;
         let further = others.iter().filter(is_further).map(Neighbour::curvature);
-        let meets = steepest.curvature() > LEAST_STEEPENING * further.reduce(f64::max)?;
+        let meets = steepest.curvature() > MIN_STEEPENING * further.reduce(f64::max)?;
         let fall = nearest.iter().map(|neighbour| neighbour.fall).fold(0.0, f64::max);
         meets.then_some(MARGIN * fall)
     }
@@ -114,7 +114,7 @@ impl Surroundings {
         };
         self.beside.iter().find(confirms)?;
         let this_side = || self.beside.iter().filter(|neighbour| neighbour.fall < THIS_SIDE * across.fall);
-        let breaks = across.curvature() > LEAST_BREAK * this_side().map(Neighbour::curvature).reduce(f64::max)?;
+        let breaks = across.curvature() > MIN_BREAK * this_side().map(Neighbour::curvature).reduce(f64::max)?;
         let slope = this_side().take(2 * self.dimensions).map(Neighbour::slope).fold(0.0, f64::max);
         breaks.then_some(MARGIN * slope * across.distance)
     }

@@ -1,7 +1,7 @@
 //! Places at which two slopes meet.
 
 use crate::data::direction::{Direction, extreme_among};
-use crate::search::models::of_points::{LEAST_DISTANCE, Search};
+use crate::search::models::of_points::{MIN_DISTANCE, Search};
 use crate::search::parts::Element;
 use crate::search::search_box::Place;
 use crate::search::target::Target;
@@ -34,7 +34,7 @@ impl Search<'_> {
                             .points
                             .iter()
                             .chain(&chosen)
-                            .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
+                            .all(|point| self.axes.distance(point, &place) > MIN_DISTANCE);
                         let is_inside = element.region.holds(&place.at);
                         if gain > target.resolution(direction, target.values[extreme])
                             && is_inside
@@ -60,7 +60,7 @@ impl Search<'_> {
                     .iter()
                     .zip(&centre.at)
                     .enumerate()
-                    .all(|(k, (a, b))| k == axis || self.axes.step(k, *a, *b).abs() < LEAST_DISTANCE)
+                    .all(|(k, (a, b))| k == axis || self.axes.step(k, *a, *b).abs() < MIN_DISTANCE)
         };
         let on_line = || self.groups[centre.combination].iter().filter(|&&point| is_on_line(&self.points[point]));
         let side = |sign: f64| -> Option<(f64, f64, f64)> {

@@ -22,15 +22,15 @@ use loosepin_math::{FourRows, beside_one_another, exponentials};
 pub(in crate::search) const GAIN_OF_A_PARAMETER: f64 = 2.0;
 
 /// Fewer points for each parameter do not show how a variance depends on u.
-const LEAST_POINTS_OF_A_PARAMETER: usize = 4;
+const MIN_POINTS_OF_A_PARAMETER: usize = 4;
 
 /// Normal deviations of a one-sided interval of 95 %.
 const ONE_SIDED: f64 = 1.645;
 
 /// Steps of the iteration, and halvings of each, after which it has come to its end.
-const MOST_STEPS: usize = 50;
-const MOST_HALVINGS: usize = 8;
-const LEAST_GAIN: f64 = 1e-9;
+const MAX_STEPS: usize = 50;
+const MAX_HALVINGS: usize = 8;
+const MIN_GAIN: f64 = 1e-9;
 
 /// Standardised errors of predicting each estimate from the others may go up to this before a model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
@@ -92,7 +92,7 @@ impl Regressors {
             (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
         let by_point: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
         let size = dimensions + 1;
-        let is_enough = seen.len() >= LEAST_POINTS_OF_A_PARAMETER * size;
+        let is_enough = seen.len() >= MIN_POINTS_OF_A_PARAMETER * size;
         let factor = is_enough.then(|| Cholesky::new(gram(&by_point, size), size)).flatten();
         let rows = FourRows::new(&by_point, size);
         Self { centre, by_point, rows, covariance: factor.map(|factor| factor.inverse()) }
@@ -163,7 +163,7 @@ impl Slopes {
         let (mut reciprocals, mut of_trial) = (vec![0.0; ratios.len()], vec![0.0; ratios.len()]);
         let even = misfit(&coefficients, &mut reciprocals);
         let mut least = even;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let mut slope = vec![0.0; size];
             for ((row, ratio), reciprocal) in by_point.chunks(size).zip(ratios).zip(&reciprocals) {
                 let excess = ratio * reciprocal - 1.0;
@@ -172,7 +172,7 @@ impl Slopes {
                 }
             }
             let step = multiply(covariance, &slope);
-            let mut trials = (0..MOST_HALVINGS).map(|halvings| {
+            let mut trials = (0..MAX_HALVINGS).map(|halvings| {
                 let share = 0.5_f64.powi(halvings as i32);
                 let trial: Vec<f64> = coefficients.iter().zip(&step).map(|(own, step)| own + share * step).collect();
                 (misfit(&trial, &mut of_trial), trial)
@@ -182,7 +182,7 @@ impl Slopes {
             core::mem::swap(&mut reciprocals, &mut of_trial);
             let gain = least - found;
             (least, coefficients) = (found, trial);
-            if gain < LEAST_GAIN {
+            if gain < MIN_GAIN {
                 break;
             }
         }

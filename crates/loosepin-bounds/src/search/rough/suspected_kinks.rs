@@ -29,7 +29,7 @@ const EXPECTED_DISTRUST: f64 = 1.1;
 
 /// Noise looks like kinks, and what is conceded for it holds beside kinks too. It does not where its deviation is below this share of the largest
 /// error of predicting an estimate from the others.
-const LARGEST_SHARE_OF_NOISE: f64 = 0.01;
+const MAX_SHARE_OF_NOISE: f64 = 0.01;
 
 /// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
 /// where an estimate is left out the gap is twice as wide.
@@ -88,7 +88,7 @@ impl SuspectedKinks<'_> {
     pub fn are_confirmed(&self) -> bool {
         let distrust = || Scatter::even(&self.smoothest.errors(&self.residual), self.freedom).distrust;
         (self.is_doubtful || distrust() > EXPECTED_DISTRUST)
-            && self.of_noise <= LARGEST_SHARE_OF_NOISE * self.largest_error()
+            && self.of_noise <= MAX_SHARE_OF_NOISE * self.largest_error()
     }
 
     /// The values, less their mean.

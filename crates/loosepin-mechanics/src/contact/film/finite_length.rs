@@ -4,7 +4,7 @@ use super::half_sommerfeld::HalfSommerfeld;
 use super::motion::{FilmForce, FilmMotion};
 use super::ocvirk::OcvirkFilm;
 use super::pressure::{FilmBearing, FilmPressure};
-use super::quotient::{CROSSOVER, FilmQuotient, LARGEST_RATIO, THINNEST_SHARE};
+use super::quotient::{CROSSOVER, FilmQuotient, MAX_RATIO, THINNEST_SHARE};
 use loosepin_math::{Real, numbers, sin_cos};
 use std::cell::RefCell;
 
@@ -59,7 +59,7 @@ fn with_length(length_ratio: f64) -> FilmQuotient<f64> {
     film.fit((0..RATIOS).map(|k| {
         let share = 0.5 - 0.5 * sin_cos(std::f64::consts::PI * (k as f64 + 0.5) / RATIOS as f64).1;
         // Evenly over √(1 - ε), denser at the ends.
-        let thinnest = (1.0 - LARGEST_RATIO).sqrt();
+        let thinnest = (1.0 - MAX_RATIO).sqrt();
         let ratio = 1.0 - (thinnest + (1.0 - thinnest) * share).powi(2);
         let pressures = equation.pressures(ratio);
         (0..DIRECTIONS)

@@ -11,11 +11,11 @@ pub(super) const CROSSOVER: f64 = 0.5;
 const DEGREE: usize = 8;
 /// Pairs (i, j).
 pub(super) const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
-/// The sums are made for films down to this share of the clearance, so for eccentricity ratios up to [`LARGEST_RATIO`].
+/// The sums are made for films down to this share of the clearance, so for eccentricity ratios up to [`MAX_RATIO`].
 pub(super) const THINNEST_SHARE: f64 = 0.002;
-pub(super) const LARGEST_RATIO: f64 = 1.0 - THINNEST_SHARE;
+pub(super) const MAX_RATIO: f64 = 1.0 - THINNEST_SHARE;
 /// The relative error of a force counts with the root of its share of the largest at the same ε, and never less than this.
-const SMALLEST_WEIGHT: f64 = 0.1;
+const MIN_WEIGHT: f64 = 0.1;
 
 /// The force of a film in a bearing with the length ratio Λ = L/D: as a complex number F = F_r + i F_t it is Ocvirk's F₀
 /// ([`OcvirkFilm`]) over what the length takes away. With X + i Y = ε F₀/|F₀|, κ = ½,
@@ -69,7 +69,7 @@ impl FilmQuotient<f64> {
                     (radial * force.radial_n + tangential * force.tangential_n) / square,
                     (tangential * force.radial_n - radial * force.tangential_n) / square,
                 ];
-                let weight = (force.size_n() / largest).sqrt().max(SMALLEST_WEIGHT)
+                let weight = (force.size_n() / largest).sqrt().max(MIN_WEIGHT)
                     / (target[0] * target[0] + target[1] * target[1]).sqrt();
                 for part in 0..2 {
                     let factor = if part == 0 { weight } else { weight * place.across };
@@ -136,7 +136,7 @@ impl<T: Real> FilmQuotient<T> {
         let room = one + x;
         let eta = (one - motion.ratio * motion.ratio) / room;
         let share = |spread: f64| self.reach / (self.reach + T::from_f64(spread));
-        let (last, first) = (share((1.0 - LARGEST_RATIO).sqrt()), share((1.0 + LARGEST_RATIO).sqrt()));
+        let (last, first) = (share((1.0 - MAX_RATIO).sqrt()), share((1.0 + MAX_RATIO).sqrt()));
         let u = self.reach / (self.reach + room.sqrt());
         Place {
             short,

@@ -10,7 +10,7 @@ use loosepin_math::{Real, numbers, sin_cos};
 /// The largest Λ of the table.
 const LONGEST: f64 = 4.0;
 /// l of a very short bearing.
-const LEAST_REACH: f64 = 0.05;
+const MIN_REACH: f64 = 0.05;
 
 /// Bearing of any length up to Λ = L/D = 4 under the Reynolds condition (Swift 1932, Stieber 1933): the pressure is nowhere negative, and
 /// where the film ruptures pressure and slope vanish together. The problem is nonlinear in the velocity; its solution (`RupturedFilm` of
@@ -57,7 +57,7 @@ impl<T: Real> FilmPressure<T> for ReynoldsFilm<T> {
 
 /// For Λ, without sums.
 fn without_sums(length_ratio: f64) -> FilmQuotient<f64> {
-    let reach = (CROSSOVER * length_ratio * length_ratio + LEAST_REACH * LEAST_REACH).sqrt();
+    let reach = (CROSSOVER * length_ratio * length_ratio + MIN_REACH * MIN_REACH).sqrt();
     FilmQuotient::without_sums(length_ratio, reach)
 }
 
@@ -97,7 +97,7 @@ fn with_length(length_ratio: f64) -> FilmQuotient<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quotient::LARGEST_RATIO;
+    use super::super::quotient::MAX_RATIO;
     use super::super::ruptured::RupturedFilm;
     use super::*;
     use std::f64::consts::PI;
@@ -118,7 +118,7 @@ mod tests {
         film.fit((0..RATIOS).map(|k| {
             let share = 0.5 - 0.5 * sin_cos(PI * k as f64 / (RATIOS - 1) as f64).1;
             // Evenly over √(1 - ε), denser at the ends.
-            let thinnest = (1.0 - LARGEST_RATIO).sqrt();
+            let thinnest = (1.0 - MAX_RATIO).sqrt();
             let ratio = 1.0 - (thinnest + (1.0 - thinnest) * share).powi(2);
             let mut solution = RupturedFilm::new(length_ratio, ratio);
             (0..DIRECTIONS)

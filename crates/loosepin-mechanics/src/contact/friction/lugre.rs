@@ -9,7 +9,7 @@ use loosepin_text::document::quantity;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// g(v) is at least this: bristles settle in a time g/(σ0 |v|), so that with no friction at all they would be infinitely fast.
-const SMALLEST_COEFFICIENT: f64 = 1e-4;
+const MIN_COEFFICIENT: f64 = 1e-4;
 
 /// Friction with a memory (Canudas de Wit, Olsson, Åström and Lischinsky 1995): bristles of mean deflection z
 /// between the surfaces, ż = v - σ0 |v| z/g(v), F_T = -F_N (σ0 z + σ1 ż + η v), g(v) = μ_c + (μ_s - μ_c) exp(-(v/v_s)²).
@@ -77,12 +77,12 @@ impl LuGreFriction<f64> {
 }
 
 impl<T: Real> LuGreFriction<T> {
-    /// g(v), never below [`SMALLEST_COEFFICIENT`].
+    /// g(v), never below [`MIN_COEFFICIENT`].
     #[inline(always)]
     fn settled(&self, velocity_m_s: T) -> T {
         let share = velocity_m_s / self.stribeck_speed_m_s;
         let peak = (self.static_coefficient - self.coefficient) * exponential(-(share * share));
-        (self.coefficient + peak).max(T::from_f64(SMALLEST_COEFFICIENT))
+        (self.coefficient + peak).max(T::from_f64(MIN_COEFFICIENT))
     }
 }
 
@@ -112,7 +112,7 @@ impl<T: Real> Friction<T> for LuGreFriction<T> {
     /// (μ_c or μ_s)/σ0, the larger.
     #[inline(always)]
     fn largest_deflection_m(&self) -> T {
-        let largest = self.coefficient.max(self.static_coefficient).max(T::from_f64(SMALLEST_COEFFICIENT));
+        let largest = self.coefficient.max(self.static_coefficient).max(T::from_f64(MIN_COEFFICIENT));
         largest / self.bristle_stiffness_1_m
     }
 }

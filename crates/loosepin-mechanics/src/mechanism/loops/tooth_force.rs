@@ -19,7 +19,7 @@ use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
 /// By what share the distance of two gears may differ from what their pitch radii give: rounded numbers of a drawing.
-const LARGEST_MISFIT: f64 = 0.01;
+const MAX_MISFIT: f64 = 0.01;
 
 impl<T: Real> ToothForce<T> {
     /// What the force of the teeth adds to the force of the first or second joint (`side`) on its second body, N, in the ground's
@@ -72,7 +72,7 @@ pub(in crate::mechanism) fn demand_fit(
         let joints = [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, &number));
         let [first, second] = centres_m(&joints, &tree.coupling_place(model, index), kinematics);
         let distance_m = (second - first).length();
-        if due_m == 0.0 || (distance_m - due_m).abs() > LARGEST_MISFIT * due_m {
+        if due_m == 0.0 || (distance_m - due_m).abs() > MAX_MISFIT * due_m {
             let [distance, due] = format_apart([distance_m, due_m], Dimension::LENGTH);
             return Err(MechanismError::PitchCirclesApart { path: coupling.path.clone(), distance, due });
         }

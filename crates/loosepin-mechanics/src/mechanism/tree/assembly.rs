@@ -17,10 +17,10 @@ const STARTS: usize = 48;
 /// Levenberg-Marquardt steps from each starting point.
 const STEPS: usize = 200;
 /// Starting points that are tried however large the mechanism is, until one closes.
-const LEAST_STARTS: usize = 4;
+const MIN_STARTS: usize = 4;
 /// What all steps may cost once these are tried: each costs the square of the free coordinates. Up to 60 free coordinates it is
 /// enough for every step of every starting point; of 1,000 free bodies none but the first few are tried.
-const MOST_WORK: usize = STARTS * STEPS * 60 * 60;
+const MAX_WORK: usize = STARTS * STEPS * 60 * 60;
 /// Residual relative to the size of the mechanism that counts as closed.
 const CLOSED: f64 = 1e-11;
 /// Two assemblies are the same when no body differs by more than this angle, rad, or share of the size.
@@ -54,8 +54,8 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
     let mut best_open: Option<(f64, Vec<f64>)> = None;
     let (mut work, mut starts) = (0, 0);
     for start in 0..STARTS {
-        let is_enough = if found.is_empty() { start >= LEAST_STARTS } else { start > 0 };
-        if is_enough && work >= MOST_WORK {
+        let is_enough = if found.is_empty() { start >= MIN_STARTS } else { start > 0 };
+        if is_enough && work >= MAX_WORK {
             break;
         }
         starts += 1;

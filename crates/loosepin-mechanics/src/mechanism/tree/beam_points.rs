@@ -6,7 +6,7 @@ use crate::model::{Body, BodyId, Model, PointId, Values};
 
 /// Share of the length by which a run may put a point off its section. The section carries it as a rigid arm, which misses ½ w'' Δ² of its
 /// deflection and ε Δ of its stretch: 0.2 % of the deflection of a half wave.
-const LARGEST_SHIFT: f64 = 0.02;
+const MAX_SHIFT: f64 = 0.02;
 
 /// Names of the first flexible body and of its point that lies beyond the ends of its beam.
 pub(in crate::mechanism) fn point_beyond_beam(model: &Model, values: &Values) -> Option<(String, String)> {
@@ -31,11 +31,11 @@ pub(in crate::mechanism) fn point_off_section(
             let share = share_of(model, PointId { body: beam.body, point: index }, values);
             let from_root = if beam.is_reversed { 1.0 - share } else { share };
             let off = from_root - beam.station(beam.places[index]).share;
-            (off.abs() > LARGEST_SHIFT).then(|| SampleError::PointOffSection {
+            (off.abs() > MAX_SHIFT).then(|| SampleError::PointOffSection {
                 body: name.clone(),
                 point: point.name.clone(),
                 share: off,
-                largest: LARGEST_SHIFT,
+                largest: MAX_SHIFT,
             })
         })
     })

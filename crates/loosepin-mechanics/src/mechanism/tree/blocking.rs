@@ -19,7 +19,7 @@ const POSITIONS: usize = 3;
 /// Entries of a combination below this share of its largest are round-off of the elimination.
 const ROUND_OFF: f64 = 1e-9;
 /// Coordinates of mechanisms that are looked at: the combinations of larger ones take too long for a message.
-const MOST_COORDINATES: usize = 300;
+const MAX_COORDINATES: usize = 300;
 
 problems! {
     /// What keeps it from closing or moving.
@@ -42,7 +42,7 @@ pub(in crate::mechanism) fn blocking(model: &Model) -> Option<Blocking> {
     let values = model.quantities.nominal();
     let tree = Tree::new(model, |_| true).ok()?;
     let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
-    if rows == 0 || columns > MOST_COORDINATES {
+    if rows == 0 || columns > MAX_COORDINATES {
         return None;
     }
     let geometry = Geometry::new(model, &tree, &values);

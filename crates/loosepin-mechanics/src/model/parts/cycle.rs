@@ -7,7 +7,7 @@ use loosepin_text::record;
 use loosepin_text::units::Rule;
 
 /// Rows recorded in a turn, at most.
-const MOST_SAMPLES_PER_TURN: u64 = 1_000_000;
+const MAX_SAMPLES_PER_TURN: u64 = 1_000_000;
 
 record! {
     /// how much is run and recorded
@@ -17,7 +17,7 @@ record! {
     /// turns recorded
     optional recorded_turns: Option<f64> = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
     /// rows recorded in a turn
-    optional samples_per_turn: Option<usize> = count(1, MOST_SAMPLES_PER_TURN), "500", or 500;
+    optional samples_per_turn: Option<usize> = count(1, MAX_SAMPLES_PER_TURN), "500", or 500;
 }
 
 /// Numbers of `[cycle]`, in model and study files alike.

@@ -62,7 +62,7 @@ pub enum WearGeometry {
 }
 
 /// Jumps over the cycles of a life, at most.
-pub const MOST_JUMPS: usize = 4096;
+pub const MAX_JUMPS: usize = 4096;
 
 /// Jumps over cycles by Heun's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -217,7 +217,7 @@ record! {
     /// fixed: the joint keeps its unworn shape, so that wear grows evenly with the cycles; worn: the worn shape acts back on forces and pressure
     optional geometry: ActsBack = choice::<ActsBack>(), "\"worn\"", or "fixed";
     /// equal jumps over the cycles with geometry = "worn"; chosen by the tolerance if left out
-    optional jumps: usize = count(1, MOST_JUMPS as u64), "16";
+    optional jumps: usize = count(1, MAX_JUMPS as u64), "16";
     /// error of a jump in the depth of any sector
     optional tolerance: Later<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
     /// the output whose largest deviation from the ideal motion ends the life of the mechanism

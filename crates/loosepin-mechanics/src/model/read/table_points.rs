@@ -9,7 +9,7 @@ use loosepin_text::document::{Entry, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
 /// A cubic spline needs two intervals to have a bend.
-const LEAST_POINTS: usize = 3;
+const MIN_POINTS: usize = 3;
 
 impl EntryReader for ModelReader {
     fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
@@ -36,8 +36,8 @@ impl EntryReader for ModelReader {
 impl ModelReader {
     fn points_of_list(&mut self, list: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
         let elements = self.reader.list(list)?;
-        if elements.len() < LEAST_POINTS {
-            let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: LEAST_POINTS };
+        if elements.len() < MIN_POINTS {
+            let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: MIN_POINTS };
             return self.reader.refuse(&problem, list.span);
         }
         let mut points: Vec<[QuantityId; 2]> = Vec::new();
@@ -139,8 +139,8 @@ impl ModelReader {
             }
             points.push(ids);
         }
-        if points.len() < LEAST_POINTS {
-            complain(self, ModelProblem::TooFewPoints { entry: entry.path.describe(), least: LEAST_POINTS }, 0..0);
+        if points.len() < MIN_POINTS {
+            complain(self, ModelProblem::TooFewPoints { entry: entry.path.describe(), least: MIN_POINTS }, 0..0);
             return None;
         }
         is_sound.then_some(points)

@@ -5,7 +5,7 @@ use loosepin_math::Real;
 use loosepin_text::units::{Dimension, Names, Op, run};
 
 /// Whole and half exponents up to this are powers by multiplication.
-const LARGEST_MULTIPLIED: f64 = 32.0;
+const MAX_MULTIPLIED: f64 = 32.0;
 
 /// A variable of a function: its name and what it measures.
 pub(in crate::model) type Variable = (&'static str, Dimension);
@@ -126,7 +126,7 @@ impl Function {
             }
             Op::Power => {
                 let halves = number(b).map(|exponent| 2.0 * exponent);
-                let multiplied = |halves: &f64| *halves == halves.round() && halves.abs() <= 2.0 * LARGEST_MULTIPLIED;
+                let multiplied = |halves: &f64| *halves == halves.round() && halves.abs() <= 2.0 * MAX_MULTIPLIED;
                 match halves.filter(multiplied) {
                     Some(halves) => Step::Power(a, halves as i32),
                     None => Step::Two(op, a, b),

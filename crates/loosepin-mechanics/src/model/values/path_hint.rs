@@ -8,7 +8,7 @@ use loosepin_text::document::describe_path;
 use loosepin_text::units::listed;
 
 /// Names that a hint lists, at most.
-const MOST_LISTED: usize = 8;
+const MAX_LISTED: usize = 8;
 
 impl Model {
     /// Why `path` names no quantity of the model.
@@ -84,7 +84,7 @@ impl Model {
                 None => "paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned(),
             },
             some => {
-                let quoted: Vec<String> = some.iter().take(MOST_LISTED).map(|known| format!("'{known}'")).collect();
+                let quoted: Vec<String> = some.iter().take(MAX_LISTED).map(|known| format!("'{known}'")).collect();
                 format!("did you mean {}?", listed(&quoted, "or"))
             }
         }
@@ -103,8 +103,8 @@ impl Model {
 /// Names in quotes, the first few of many.
 fn named<'n>(names: impl Iterator<Item = &'n str>) -> String {
     let mut quoted: Vec<String> = names.map(|name| format!("'{name}'")).collect();
-    if quoted.len() > MOST_LISTED {
-        quoted.truncate(MOST_LISTED);
+    if quoted.len() > MAX_LISTED {
+        quoted.truncate(MAX_LISTED);
         return format!("{} and more", quoted.join(", "));
     }
     listed(&quoted, "and")

@@ -10,7 +10,7 @@ use loosepin_text::units::format_number;
 /// Digits of an error, and of a number of runs that is foreseen.
 const ERROR_DIGITS: usize = 2;
 /// Targets that are told one by one; the others stand in `summary.json`.
-const MOST_TARGETS: usize = 12;
+const MAX_TARGETS: usize = 12;
 
 /// The end of the study, then required and reached accuracy of each target; those that are not reached come first.
 pub(crate) fn accuracy_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
@@ -24,9 +24,9 @@ fn sentences(result: &StudyResult, record: &AccuracyRecord, writer: &NumberWrite
     let mut sentences = vec![ending(record, writer)];
     let mut targets: Vec<&AccuracyOutcome> = record.targets.iter().collect();
     targets.sort_by_key(|target| target.is_reached());
-    sentences.extend(targets.iter().take(MOST_TARGETS).map(|target| outcome(result, record, target, writer)));
-    if targets.len() > MOST_TARGETS {
-        sentences.push(format!("{} more in summary.json.", targets.len() - MOST_TARGETS));
+    sentences.extend(targets.iter().take(MAX_TARGETS).map(|target| outcome(result, record, target, writer)));
+    if targets.len() > MAX_TARGETS {
+        sentences.push(format!("{} more in summary.json.", targets.len() - MAX_TARGETS));
     }
     if record.stop == AccuracyStop::Budget {
         sentences.push(format!(

@@ -9,7 +9,7 @@ use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text
 use loosepin_text::units::SiUnit;
 
 /// More statistics are left to `bounds.csv`.
-const MOST_STATISTICS: usize = 20;
+const MAX_STATISTICS: usize = 20;
 
 /// For the page alone; `None` if no input is a fuzzy number.
 pub(crate) fn degrees_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
@@ -67,11 +67,11 @@ fn section(
     };
     let heads = columns.iter().map(|(title, ..)| Column::numbers(title.as_str()));
     let heads = std::iter::once(Column::words(head("statistic"))).chain(heads).collect();
-    let table = Table::new::<Cell>(heads, rows.iter().take(MOST_STATISTICS).map(row));
+    let table = Table::new::<Cell>(heads, rows.iter().take(MAX_STATISTICS).map(row));
     let mut section = Section::new(id, heading);
     section.push_on(Medium::Page, Content::sentences([meaning]));
     section.push(Content::Table(table));
-    let others = rows.len().saturating_sub(MOST_STATISTICS);
+    let others = rows.len().saturating_sub(MAX_STATISTICS);
     if others > 0 {
         let more = further(others, "statistic", "", &Tag::whole("statistics without a row", id), writer);
         section.push(Content::Note(Text::from(more).code("bounds.csv").plain(".")));

@@ -10,7 +10,7 @@ use loosepin_text::article::{Content, Medium, Section};
 use loosepin_text::units::SiUnit;
 
 /// Promised ends in sentences, at most; the others stand in the file.
-const MOST_ENDS: usize = 24;
+const MAX_ENDS: usize = 24;
 
 /// What is promised and of what, then one sentence for each promised end; nothing where nothing is promised.
 pub(crate) fn promise_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
@@ -26,7 +26,7 @@ pub(crate) fn promise_section(result: &StudyResult, writer: &NumberWriter) -> Op
 
 fn end_sentences(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWriter) -> Vec<String> {
     let is_shown = |end: &&PromisedEnd| !matches!(end.at, ResponsePoint::Curve { .. });
-    let shown: Vec<&PromisedEnd> = promise.ends.iter().filter(is_shown).take(MOST_ENDS).collect();
+    let shown: Vec<&PromisedEnd> = promise.ends.iter().filter(is_shown).take(MAX_ENDS).collect();
     let left = promise.ends.len() - shown.len();
     let mut sentences: Vec<String> = shown.into_iter().map(|end| end_sentence(result, promise, end, writer)).collect();
     sentences.extend(promise.bands.iter().map(|band| band_sentence(result, promise, band, writer)));

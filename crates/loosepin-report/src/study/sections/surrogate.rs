@@ -21,7 +21,7 @@ use loosepin_result::study::{
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 
 /// Rows of a table; the others stand in `summary.json`.
-const MOST_ROWS: usize = 24;
+const MAX_ROWS: usize = 24;
 
 /// `None` if no surrogate was asked for.
 pub(crate) fn surrogate_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
@@ -38,7 +38,7 @@ pub(crate) fn surrogate_section(result: &StudyResult, writer: &NumberWriter) -> 
     section.push_close(Content::points(output_sentences(result, record, writer)));
     let single: Vec<&BoundRecord> =
         record.bounds.iter().filter(|bound| !matches!(bound.at, ResponsePoint::Curve { .. })).collect();
-    let shown = &single[..single.len().min(MOST_ROWS)];
+    let shown = &single[..single.len().min(MAX_ROWS)];
     section.push(Content::Table(bounds_table(result, shown, writer)));
     let (left_of_table, left_of_all) = (single.len() - shown.len(), record.bounds.len() - shown.len());
     if left_of_all > 0 {

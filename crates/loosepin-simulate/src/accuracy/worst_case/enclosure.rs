@@ -25,7 +25,7 @@ const BOXES: usize = 8;
 /// How much larger than what they must hold they are made.
 const INFLATION: f64 = 1.15;
 /// A box that has grown so much since the first is given up.
-const LARGEST_GROWTH: f64 = 50.0;
+const MAX_GROWTH: f64 = 50.0;
 
 /// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.
 pub(in super::super) struct Enclosed {
@@ -205,7 +205,7 @@ impl<'a> Encloser<'a> {
                 let positions = centre.iter().zip(&found).map(|(q, away)| *q + *away).collect();
                 return Ok(Closed { positions, tried: box_, slopes: at });
             }
-            if n > 0 && !(growth(worst) < LARGEST_GROWTH) {
+            if n > 0 && !(growth(worst) < MAX_GROWTH) {
                 break;
             }
             for (radius, found) in radii.iter_mut().zip(&found) {

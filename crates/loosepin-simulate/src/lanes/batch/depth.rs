@@ -4,7 +4,7 @@ use super::Batch;
 use crate::failure::RunFailure;
 use crate::lanes::lane::LaneRun;
 use crate::lanes::memory::LaneLayout;
-use crate::lanes::pass::{LARGEST_RESIDUAL, step_in_time};
+use crate::lanes::pass::{MAX_RESIDUAL, step_in_time};
 use crate::lanes::reads::ReadLayout;
 use crate::stepping::gap::ContactStep;
 use loosepin_mechanics::dynamics::WithoutValue;
@@ -113,7 +113,7 @@ impl Batch<'_> {
     pub(super) fn check_joint_friction(&self, lane: usize) -> Result<(), RunFailure> {
         for index in 0..self.core.pass.reads.frictions() {
             let residual = self.core.end_read(lane, self.core.pass.reads.friction(index));
-            if !(residual <= LARGEST_RESIDUAL)
+            if !(residual <= MAX_RESIDUAL)
                 && let Some(run) = &self.runs[lane]
             {
                 let joint = run.sample.frictions[index].joint;

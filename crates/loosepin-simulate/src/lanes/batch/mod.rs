@@ -38,12 +38,12 @@ use loosepin_mechanics::model::Reading;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
-pub(crate) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
+pub(crate) const MAX_STEP_TURNS: f64 = 1.0 / 96.0;
 /// A motion that starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
 /// size of the mechanism: tolerances of the energy account need a size.
-const LEAST_ENERGY_SHARE: f64 = 1e-3;
+const MIN_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
-const SMALLEST_STEP_TURNS: f64 = 1e-14;
+const MIN_STEP_TURNS: f64 = 1e-14;
 /// Evaluations after which a run alone goes on as machine code: about as many take as long as making it does (12,500 of `slider_crank_5000`,
 /// 11,200 of `six_bar`), so that no run takes more than twice as long as without.
 const EVALUATIONS_ALONE: u64 = 12_000;
@@ -288,14 +288,14 @@ impl<'a> Batch<'a> {
         let at_start = self.view.dynamics.energy(|_| false);
         let mut energy_j = at_start.kinetic_j;
         if !(energy_j > 0.0) || !self.mechanism.is_driven() {
-            energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
+            energy_j = energy_j.max(MIN_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
         }
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
         if let Some(resume) = &resume {
             self.core.resume(lane, resume);
         }
         let turn_s = std::f64::consts::TAU / rate_1_s;
-        let longest_s = LARGEST_STEP_TURNS * turn_s;
+        let longest_s = MAX_STEP_TURNS * turn_s;
         let stop_s = next_stop_s(&sample, start_s, &window);
         let awaited_s = queue.observer(observer).map_or(f64::INFINITY, |observer| observer.awaits_s());
         self.follows[lane] = LaneFollow::new(&self.follow, followed, window);
@@ -308,7 +308,7 @@ impl<'a> Batch<'a> {
             awaited_s,
             is_recorded: false,
             longest_s,
-            smallest_s: SMALLEST_STEP_TURNS * turn_s,
+            smallest_s: MIN_STEP_TURNS * turn_s,
             phase: Phase::Stepping,
             last_event: None,
             after_event: [0.0; 2],
@@ -325,7 +325,7 @@ impl<'a> Batch<'a> {
         for (place, number) in [
             (LaneLayout::STOP, stop_s),
             (LaneLayout::LONGEST, longest_s),
-            (LaneLayout::SMALLEST, SMALLEST_STEP_TURNS * turn_s),
+            (LaneLayout::SMALLEST, MIN_STEP_TURNS * turn_s),
             (LaneLayout::NEXT, 1e-3 * longest_s),
             (LaneLayout::WAS_REJECTED, 0.0),
             (LaneLayout::IS_RECORDED, 0.0),

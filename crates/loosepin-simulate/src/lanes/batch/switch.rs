@@ -14,7 +14,7 @@ use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::GapMeasure;
 
 /// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
-const MOST_STALLED_STEPS: u32 = 12;
+const MAX_STALLED_STEPS: u32 = 12;
 /// Contacts of one joint that are within this many tolerances of their beginning or end begin together: a root that grows from
 /// zero beside another would hardly move the time.
 const TOGETHER_TOLERANCES: f64 = 1e3;
@@ -31,7 +31,7 @@ impl Batch<'_> {
             return;
         }
         run.stalled += 1;
-        if run.stalled > MOST_STALLED_STEPS {
+        if run.stalled > MAX_STALLED_STEPS {
             run.stalled = 0;
             run.root = None;
             let next = STALLED_SHARE * run.longest_s;

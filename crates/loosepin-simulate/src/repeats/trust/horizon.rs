@@ -7,9 +7,9 @@ use loosepin_text::units::{decimal_exponent, power_of_ten};
 const LENGTHS: i32 = 3;
 /// The largest of them over the smallest clearance, or over the size of a mechanism without play, at most: what is larger says nothing about the
 /// motion within the play.
-const LARGEST_OF_CLEARANCE: f64 = 0.1;
+const MAX_OF_CLEARANCE: f64 = 0.1;
 /// As above, without play.
-const LARGEST_OF_SIZE: f64 = 1e-3;
+const MAX_OF_SIZE: f64 = 1e-3;
 
 /// Share of a length by which two runs may differ while a position counts as right to that length: the second run errs as well, and a difference
 /// may pass through zero where both are wrong. Measured by `just campaign trust-horizons` on mechanisms other than those that show it.
@@ -17,8 +17,7 @@ pub(super) const SHARE: f64 = 0.2;
 
 /// The lengths for which horizons are stated, largest first, m: powers of ten, at most a tenth of the smallest clearance.
 pub(super) fn lengths_m(smallest_clearance_m: Option<f64>, size_m: f64) -> Vec<f64> {
-    let largest_m =
-        smallest_clearance_m.map_or(LARGEST_OF_SIZE * size_m, |clearance_m| LARGEST_OF_CLEARANCE * clearance_m);
+    let largest_m = smallest_clearance_m.map_or(MAX_OF_SIZE * size_m, |clearance_m| MAX_OF_CLEARANCE * clearance_m);
     // A tenth of a clearance of 0.1 mm is 10 µm, in spite of round-off.
     let first = decimal_exponent(largest_m * (1.0 + 1e-9)).unwrap_or(0);
     (0..LENGTHS).map(|k| power_of_ten(first - k)).collect()

@@ -12,11 +12,11 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_result::simulation::{MeasuredTrust, Trust};
 
 /// Evaluations of a second run over those of the first, at most: in a mechanism whose contacts last, order five takes three times as many.
-const MOST_WORK: u64 = 10;
+const MAX_WORK: u64 = 10;
 /// Evaluations that it may have in any case.
-const LEAST_EVALUATIONS: u64 = 1_000_000;
+const MIN_EVALUATIONS: u64 = 1_000_000;
 /// Differences that are kept, at most.
-const MOST_DIFFERENCES: usize = 720;
+const MAX_DIFFERENCES: usize = 720;
 
 /// Measures how long the positions of `first`, which come from a run of `sample` with `settings` over `window`, can be trusted. A turn takes
 /// `turn_s`; `report` is that of the run.
@@ -36,7 +36,7 @@ pub fn measure_trust(
     let clearances = sample.plays.iter().map(|play| play.clearance_m).filter(|&clearance_m| clearance_m > 0.0);
     let lengths_m = lengths_m(clearances.min_by(f64::total_cmp), mechanism.size_m);
     let parted_m = SHARE * lengths_m[0];
-    let work = (MOST_WORK * report.counters.evaluations).max(LEAST_EVALUATIONS);
+    let work = (MAX_WORK * report.counters.evaluations).max(MIN_EVALUATIONS);
     let mut second = second_settings(settings);
     second.largest_evaluations = work.min(settings.largest_evaluations);
     let found = compare_positions((mechanism, sample), (window, &second), first, parted_m, stop)?;
@@ -63,7 +63,7 @@ pub fn measure_trust(
 
 /// The largest differences of spans of equal length, and the instants at which these end.
 fn thinned(times_s: &[f64], differences_m: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let span = times_s.len().div_ceil(MOST_DIFFERENCES).max(1);
+    let span = times_s.len().div_ceil(MAX_DIFFERENCES).max(1);
     let times_s = times_s.chunks(span).filter_map(|span| span.last().copied());
     let differences_m = differences_m.chunks(span).map(|span| span.iter().copied().fold(0.0, f64::max));
     (times_s.collect(), differences_m.collect())

@@ -9,7 +9,7 @@ use loosepin_mechanics::model::{Axis, BodyId, Motion, PointId, Position, Reading
 /// Instants a turn at which positions are compared, at least.
 const INSTANTS_A_TURN: f64 = 360.0;
 /// Instants at most: 16 MB for ten points.
-const MOST_INSTANTS: usize = 100_000;
+const MAX_INSTANTS: usize = 100_000;
 
 /// All named points of the moving bodies, and the angles of bodies whose points do not show how they turn.
 #[derive(Debug, Clone)]
@@ -76,8 +76,8 @@ impl PositionHistory {
     /// Of a run of `mechanism` with `values` over `window`, whose turns take `turn_s`, at `instants` instants or more.
     pub fn new(mechanism: &Mechanism, values: &Values, window: Window, turn_s: f64, instants: usize) -> Self {
         let span_s = window.end_s - window.start_s;
-        let of_turns = (INSTANTS_A_TURN * span_s / turn_s).ceil().clamp(1.0, MOST_INSTANTS as f64) as usize;
-        let count = of_turns.max(instants).min(MOST_INSTANTS);
+        let of_turns = (INSTANTS_A_TURN * span_s / turn_s).ceil().clamp(1.0, MAX_INSTANTS as f64) as usize;
+        let count = of_turns.max(instants).min(MAX_INSTANTS);
         let at = |k: usize| if k == count { window.end_s } else { window.start_s + span_s * k as f64 / count as f64 };
         Self {
             positions: ComparedPositions::new(mechanism, values),

@@ -13,12 +13,12 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 /// Tolerance of the second run over that of the first.
 const TOLERANCE_SHARE: f64 = 0.1;
 /// No tolerance below this, m: steps of order five drown in round-off.
-const SMALLEST_TOLERANCE_M: f64 = 1e-12;
+const MIN_TOLERANCE_M: f64 = 1e-12;
 
 /// Settings of the run that one with `settings` is compared with: a tenth of the tolerance, and a method of another order, so that both do not err
 /// alike. Implicit steps stay implicit: what asks for them cannot be followed by others.
 pub(super) fn second_settings(settings: &Settings) -> Settings {
-    let tolerance_m = (TOLERANCE_SHARE * settings.tolerance_m).max(SMALLEST_TOLERANCE_M.min(settings.tolerance_m));
+    let tolerance_m = (TOLERANCE_SHARE * settings.tolerance_m).max(MIN_TOLERANCE_M.min(settings.tolerance_m));
     Settings { tolerance_m, method: &TSITOURAS_5, ..*settings }
 }
 

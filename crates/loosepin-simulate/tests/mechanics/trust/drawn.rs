@@ -60,7 +60,7 @@ const RESTITUTION_SHARE: f64 = 0.5;
 /// A start angle is this much larger or smaller at most, rad.
 const START_RAD: f64 = 0.5;
 /// Draws until a mechanism can be put together.
-const MOST_DRAWS: u64 = 50;
+const MAX_DRAWS: u64 = 50;
 
 /// A mechanism with drawn numbers.
 pub(super) struct DrawnRun {
@@ -77,7 +77,7 @@ pub(super) fn drawn_run(names: &[&'static str], seed: u64, index: usize) -> Draw
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name).join("model.toml");
     let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
     let nominal = model.quantities.nominal();
-    let drawn = (0..MOST_DRAWS).find_map(|draw| {
+    let drawn = (0..MAX_DRAWS).find_map(|draw| {
         let values =
             drawn_values(&model, &nominal, mixed(seed.wrapping_mul(1_000_003) ^ ((index as u64) << 8) ^ draw))?;
         let mechanism = Mechanism::new(&model, &values).ok()?;
@@ -86,7 +86,7 @@ pub(super) fn drawn_run(names: &[&'static str], seed: u64, index: usize) -> Draw
         let turn_s = mechanism.model.cycle_input(&values).turn_s();
         Some(DrawnRun { name, mechanism, values, sample, turn_s })
     });
-    drawn.unwrap_or_else(|| panic!("{name}: no draw of {MOST_DRAWS} is a mechanism"))
+    drawn.unwrap_or_else(|| panic!("{name}: no draw of {MAX_DRAWS} is a mechanism"))
 }
 
 fn drawn_values(model: &Model, nominal: &Values, mut state: u64) -> Option<Values> {

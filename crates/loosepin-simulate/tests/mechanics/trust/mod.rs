@@ -15,7 +15,7 @@ use std::sync::{Mutex, PoisonError};
 /// Tolerances of the runs that count as exact, m, the smallest that is possible first: below some tolerance steps drown in round-off.
 const EXACT_M: [f64; 3] = [1e-13, 1e-12, 1e-11];
 /// Evaluations of the equations for such a run, at most.
-const MOST_EVALUATIONS: u64 = 2_000_000;
+const MAX_EVALUATIONS: u64 = 2_000_000;
 /// Share of a length within which runs at two tolerances agree where the finer counts as exact.
 const EXACT_SHARE: f64 = 0.1;
 
@@ -48,7 +48,7 @@ struct Held {
 /// its end, or where runs at two tolerances do not agree up to a horizon.
 fn held(drawn: &DrawnRun, tolerance_m: f64, turns: f64) -> Result<(Vec<Held>, MeasuredTrust), String> {
     let window = Window { start_s: 0.0, end_s: turns * drawn.turn_s };
-    let settings = Settings { tolerance_m, largest_evaluations: MOST_EVALUATIONS, ..Settings::for_simulation() };
+    let settings = Settings { tolerance_m, largest_evaluations: MAX_EVALUATIONS, ..Settings::for_simulation() };
     let (first, report) = positions(drawn, &window, &settings).map_err(|failure| format!("the run: {failure}"))?;
     let exact = |tolerance_m: &f64| {
         let settings = Settings { tolerance_m: *tolerance_m, ..settings };

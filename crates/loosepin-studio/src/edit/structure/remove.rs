@@ -17,7 +17,7 @@ const TABLES: [&str; 9] = ["body", "joint", "coupling", "cam", "spring", "load",
 const GROUND: &str = "ground";
 /// Parameters that describe others, which describe others again: each round reads the model. Those behind so many stay, and a warning
 /// says that nothing uses them.
-const MOST_ROUNDS: usize = 20;
+const MAX_ROUNDS: usize = 20;
 
 /// Both texts without something, and all that went, in words: first what was to go.
 pub struct Removed {
@@ -72,7 +72,7 @@ pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Rem
         // Parameters that described what goes describe nothing any more.
         let fresh: Vec<Named> = unused_parameters(&new_model).difference(&known).cloned().collect();
         rounds += 1;
-        if fresh.is_empty() || rounds == MOST_ROUNDS {
+        if fresh.is_empty() || rounds == MAX_ROUNDS {
             let of_study = match study {
                 Some(study) => gone_paths(Document::Study, study, &gone)?,
                 None => Vec::new(),

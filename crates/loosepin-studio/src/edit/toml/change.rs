@@ -7,7 +7,7 @@ use loosepin::diagnostics::Source;
 use crate::messages::{Change, Document};
 
 /// Lines that are compared with each other, at most; larger changes become one.
-const MOST_PAIRS: usize = 1_000_000;
+const MAX_PAIRS: usize = 1_000_000;
 
 /// The changes from an old text to a new one; lines that both have stay as they are.
 pub fn changes(document: Document, old: &Source, new: &str) -> Vec<Change> {
@@ -37,7 +37,7 @@ fn differing(before: &[&str], after: &[&str]) -> Vec<(Range<usize>, Range<usize>
     if old.is_empty() && new.is_empty() {
         return Vec::new();
     }
-    if old.len().saturating_mul(new.len()) > MOST_PAIRS {
+    if old.len().saturating_mul(new.len()) > MAX_PAIRS {
         return vec![(head..head + old.len(), head..head + new.len())];
     }
     // The longest list of lines that both have in this order: from each pair of places on.

@@ -10,11 +10,11 @@ use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 /// Readings of a study, at most: each is two rows of every linear programme.
-const MOST_READINGS: usize = 200;
+const MAX_READINGS: usize = 200;
 /// Largest error of a locked angle, deg: only its ends and its middle are looked at.
-const MOST_POSE_ERROR_DEG: f64 = 5.0;
+const MAX_POSE_ERROR_DEG: f64 = 5.0;
 /// Repeats from which their scatter is estimated, at least: Student's factor for 99.9 % is 32 with three, and 637 with two.
-const LEAST_ESTIMATED: usize = 3;
+const MIN_ESTIMATED: usize = 3;
 
 record! {
     /// a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two settled
@@ -106,13 +106,13 @@ problems! {
                   has one"),
             hint("write the same error, or instrument = \"another gauge\" beside it: two different errors of one gauge would cancel out");
         PoseErrorTooLarge { entry: String, found_deg: f64 } => Code::AskNotPossible,
-            says("{entry} is {found_deg} deg; must be at most {MOST_POSE_ERROR_DEG} deg: between its ends nothing is looked at"),
+            says("{entry} is {found_deg} deg; must be at most {MAX_POSE_ERROR_DEG} deg: between its ends nothing is looked at"),
             hint("measure the angle of the locked drive, or take the nearest pose and a smaller error");
         NoDriveAngle { entry: String } => Code::AskNotPossible,
             says("{entry}: the cycle of the model counts time, so that no angle of a drive says where it is locked"),
             hint("write drive = \"crank\" in place of duration under [cycle] of the model");
         TooManyReadings { found: usize } => Code::TooMany,
-            says("[[measured]] has {found} readings; must be at most {MOST_READINGS}"),
+            says("[[measured]] has {found} readings; must be at most {MAX_READINGS}"),
             hint("write repeats of a reading as one list");
     }
 }
@@ -125,7 +125,7 @@ impl StudyReader {
         cycle: &Cycle,
     ) -> (Vec<Measured>, Vec<MeasuredMotion>) {
         let entries = self.double_brackets(written);
-        if let Some(surplus) = entries.get(MOST_READINGS) {
+        if let Some(surplus) = entries.get(MAX_READINGS) {
             let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
             self.reader.complain(&problem, surplus.span);
             return (Vec::new(), Vec::new());
@@ -207,7 +207,7 @@ impl StudyReader {
     /// Largest error of the locked angle, rad.
     fn pose_error(&mut self, entry: &Entry<'_>) -> Option<f64> {
         let error_rad = self.reader.measured(entry, Dimension::ANGLE, Rule::NonNegative)?;
-        if error_rad > MOST_POSE_ERROR_DEG.to_radians() {
+        if error_rad > MAX_POSE_ERROR_DEG.to_radians() {
             let problem =
                 MeasuredProblem::PoseErrorTooLarge { entry: entry.path.describe(), found_deg: error_rad.to_degrees() };
             return self.refused(&problem, entry.span);
@@ -362,7 +362,7 @@ impl StudyReader {
         if let Some(scatter_si) = scatter_si {
             return Some((repeats, Some(ReadingScatter::Known(scatter_si))));
         }
-        if values_si.len() < LEAST_ESTIMATED {
+        if values_si.len() < MIN_ESTIMATED {
             return Some((repeats, None));
         }
         // The mean of equal numbers is off by round-off, which is no scatter.

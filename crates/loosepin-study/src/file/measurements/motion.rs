@@ -22,9 +22,9 @@ use std::f64::consts::TAU;
 const ROUND_OFF: f64 = 1e-9;
 
 /// Repeats of a motion, at most: each is a stretch of recorded turns that is simulated.
-const MOST_STRETCHES: u64 = 20;
+const MAX_STRETCHES: u64 = 20;
 /// Highest order of a spectrum, at most: two samples a period.
-const MOST_ORDER: u64 = 1000;
+const MAX_ORDER: u64 = 1000;
 
 choices!(
     /// What was measured.
@@ -51,11 +51,11 @@ record! {
     /// number that the motion of all recorded turns is reduced to
     required feature: Entry<'t> = Kind::Choice(&words(&FEATURES)), "\"rms\"";
     /// of the amplitude of an order: periods in a turn
-    optional order: Entry<'t> = count(1, MOST_ORDER), "3";
+    optional order: Entry<'t> = count(1, MAX_ORDER), "3";
     /// of a dwell: distance from the largest value
     optional within: Entry<'t> = Kind::AnyQuantity, "\"0.1 mm\"";
     /// low-pass filter: orders above are taken off the samples; measured and simulated samples alike
-    optional highest_order: Entry<'t> = count(1, MOST_ORDER), "40";
+    optional highest_order: Entry<'t> = count(1, MAX_ORDER), "40";
     /// whether extremes are located between samples, or are those of samples_per_turn of the study; samples where a curve, a filter or an
     /// order is given
     optional sampled: Entry<'t> = choice::<IsSampled>(), "\"samples\"";
@@ -66,7 +66,7 @@ record! {
     /// recorded turns
     optional file: Entry<'t> = Kind::Text, "\"acceleration.csv\"";
     /// beside one value: the number of repeats whose mean it is; 1 if left out
-    optional repeats: Entry<'t> = count(1, MOST_STRETCHES), "5";
+    optional repeats: Entry<'t> = count(1, MAX_STRETCHES), "5";
     /// largest error that all values of the instrument have in common, of either sign, or its share of the true value; 0 if left out
     optional error: Entry<'t> = Kind::AnyQuantity, "\"± 5 %\"";
     /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if left out
@@ -132,7 +132,7 @@ problems! {
             says("{entry}: a value and a file are both given"),
             hint("leave one of them out");
         TooManyStretches { entry: String, found: usize } => Code::TooMany,
-            says("{entry}: {found} repeats; must be at most {MOST_STRETCHES}, each of which is simulated"),
+            says("{entry}: {found} repeats; must be at most {MAX_STRETCHES}, each of which is simulated"),
             hint("record more turns in place of more repeats");
         WithoutError { entry: String } => Code::AskNotPossible,
             says("{entry} has no error"),
@@ -308,7 +308,7 @@ impl StudyReader {
         };
         let repeats = stated.unwrap_or(values_si.len().max(1));
         // More than so many `repeats` are refused where these are read, and more stretches of a file are left out.
-        if let Some(entry) = motion.value.as_ref().filter(|_| repeats as u64 > MOST_STRETCHES) {
+        if let Some(entry) = motion.value.as_ref().filter(|_| repeats as u64 > MAX_STRETCHES) {
             let problem = MotionProblem::TooManyStretches { entry: entry.path.describe(), found: repeats };
             return self.refused(&problem, entry.span);
         }
@@ -387,7 +387,7 @@ impl StudyReader {
             let problem = MotionProblem::TooShort { entry: words(), found, due: turns - interval, turns, samples };
             return self.refused(&problem, entry.span);
         }
-        let stretches = stretches.min(MOST_STRETCHES as usize);
+        let stretches = stretches.min(MAX_STRETCHES as usize);
         let whole = turns as usize;
         let value = |stretch: usize| {
             let at = |place: usize| first + turn * (stretch as f64 * turns + place as f64 / samples as f64);

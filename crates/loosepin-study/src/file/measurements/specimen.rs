@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Rows that a joint sample has, at least: an end of what 95 % of mechanisms do rests on 2.5 % of them.
-pub const LEAST_ROWS: usize = 100;
+pub const MIN_ROWS: usize = 100;
 
 record! {
     /// mechanisms that agree with what was measured
@@ -58,8 +58,8 @@ impl StudyReader {
         self.refuse_beside_rows(random);
         let order = self.columns_of(&sample, &file, &written)?;
         let count = sample.rows_si.len();
-        if count < LEAST_ROWS {
-            let problem = SpecimenProblem::FewRows { found: count, least: LEAST_ROWS };
+        if count < MIN_ROWS {
+            let problem = SpecimenProblem::FewRows { found: count, least: MIN_ROWS };
             self.reader.complaints.push(Complaint::error(&problem, Some(sample.header_place())));
             return None;
         }

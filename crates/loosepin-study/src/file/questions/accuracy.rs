@@ -7,7 +7,7 @@ use crate::file::problem::StudyProblem;
 use crate::file::questions::ask::Ask;
 use crate::file::questions::target::AccuracyTarget;
 use crate::file::reader::StudyReader;
-use crate::file::sizes::MOST_RUNS;
+use crate::file::sizes::MAX_RUNS;
 use crate::file::study::Study;
 use crate::file::words::{numbers, statistic_name};
 use loosepin_result::study::Budget;
@@ -230,7 +230,7 @@ fn complaint(problem: &AccuracyProblem, source: &Arc<Source>, span: Range<usize>
 }
 
 /// Rounds, at most.
-const MOST_ROUNDS: u64 = u32::MAX as u64;
+const MAX_ROUNDS: u64 = u32::MAX as u64;
 
 /// Reads a budget: a number of runs, a time, or a number of rounds.
 fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
@@ -246,13 +246,13 @@ fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
     };
     let ending = |words: [&str; 2]| words.into_iter().find_map(|word| trimmed.strip_suffix(word));
     if let Some(number) = ending(["rounds", "round"]) {
-        return counted(number, "rounds", MOST_ROUNDS).map(|rounds| Budget::Rounds { rounds: rounds as u32 });
+        return counted(number, "rounds", MAX_ROUNDS).map(|rounds| Budget::Rounds { rounds: rounds as u32 });
     }
     if let Some(number) = ending(["runs", "run"]) {
-        return counted(number, "runs", MOST_RUNS).map(|runs| Budget::Runs { runs });
+        return counted(number, "runs", MAX_RUNS).map(|runs| Budget::Runs { runs });
     }
     if trimmed.parse::<f64>().is_ok() {
-        return counted(trimmed, "runs", MOST_RUNS).map(|runs| Budget::Runs { runs });
+        return counted(trimmed, "runs", MAX_RUNS).map(|runs| Budget::Runs { runs });
     }
     match parse_quantity(trimmed) {
         Ok(measured) if measured.dimension == Dimension::TIME => {

@@ -2,7 +2,7 @@
 
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
-use crate::file::sizes::MOST_POSES;
+use crate::file::sizes::MAX_POSES;
 use crate::file::words::REDUCTIONS;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::document::{Entry, Key, Kind, Reader, Written, optional};
@@ -67,7 +67,7 @@ impl StudyReader {
                 return self.refused(&problem, entry.key_span);
             }
             let angles = self.reader.list(&entry)?;
-            if let Some(surplus) = angles.get(MOST_POSES) {
+            if let Some(surplus) = angles.get(MAX_POSES) {
                 let problem = StudyProblem::TooManyPoses { entry: entry.path.describe(), found: angles.len() };
                 return self.refused(&problem, surplus.span);
             }

@@ -4,7 +4,7 @@ use crate::file::problem::StudyProblem;
 use crate::file::questions::ask::{Ask, Asked, PromisedEnds};
 use crate::file::questions::requirement::{DecidedBy, Requirement};
 use crate::file::reader::StudyReader;
-use crate::file::sampling::MOST_INNER;
+use crate::file::sampling::MAX_INNER;
 use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
 use loosepin_result::study::Side;
 use loosepin_text::document::{Entry, Kind, Reads, Value, count};
@@ -20,7 +20,7 @@ record! {
     /// confidence that this holds for all promised bounds together
     optional confidence: f64 = Kind::Number { rule: Rule::Probability }, "0.99", or 0.99;
     /// runs at each value of the intervals
-    optional inner: usize = count(1, MOST_INNER), "256", or 256;
+    optional inner: usize = count(1, MAX_INNER), "256", or 256;
 }
 
 impl StudyReader {

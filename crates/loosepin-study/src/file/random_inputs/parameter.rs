@@ -12,7 +12,7 @@ use loosepin_uncertainty::{Distribution, EpistemicVariable, Members, Parameter, 
 use std::ops::RangeInclusive;
 
 /// Parameters of one distribution that may be uncertain: every corner of their box is checked.
-const MOST_PARAMETERS: usize = 4;
+const MAX_PARAMETERS: usize = 4;
 
 impl StudyReader {
     /// Reads a distribution some of whose parameters may be uncertain. It is read once for every corner of their box, so that
@@ -28,11 +28,11 @@ impl StudyReader {
         loop {
             self.variable_at(Pass::Corner(corner), entry, table, quantity)?;
             let uncertain = self.parameters.found.len();
-            if uncertain > MOST_PARAMETERS {
+            if uncertain > MAX_PARAMETERS {
                 let problem = StudyProblem::TooManyParameters {
                     entry: entry.path.describe(),
                     found: uncertain,
-                    most: MOST_PARAMETERS,
+                    most: MAX_PARAMETERS,
                 };
                 return self.refused(&problem, entry.span);
             }

@@ -12,7 +12,7 @@ use loosepin_text::diagnostics::{Complaint, Place};
 use loosepin_uncertainty::RandomVariable;
 
 /// Probability of impossible values below which nothing is said: a thousandth of a run among a thousand.
-const LEAST_TOLD: f64 = 1e-6;
+const MIN_TOLD: f64 = 1e-6;
 /// Bisections of the logarithm of a probability: to 1e-6 of it.
 const BISECTIONS: usize = 24;
 /// Confidence that is left of each end of a bound: n samples hold a quantile at p with pⁿ at most this.
@@ -44,9 +44,9 @@ impl StudyReader {
         let mut probability = 0.0;
         let mut first: Option<QuantityError> = None;
         for at in tails {
-            let Some(error) = wrong(at(&input.variable, LEAST_TOLD)) else { continue };
+            let Some(error) = wrong(at(&input.variable, MIN_TOLD)) else { continue };
             // What is impossible at half of all values was refused.
-            let (mut inside, mut outside) = (LEAST_TOLD.ln(), 0.5_f64.ln());
+            let (mut inside, mut outside) = (MIN_TOLD.ln(), 0.5_f64.ln());
             for _ in 0..BISECTIONS {
                 let middle = 0.5 * (inside + outside);
                 if wrong(at(&input.variable, middle.exp())).is_some() { inside = middle } else { outside = middle }

@@ -8,9 +8,9 @@ use loosepin_uncertainty::hash;
 /// Independent scramblings, which tell the errors of indices.
 const REPLICATES: usize = 8;
 /// Pairs of sample points in each, at least.
-const LEAST_PAIRS: usize = 4;
+const MIN_PAIRS: usize = 4;
 /// Values of the epistemic inputs at which indices are computed, at most: the middle and corners.
-const MOST_POINTS: usize = 5;
+const MAX_POINTS: usize = 5;
 /// Separates the stream of random numbers.
 const CONTRIBUTORS: u64 = 0x636f_6e74_7269_6200;
 
@@ -32,11 +32,11 @@ impl ContributorPlan {
             return Ok(None);
         }
         let groups = groups(study);
-        let pairs = (study.sampling.inner / REPLICATES).max(LEAST_PAIRS);
+        let pairs = (study.sampling.inner / REPLICATES).max(MIN_PAIRS);
         let seed = hash(study.seed, CONTRIBUTORS);
         let indices = IndexPlan::try_new(study.random.len(), groups, REPLICATES, pairs, seed)?;
         let mut points = plan.structural_points();
-        let stride = points.len().saturating_sub(1).div_ceil(MOST_POINTS - 1).max(1);
+        let stride = points.len().saturating_sub(1).div_ceil(MAX_POINTS - 1).max(1);
         points =
             points.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, p)| p).collect();
         Ok(Some(Self { indices, points }))

@@ -20,9 +20,9 @@ use loosepin_uncertainty::hash;
 /// Times that the range is halved: to a 128th of it.
 pub const HALVINGS: usize = 7;
 /// The least standard deviation that is tried, as a share of the largest.
-const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
+const MIN_DEVIATION_SHARE: f64 = 1.0 / 128.0;
 /// Combinations that are run in search of the cheapest, at most.
-const MOST_TRIED: usize = 24;
+const MAX_TRIED: usize = 24;
 /// Separates the random numbers of confirmations.
 const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
@@ -31,7 +31,7 @@ pub fn most_studies(study: &Study) -> usize {
     let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
     let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
-    searches + if has_costs { 2 * MOST_TRIED } else { 0 }
+    searches + if has_costs { 2 * MAX_TRIED } else { 0 }
 }
 
 /// Runs of one such study at most: the double loop alone.
@@ -143,7 +143,7 @@ fn loosest_fit<'a>(
 pub fn least_tried_si(allowance: &Allowance) -> f64 {
     match allowance.input {
         AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
-        AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
+        AllowedInput::StandardDeviation(_) => MIN_DEVIATION_SHARE * allowance.up_to_si,
     }
 }
 
@@ -185,7 +185,7 @@ pub fn allocation(runs: &Runs<'_>) -> Result<Option<AllocationRecord>, StudyErro
     }
     let (mut made, mut studies) = (0, 0);
     let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
-    let search = cheapest(&costs, MOST_TRIED, |values| {
+    let search = cheapest(&costs, MAX_TRIED, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
         is_met_twice(runs, &set, |answer, _| {
             made += answer.runs as u64;
@@ -223,7 +223,7 @@ struct Cheapest {
 }
 
 /// With more combinations than this no search is made.
-const MOST_COMBINATIONS: usize = 100_000;
+const MAX_COMBINATIONS: usize = 100_000;
 
 /// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, trying at most `most_tried`.
 fn cheapest<E>(
@@ -232,7 +232,7 @@ fn cheapest<E>(
     mut is_met: impl FnMut(&[f64]) -> Result<bool, E>,
 ) -> Result<Cheapest, E> {
     let number = offers.iter().fold(1_usize, |product, of_input| product.saturating_mul(of_input.len()));
-    if number > MOST_COMBINATIONS {
+    if number > MAX_COMBINATIONS {
         let stop = AllocationStop::TooManyCombinations;
         return Ok(Cheapest { chosen: None, stop, combinations: number, tried: 0, excluded: 0 });
     }

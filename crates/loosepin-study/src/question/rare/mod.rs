@@ -25,34 +25,34 @@ use loosepin_uncertainty::{SobolError, hash, normal_cdf};
 use std::collections::VecDeque;
 
 /// A share of fewer runs than this is counted anew where the method is chosen automatically.
-const LEAST_HITS: f64 = 10.0;
+const MIN_HITS: f64 = 10.0;
 /// Corners of the box at which the search begins, besides its centre, at most.
-const MOST_CORNERS: usize = 8;
+const MAX_CORNERS: usize = 8;
 /// An estimate around design points with a larger coefficient of variation gives way to subset simulation.
-const LARGEST_VARIATION: f64 = 0.25;
+const MAX_VARIATION: f64 = 0.25;
 /// Points of a level of the subset simulations that only compare places.
 const COMPARING_LEVEL: usize = 500;
 /// The nearest probability to 1 that has a quantile; the nearest to 0 is the least positive number.
-const LARGEST_PROBABILITY: f64 = 1.0 - f64::EPSILON / 2.0;
+const MAX_PROBABILITY: f64 = 1.0 - f64::EPSILON / 2.0;
 /// Separates the stream of random numbers.
 const RARE: u64 = 0x7261_7265_0000;
 
 /// Runs of the search for design points over the box, for each combination of the members of lists, at most; where they do not
 /// suffice, subset simulation takes its place.
-const MOST_DESIGN_RUNS: usize = 40_000;
+const MAX_DESIGN_RUNS: usize = 40_000;
 
 /// Runs that a rare probability takes at most: a search for design points that is given up, sampling around them that is not near
 /// enough, then subset simulations at every place that is compared and at both ends.
 fn most_rare_runs(plan: &DoubleLoop) -> usize {
     let comparing = SubsetSimulation { level: COMPARING_LEVEL, seed: 0 }.most_runs();
-    let compared = plan.box_combinations() * (MOST_DESIGN_RUNS + places(plan).len() * comparing);
+    let compared = plan.box_combinations() * (MAX_DESIGN_RUNS + places(plan).len() * comparing);
     compared + ImportanceSampling::default().most_runs + 2 * SubsetSimulation::default().most_runs()
 }
 
 /// Centre and corners of the box, of many corners some.
 fn places(plan: &DoubleLoop) -> Vec<Vec<f64>> {
     let places = plan.box_places();
-    let stride = places.len().saturating_sub(1).div_ceil(MOST_CORNERS).max(1);
+    let stride = places.len().saturating_sub(1).div_ceil(MAX_CORNERS).max(1);
     places.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, place)| place).collect()
 }
 
@@ -122,7 +122,7 @@ impl<'s> RareSteps<'s> {
             pair.map_or(0.0, |pair| pair.upper.value * inner as f64)
         };
         let is_counted = |&(column, statistic, method): &(usize, Statistic, RareMethod)| {
-            method == RareMethod::Automatic && hits(column, statistic) >= LEAST_HITS
+            method == RareMethod::Automatic && hits(column, statistic) >= MIN_HITS
         };
         let waiting = requests(asks).filter(|request| !is_counted(request)).collect();
         Self { study, plan, round: bounds.rounds, waiting, found: Vec::new(), first: None }
@@ -270,7 +270,7 @@ impl Event<'_> {
         let mut ends: [Option<(usize, IndexExtreme)>; 2] = [None, None];
         for combination in 0..self.known.plan.box_combinations() {
             self.combination = combination;
-            let mut left = MOST_DESIGN_RUNS;
+            let mut left = MAX_DESIGN_RUNS;
             let mut limit_state = |points: &[Vec<f64>], at: &[f64]| {
                 left = left.checked_sub(points.len()).ok_or(SearchEnd::Spent)?;
                 self.limit_state(points, at).map_err(SearchEnd::Missing)
@@ -291,7 +291,7 @@ impl Event<'_> {
         }
         let [Some(lower), Some(upper)] = ends else { return Ok(None) };
         let upper = self.around(upper, seed)?;
-        if !(upper.estimate.high.coefficient_of_variation() <= LARGEST_VARIATION) {
+        if !(upper.estimate.high.coefficient_of_variation() <= MAX_VARIATION) {
             return Ok(None);
         }
         let lower = self.around(lower, seed)?;
@@ -386,5 +386,5 @@ impl End {
 
 /// Φ of standard normal numbers: a point of the unit cube at which every input has a value.
 fn probabilities(point: &[f64]) -> Vec<f64> {
-    point.iter().map(|&x| normal_cdf(x).clamp(f64::MIN_POSITIVE, LARGEST_PROBABILITY)).collect()
+    point.iter().map(|&x| normal_cdf(x).clamp(f64::MIN_POSITIVE, MAX_PROBABILITY)).collect()
 }

@@ -5,7 +5,7 @@ use crate::file::{Study, StudySurrogate, Where};
 use crate::planning::problem::problem;
 use crate::response::columns::ColumnPlan;
 use crate::response::study_response::StudyResponse;
-use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
+use loosepin_bounds::{ColumnGroup, MAX_WITNESSES, SurrogatePlan, SurrogateSettings};
 
 /// The plan of the surrogates of `study`; `None` if it asks for none.
 ///
@@ -26,7 +26,7 @@ pub fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<
 /// How many runs `plan` comes to at most.
 pub fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
     let combinations: usize = study.epistemic.iter().map(|input| input.variable.choices()).product();
-    plan.settings().training * combinations + plan.settings().confirming * MOST_WITNESSES
+    plan.settings().training * combinations + plan.settings().confirming * MAX_WITNESSES
 }
 
 /// A group for each curve, then one for each other column.

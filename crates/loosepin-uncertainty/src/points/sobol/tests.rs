@@ -81,7 +81,7 @@ fn identity_a_scrambled_point_is_uniform_over_the_replicates() {
 #[test]
 fn identity_the_variance_of_a_smooth_integral_falls_faster_than_with_independent_points() {
     // Independent points: 64 times as many give 1/64 of the variance. Nets of smooth functions: about 64^-3.
-    const MOST_OF_INDEPENDENT: f64 = 0.01;
+    const MAX_OF_INDEPENDENT: f64 = 0.01;
     let points = ScrambledSobol::try_new(SEED, 4).unwrap();
     let variance = |count: u32| {
         let means: Vec<f64> = (0..64)
@@ -96,7 +96,7 @@ fn identity_the_variance_of_a_smooth_integral_falls_faster_than_with_independent
         means.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / 63.0
     };
     let ratio = variance(1024) / variance(16);
-    assert!(ratio < MOST_OF_INDEPENDENT / 64.0, "{ratio}");
+    assert!(ratio < MAX_OF_INDEPENDENT / 64.0, "{ratio}");
 }
 
 #[test]

@@ -14,9 +14,9 @@ use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 use loosepin_text::{choices, record};
 
 /// Elements at most: their mass matrix is kept whole.
-const MOST_ELEMENTS: u64 = 64;
+const MAX_ELEMENTS: u64 = 64;
 /// Shapes of one kind, at most: 35 kHz of a rod of 0.3 m need four.
-const MOST_SHAPES: u64 = 8;
+const MAX_SHAPES: u64 = 8;
 
 choices!(
     /// What the frame of a beam goes through.
@@ -66,7 +66,7 @@ record! {
     /// floating frame: damping ratio of every shape; none if left out
     optional damping_ratio: Entry<'t> = quantity(D::NUMBER, Rule::NonNegative), "0.005";
     /// absolute nodal coordinates: number of elements
-    optional elements: Option<usize> = count(1, MOST_ELEMENTS), "16", or 8;
+    optional elements: Option<usize> = count(1, MAX_ELEMENTS), "16", or 8;
     /// absolute nodal coordinates: points of integration in each element for stretch and bending; full: 5 and 3; reduced: 3 and 2, so that
     /// few elements are less stiff
     optional integration: Option<Integration> = choice::<Integration>(), "\"full\"", or "full";
@@ -76,9 +76,9 @@ record! {
     /// rigid joint holds
     optional frame: Option<FrameChoice> = choice::<FrameChoice>(), "\"secant\"", or "secant";
     /// floating frame: number of shapes in which it bends
-    optional lateral_shapes: Option<usize> = count(0, MOST_SHAPES), "2", or 2;
+    optional lateral_shapes: Option<usize> = count(0, MAX_SHAPES), "2", or 2;
     /// floating frame: number of shapes in which it stretches, 0 for none
-    optional axial_shapes: Option<usize> = count(0, MOST_SHAPES), "2", or 2;
+    optional axial_shapes: Option<usize> = count(0, MAX_SHAPES), "2", or 2;
     /// floating frame: at-points: one more shape of each kind for every point inside on which a joint, a spring, a load or a lump acts;
     /// none: the shapes of the beam without such points
     optional static_shapes: Option<HasStaticShapes> = choice::<HasStaticShapes>(), "\"at-points\"", or "at-points";
