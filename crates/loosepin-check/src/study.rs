@@ -2,8 +2,8 @@
 
 use loosepin_mechanics::model::{ContactId, JointId, QuantityError, QuantityId, Values};
 use loosepin_study::{
-    Budget, CorrelationMeasure, EpistemicInput, EpistemicSubject, Foreseen, ForeseenPromise, Study, StudyError,
-    default_threads, distribution_words, foresee,
+    Budget, CorrelationMeasure, CostEstimate, EpistemicInput, EpistemicSubject, PromiseCost, Study, StudyError,
+    default_threads, distribution_words, estimate_cost,
 };
 use loosepin_text::article::{Article, Content, Fact, Section};
 use loosepin_text::diagnostics::{Complaint, Complaints};
@@ -55,7 +55,7 @@ pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article,
 
 /// A run, what is promised, and how long all runs take.
 fn plan(study: &Study, tried: &Trial) -> Result<Section, Complaints> {
-    let Foreseen { most_runs, run_s, promise } = foresee(study).map_err(|error| match error {
+    let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),
     })?;
@@ -112,8 +112,8 @@ fn listed_laws(study: &Study) -> Vec<ContactId> {
 }
 
 /// What is promised, and what it costs.
-fn promise_words(study: &Study, promise: &ForeseenPromise) -> String {
-    let ForeseenPromise { ends, boxes, values, inner, runs } = *promise;
+fn promise_words(study: &Study, promise: &PromiseCost) -> String {
+    let PromiseCost { ends, boxes, values, inner, runs } = *promise;
     let settings = study.promise.unwrap_or_default();
     let boxes = if boxes == 1 { String::new() } else { format!(" in each of {boxes} boxes") };
     format!(

@@ -6,7 +6,7 @@ const ALIKE: f64 = 1e-7;
 
 /// What the nominal factors of all readings tell apart.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Told {
+pub(crate) struct IdentifiableSums {
     /// Sums that the readings fix, as weights of the plays: a basis of the row space of the factors in reduced echelon form, so that each
     /// has the weight one for a play that no other has.
     pub combinations: Vec<Vec<f64>>,
@@ -14,7 +14,7 @@ pub(crate) struct Told {
     pub alike: Vec<Vec<usize>>,
 }
 
-impl Told {
+impl IdentifiableSums {
     /// Whether the readings fix a play by itself.
     pub fn is_identifiable(&self, play: usize) -> bool {
         self.combinations
@@ -24,7 +24,7 @@ impl Told {
 }
 
 /// What `factors` (a row for each reading, a column for each play of the widths `widths_si`) tell apart.
-pub(crate) fn told(factors: &[Vec<f64>], widths_si: &[f64]) -> Told {
+pub(crate) fn identifiable_sums(factors: &[Vec<f64>], widths_si: &[f64]) -> IdentifiableSums {
     let plays = widths_si.len();
     // Rows of order one over plays of order one: a row counts by its shape.
     let mut rows: Vec<Vec<f64>> = factors
@@ -59,7 +59,7 @@ pub(crate) fn told(factors: &[Vec<f64>], widths_si: &[f64]) -> Told {
         rows[rank].iter().enumerate().map(in_plays).collect()
     });
     let combinations = weights.collect();
-    Told { combinations, alike }
+    IdentifiableSums { combinations, alike }
 }
 
 /// A weight that is a whole number but for round-off is that number.
@@ -95,14 +95,14 @@ fn groups(rows: &[Vec<f64>], plays: usize) -> Vec<Vec<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::told;
+    use super::identifiable_sums;
 
     /// Widths that differ, so that a forgotten scale shows.
     const WIDTHS_M: [f64; 3] = [3e-4, 5e-4, 2e-4];
 
     #[test]
     fn analytic_equal_factors_fix_the_sum_alone() {
-        let found = told(&[vec![2.2; 3], vec![3.1; 3]], &WIDTHS_M);
+        let found = identifiable_sums(&[vec![2.2; 3], vec![3.1; 3]], &WIDTHS_M);
         assert_eq!(found.combinations, [[1.0, 1.0, 1.0]]);
         assert_eq!(found.alike, [[0, 1, 2]]);
         assert!((0..3).all(|play| !found.is_identifiable(play)));
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn analytic_two_alike_and_one_apart() {
-        let found = told(&[vec![2.0, 2.0, 2.0], vec![1.5, 1.5, 0.4]], &WIDTHS_M);
+        let found = identifiable_sums(&[vec![2.0, 2.0, 2.0], vec![1.5, 1.5, 0.4]], &WIDTHS_M);
         assert_eq!(found.combinations, [[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
         assert_eq!(found.alike, [[0, 1]]);
         assert!(found.is_identifiable(2) && !found.is_identifiable(0));
@@ -119,10 +119,10 @@ mod tests {
     #[test]
     fn analytic_rank_two_of_three() {
         // (1, 0, a) and (0, 1, b) from 2x + y + z and x + y + 2z: a = -1, b = 3.
-        let found = told(&[vec![2.0, 1.0, 1.0], vec![1.0, 1.0, 2.0]], &WIDTHS_M);
+        let found = identifiable_sums(&[vec![2.0, 1.0, 1.0], vec![1.0, 1.0, 2.0]], &WIDTHS_M);
         assert_eq!(found.combinations, [[1.0, 0.0, -1.0], [0.0, 1.0, 3.0]]);
         assert!(found.alike.is_empty());
-        let alone = told(&[vec![0.0, 1.7, 0.0]], &WIDTHS_M);
+        let alone = identifiable_sums(&[vec![0.0, 1.7, 0.0]], &WIDTHS_M);
         assert_eq!(alone.combinations, [[0.0, 1.0, 0.0]]);
         assert!(alone.is_identifiable(1) && !alone.is_identifiable(0));
     }

@@ -1,13 +1,13 @@
 //! From the readings of a study to its answer.
 
-use super::combinations::{Told, told};
+use super::combinations::{IdentifiableSums, identifiable_sums};
 use super::consistent::{ConsistentSet, End, Row};
 use super::error::{Failure, IdentifyProblem, MAX_CONFIDENCE};
 use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
 use super::misfit::misfit;
-use super::motion::{Heard, MotionValues, identify_motion};
+use super::motion::{MotionValues, ProgressCallback, identify_motion};
 use super::rig::Rig;
 use super::states::States;
 use loosepin_result::identification::{
@@ -70,7 +70,7 @@ impl Default for Options {
 ///
 /// # Errors
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
-pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Identification, Complaints> {
+pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -> Result<Identification, Complaints> {
     let confidence = options.confidence;
     if !(0.5..=MAX_CONFIDENCE).contains(&confidence) {
         return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
@@ -242,7 +242,7 @@ fn of_readings(
     let widths_si: Vec<f64> = rig.plays.iter().map(|play| play.interval_si[1] - play.interval_si[0]).collect();
     let nominal: Vec<Vec<f64>> =
         set.rows.iter().map(|row| row.factors.iter().map(|factors| factors[1]).collect()).collect();
-    let mut told = told(&nominal, &widths_si);
+    let mut told = identifiable_sums(&nominal, &widths_si);
     add_whole_sum(rig, &mut told);
     let is_fixed: Vec<bool> = (0..widths_si.len()).map(|play| told.is_identifiable(play) && set.fixes(play)).collect();
     // What nominal factors tell apart, and those within their bounds do not, is no play that is fixed.
@@ -341,7 +341,7 @@ fn sole(weights: &[f64]) -> Option<usize> {
 }
 
 /// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is told beside them.
-fn add_whole_sum(rig: &Rig<'_>, told: &mut Told) {
+fn add_whole_sum(rig: &Rig<'_>, told: &mut IdentifiableSums) {
     let plays = rig.plays.len();
     let is_of_one_unit = rig.plays.iter().all(|play| play.unit == rig.plays[0].unit);
     if plays > 1 && is_of_one_unit && told.combinations.len() == plays {

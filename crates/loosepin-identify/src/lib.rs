@@ -22,6 +22,6 @@ pub use conduct::{CONFIDENCE, Options, POINTS, identify};
 pub use error::IdentifyProblem;
 pub use loosepin_result::identification as record;
 pub use loosepin_result::motion_identification as motion_record;
-pub use motion::{Heard, MotionRig, MotionValues, RunsOfValue, UNHEARD, plan_motion};
+pub use motion::{MotionRig, MotionValues, NO_CALLBACK, ProgressCallback, RunsOfValue, plan_motion};
 pub use narrowed::{Narrowed, known_bounds, narrowed, write_narrowed};
 pub use specimen_file::SpecimenStudy;

@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use crate::error::raise;
 use crate::function_bounds::{Names, answer, requests, unlocked};
 use crate::made_in_python::MadeInPython;
-use crate::waiting::{Told, wait_for};
+use crate::waiting::{RunCounts, wait_for};
 
 /// Questions about a function.
 pub struct Asked<'a> {
@@ -51,7 +51,7 @@ pub fn bounds<'py>(
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
-    let (stop, told) = (AtomicBool::new(false), Told::default());
+    let (stop, told) = (AtomicBool::new(false), RunCounts::default());
     let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
     let options = RunOptions { maker, ..RunOptions::new(by.threads, &told, &stop) };
     let mut table = SampleTable::new(columns.len());

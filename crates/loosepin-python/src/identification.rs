@@ -13,7 +13,7 @@ use std::path::Path;
 
 use crate::error::raise;
 use crate::run_rows::Texts;
-use crate::waiting::{Told, wait_for};
+use crate::waiting::{RunCounts, wait_for};
 
 /// The answer of an identification.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -88,9 +88,9 @@ pub fn planned(
 fn told<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,
-    work: impl FnOnce(loosepin::identify::Heard<'_>) -> PyResult<T> + Send,
+    work: impl FnOnce(loosepin::identify::ProgressCallback<'_>) -> PyResult<T> + Send,
 ) -> PyResult<T> {
-    let (stop, told) = (AtomicBool::new(false), Told::default());
+    let (stop, told) = (AtomicBool::new(false), RunCounts::default());
     let heard = |finished: usize, most: usize| {
         told.runs(finished, most);
         !stop.load(Ordering::Relaxed)

@@ -17,7 +17,7 @@ use crate::model::Model;
 use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
-use crate::waiting::{Told, wait_for};
+use crate::waiting::{RunCounts, wait_for};
 
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
 type Recorded = (String, String, Option<Vec<f64>>);
@@ -101,7 +101,7 @@ impl Study {
         let maker = maker.map(MadeInPython::new);
         let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
-        let (stop, told) = (AtomicBool::new(false), Told::default());
+        let (stop, told) = (AtomicBool::new(false), RunCounts::default());
         let options = RunOptions { maker: made, ..RunOptions::new(threads, &told, &stop) };
         let meeting = Meeting { with_resume: resume, with_force: force };
         let work = || match folder {

@@ -14,19 +14,19 @@ const TICK: Duration = Duration::from_millis(100);
 
 /// How far the work is, for a callable of Python.
 #[derive(Default)]
-pub struct Told {
+pub struct RunCounts {
     finished: AtomicUsize,
     most: AtomicUsize,
 }
 
-impl Progress for Told {
+impl Progress for RunCounts {
     fn runs(&self, finished: usize, most: usize) {
         self.most.store(most, Ordering::Relaxed);
         self.finished.fetch_max(finished, Ordering::Relaxed);
     }
 }
 
-impl Told {
+impl RunCounts {
     /// Tells `listener`, where there is one and runs are known of.
     pub fn tell(&self, py: Python<'_>, listener: Option<&Py<PyAny>>) -> PyResult<()> {
         let most = self.most.load(Ordering::Relaxed);

@@ -5,7 +5,7 @@ use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, Ste
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::resume::MotionState;
 use super::settings::{Integrator, Settings, Window};
-use crate::lanes::batch::{Batch, Kept, MAX_STEP_TURNS, Queue, Run, Seats};
+use crate::lanes::batch::{Batch, CompiledCodeCache, HandledQueue, MAX_STEP_TURNS, Queue, Run};
 use crate::lanes::execution::Execution;
 use crate::lanes::pass::MAX_RESIDUAL;
 use crate::recording::report::{Counters, RunReport};
@@ -37,7 +37,7 @@ pub fn run(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
-    run_from(mechanism, sample, (window, settings), None, &mut Kept::default(), observer)
+    run_from(mechanism, sample, (window, settings), None, &mut CompiledCodeCache::default(), observer)
 }
 
 /// [`run`], from where another run ended, with what runs of the same mechanism and settings before it kept.
@@ -46,7 +46,7 @@ pub(super) fn run_from<'m>(
     sample: &Sample<f64>,
     (window, settings): (&Window, &Settings),
     resume: Option<MotionState>,
-    kept: &mut Kept<'m>,
+    kept: &mut CompiledCodeCache<'m>,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
     demand_dynamics(&mechanism.model)?;
@@ -66,7 +66,7 @@ pub(super) fn run_from<'m>(
             execution @ Execution::MachineCode(_) if settings.integrator != Integrator::Implicit => Some(execution),
             _ => None,
         };
-        Batch::conduct_alone(mechanism, settings, later, kept, &mut Seats::new(&mut queue));
+        Batch::conduct_alone(mechanism, settings, later, kept, &mut HandledQueue::new(&mut queue));
     }
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))
 }
@@ -96,7 +96,7 @@ pub fn conduct<O: Observer>(
     }
     let is_implicit = settings.integrator == Integrator::Implicit;
     let execution = if is_implicit { Execution::Scalar } else { execution_of(mechanism, execution) };
-    Batch::conduct(mechanism, follow, settings, execution, &mut Seats::new(queue));
+    Batch::conduct(mechanism, follow, settings, execution, &mut HandledQueue::new(queue));
 }
 
 /// Refuses a model that is complete for its motion only.

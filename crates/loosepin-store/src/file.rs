@@ -11,7 +11,7 @@ use rusqlite::{Connection, OpenFlags, OptionalExtension, Row, params};
 use super::error::StoreError;
 use super::files::{PUBLISHED_FILE, STORE_COMPANIONS, STORE_FILE};
 use super::identity::StoreIdentity;
-use super::row::{InputsKey, KeptRun, checksum};
+use super::row::{InputsKey, StoredRun, checksum};
 
 /// `LPIN`, by which `file` and SQLite know whose file it is.
 const APPLICATION: i32 = 0x4c50_494e;
@@ -222,7 +222,7 @@ impl StoreFile {
     }
 
     /// Writes these rows together, and waits until they are on the device.
-    pub fn commit(&mut self, rows: &[(u32, u64, KeptRun)]) -> Result<(), StoreError> {
+    pub fn commit(&mut self, rows: &[(u32, u64, StoredRun)]) -> Result<(), StoreError> {
         self.check_place()?;
         let mut written = || -> rusqlite::Result<()> {
             let transaction = self.connection.transaction()?;
@@ -243,8 +243,8 @@ impl StoreFile {
     }
 
     /// The runs at `places` of a list.
-    pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<KeptRun>>, StoreError> {
-        let mut found: Vec<Option<KeptRun>> = vec![None; places.clone().count()];
+    pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<StoredRun>>, StoreError> {
+        let mut found: Vec<Option<StoredRun>> = vec![None; places.clone().count()];
         let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run \
             WHERE list = ?1 AND place >= ?2 AND place < ?3";
         let statement = self.connection.prepare_cached(query);
@@ -261,7 +261,7 @@ impl StoreFile {
     /// Hands every run over, in the order of lists and places.
     pub fn for_each(
         &self,
-        mut take: impl FnMut(u32, u64, KeptRun) -> Result<(), StoreError>,
+        mut take: impl FnMut(u32, u64, StoredRun) -> Result<(), StoreError>,
     ) -> Result<(), StoreError> {
         let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run ORDER BY list, place";
         let statement = self.connection.prepare(query);
@@ -275,7 +275,7 @@ impl StoreFile {
     }
 
     /// A row with its list and place, once its checksum is right.
-    fn read(&self, row: &Row<'_>) -> Result<(u32, u64, KeptRun), StoreError> {
+    fn read(&self, row: &Row<'_>) -> Result<(u32, u64, StoredRun), StoreError> {
         let list: u32 = self.or_told(row.get(0))?;
         let place: i64 = self.or_told(row.get(1))?;
         let place = place.cast_unsigned();
@@ -293,9 +293,9 @@ impl StoreFile {
         let inputs = InputsKey(inputs.try_into().map_err(|_| damaged("has no key of its inputs"))?);
         let outcome = match failure {
             Some(reason) => Err(reason),
-            None => Ok(KeptRun::numbers(&numbers).ok_or_else(|| damaged("has half a number"))?),
+            None => Ok(StoredRun::numbers(&numbers).ok_or_else(|| damaged("has half a number"))?),
         };
-        Ok((list, place, KeptRun { inputs, outcome }))
+        Ok((list, place, StoredRun { inputs, outcome }))
     }
 
     /// Writes a copy beside it that other processes may read while this one is written: whole or not at all, in place of the one

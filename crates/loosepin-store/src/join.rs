@@ -8,7 +8,7 @@ use super::error::StoreError;
 use super::file::StoreFile;
 use super::files::STORE_FILE;
 use super::identity::StoreIdentity;
-use super::row::KeptRun;
+use super::row::StoredRun;
 use super::shard::Shard;
 
 /// Rows that are written together.
@@ -35,7 +35,7 @@ pub(super) fn join(
         }
         let part = StoreFile::open(of_shard, identity)?;
         let damaged = |reason: String| StoreError::Damaged { path: of_shard.path().join(STORE_FILE), reason };
-        let mut waiting: Vec<(u32, u64, KeptRun)> = Vec::new();
+        let mut waiting: Vec<(u32, u64, StoredRun)> = Vec::new();
         part.for_each(|list, place, run| {
             if !shard.makes(place) {
                 let maker = Shard::maker(place, shard.of());
@@ -80,9 +80,9 @@ mod tests {
         StoreIdentity { version: "0.3.7".to_owned(), inputs: "8c1f0d2a77".to_owned() }
     }
 
-    fn run(list: u32, place: u64) -> KeptRun {
+    fn run(list: u32, place: u64) -> StoredRun {
         let outcome = if place % 7 == 2 { Err(3) } else { Ok(vec![place as f64 / 3.7, f64::from(list) + 0.3]) };
-        KeptRun { inputs: InputsKey::of(format!("{list} {place}").as_bytes()), outcome }
+        StoredRun { inputs: InputsKey::of(format!("{list} {place}").as_bytes()), outcome }
     }
 
     /// The store of a shard with its rows of the lists 0 and 2.
@@ -146,7 +146,7 @@ mod tests {
         let store = RunStore::open(&lock(folder.path()), &identity()).unwrap();
         let busy = said(&[(one, folder.clone())]);
         assert!(busy.ends_with("is in use by another loosepin"), "{busy}");
-        store.keep(2, 4, KeptRun { outcome: Ok(vec![0.7]), ..run(2, 4) });
+        store.keep(2, 4, StoredRun { outcome: Ok(vec![0.7]), ..run(2, 4) });
         drop(store);
         let differs = said(&[(one, folder)]);
         assert!(differs.ends_with("runs.sqlite already, with other numbers"), "{differs}");

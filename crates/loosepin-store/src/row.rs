@@ -6,7 +6,7 @@ pub struct InputsKey(pub [u8; 16]);
 
 /// A finished run.
 #[derive(Debug, Clone)]
-pub struct KeptRun {
+pub struct StoredRun {
     /// Its inputs.
     pub inputs: InputsKey,
     /// Its results, or the number of the reason why it failed.
@@ -20,7 +20,7 @@ impl InputsKey {
     }
 }
 
-impl KeptRun {
+impl StoredRun {
     /// Whether it is the same, bit for bit.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         self.inputs == other.inputs

@@ -14,7 +14,7 @@ use super::file::StoreFile;
 use super::files::{STORE_FILE, remove_store};
 use super::identity::StoreIdentity;
 use super::join::join;
-use super::row::KeptRun;
+use super::row::StoredRun;
 use super::shard::Shard;
 use super::writer::{Request, write_requests};
 
@@ -162,7 +162,7 @@ impl RunStore {
     }
 
     /// Keeps a finished run; returns at once.
-    pub fn keep(&self, list: u32, place: u64, run: KeptRun) {
+    pub fn keep(&self, list: u32, place: u64, run: StoredRun) {
         // Where the writer is gone, `find` and `settle` say so.
         if let Some(requests) = &self.requests {
             let _ = requests.send(Request::Keep { list, place, run });
@@ -178,7 +178,7 @@ impl RunStore {
     ///
     /// # Errors
     /// [`StoreError`]: a row is damaged, or the file system refuses.
-    pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<KeptRun>>, StoreError> {
+    pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<StoredRun>>, StoreError> {
         self.ask(|reply| Request::Find { list, places, reply })
     }
 

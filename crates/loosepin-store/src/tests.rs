@@ -7,7 +7,7 @@ use std::sync::Arc;
 use loosepin_files::{FolderLock, LockKind, Refused};
 
 use super::results::LOCK_FILE;
-use super::{Beginning, InputsKey, KeptRun, RunStore, STORE_FILE, StoreError, StoreIdentity, remove_store};
+use super::{Beginning, InputsKey, RunStore, STORE_FILE, StoreError, StoreIdentity, StoredRun, remove_store};
 
 /// Rows of the stores of these tests.
 const ROWS: u64 = 300;
@@ -25,15 +25,15 @@ fn folder() -> (tempfile::TempDir, Arc<FolderLock>, PathBuf) {
 }
 
 /// The run at a place: every seventh has failed, the others have some numbers, one of them not finite.
-fn run(list: u32, place: u64) -> KeptRun {
+fn run(list: u32, place: u64) -> StoredRun {
     let inputs = InputsKey::of(format!("{list} {place}").as_bytes());
     let number = |k: u64| if k == 3 { f64::NAN } else { (place as f64 + 0.1) / (k as f64 + f64::from(list) + 0.7) };
     let outcome = if place % 7 == 2 { Err(place as u16) } else { Ok((0..5).map(number).collect()) };
-    KeptRun { inputs, outcome }
+    StoredRun { inputs, outcome }
 }
 
-fn is_same(a: &KeptRun, b: &KeptRun) -> bool {
-    let bits = |run: &KeptRun| run.outcome.clone().map(|row| row.iter().map(|x| x.to_bits()).collect::<Vec<u64>>());
+fn is_same(a: &StoredRun, b: &StoredRun) -> bool {
+    let bits = |run: &StoredRun| run.outcome.clone().map(|row| row.iter().map(|x| x.to_bits()).collect::<Vec<u64>>());
     a.inputs == b.inputs && bits(a) == bits(b)
 }
 

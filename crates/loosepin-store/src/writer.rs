@@ -10,7 +10,7 @@ use loosepin_files::FolderLock;
 
 use super::error::StoreError;
 use super::file::StoreFile;
-use super::row::KeptRun;
+use super::row::StoredRun;
 
 /// A finished run waits no longer than this before it is written.
 pub const LONGEST_UNSAVED: Duration = Duration::from_millis(500);
@@ -27,7 +27,7 @@ pub(super) enum Request {
         /// Its place in the list.
         place: u64,
         /// The run.
-        run: KeptRun,
+        run: StoredRun,
     },
     /// For the runs at some places of a list.
     Find {
@@ -36,7 +36,7 @@ pub(super) enum Request {
         /// The places.
         places: Range<u64>,
         /// Where the answer goes.
-        reply: SyncSender<Result<Vec<Option<KeptRun>>, StoreError>>,
+        reply: SyncSender<Result<Vec<Option<StoredRun>>, StoreError>>,
     },
     /// To write everything, and a copy of it for others.
     Publish {
@@ -55,13 +55,13 @@ pub(super) enum Request {
 /// Runs that wait, and since when.
 #[derive(Default)]
 struct Waiting {
-    rows: Vec<(u32, u64, KeptRun)>,
+    rows: Vec<(u32, u64, StoredRun)>,
     numbers: usize,
     since: Option<Instant>,
 }
 
 impl Waiting {
-    fn add(&mut self, row: (u32, u64, KeptRun)) {
+    fn add(&mut self, row: (u32, u64, StoredRun)) {
         self.numbers += row.2.outcome.as_ref().map_or(0, Vec::len);
         self.rows.push(row);
         self.since.get_or_insert_with(Instant::now);
@@ -100,7 +100,7 @@ fn find(
     published: Option<&StoreFile>,
     list: u32,
     places: Range<u64>,
-) -> Result<Vec<Option<KeptRun>>, StoreError> {
+) -> Result<Vec<Option<StoredRun>>, StoreError> {
     let own = file.find(list, places.clone())?;
     let Some(published) = published.filter(|_| own.iter().any(Option::is_none)) else { return Ok(own) };
     let others = published.find(list, places)?;

@@ -34,12 +34,12 @@ pub use file::{
     says_study, signed_parts, states_nominal, study_schema, takes_mean_of_model,
 };
 pub use iso_286::FitError;
-pub use planning::foresee::foresee;
-pub use planning::foreseen::{Foreseen, ForeseenPromise};
+pub use planning::cost_estimate::{CostEstimate, PromiseCost};
+pub use planning::estimate_cost::estimate_cost;
 pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards};
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
 pub use response::further_outputs::{FurtherOutputs, RecordedOutput};
-pub use response::outputs::Seen;
+pub use response::outputs::OutputSource;
 pub use response::sampled_feature::sampled_feature;
 pub use response::study_response::MAX_COLUMNS;
 pub use run_options::RunOptions;

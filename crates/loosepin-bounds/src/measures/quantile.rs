@@ -1,7 +1,7 @@
 //! A quantile, estimated by the order of the runs.
 
 use super::measure::{Estimator, Measure, Measured};
-use super::targets::heard;
+use super::targets::noise_or_zero;
 use crate::estimators::estimate::{Confidence, EitherWay};
 use crate::estimators::ordered::Ordered;
 use crate::estimators::quantile::{quantile_and_slope, quantile_of_ordered};
@@ -21,7 +21,7 @@ impl Estimator for Quantile {
         let replicates = differences_of_quantiles(samples, &measure.target.values, &slopes);
         // Stratified samples may have the same share below it in all replicates: that says nothing.
         if let Some(variance) = variance_of_replicates(&replicates).filter(|variance| *variance > 0.0) {
-            measure.target.noise.variance = heard(variance, &measure.target.values);
+            measure.target.noise.variance = noise_or_zero(variance, &measure.target.values);
         }
         measure.with_replicates(replicates)
     }

@@ -15,7 +15,7 @@ const NEGLIGIBLE_NOISE: f64 = 1e-9;
 pub(crate) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target {
     let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
     let variances: Vec<f64> = estimates.iter().map(|estimate| estimate.variance(confidence)).collect();
-    let noise_variance = heard(finite_mean(&variances), &values);
+    let noise_variance = noise_or_zero(finite_mean(&variances), &values);
     let least = (SEARCH_RESOLUTION * range(&values)).max(f64::MIN_POSITIVE);
     let resolutions = Direction::BOTH.map(|direction| {
         let error = extreme_point(&values, direction)
@@ -27,7 +27,7 @@ pub(crate) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
 }
 
 /// The variance of noise among `values`, 0 where it is negligible.
-pub(super) fn heard(noise_variance: f64, values: &[f64]) -> f64 {
+pub(super) fn noise_or_zero(noise_variance: f64, values: &[f64]) -> f64 {
     if noise_variance.sqrt() > NEGLIGIBLE_NOISE * range(values) { noise_variance } else { 0.0 }
 }
 

@@ -37,7 +37,7 @@ impl Search<'_> {
             located_reach(self.axes, model, direction, region)
         };
         // Noise does not become less towards an extreme, so that it looks like a kink or an edge.
-        let beyond_break = if branch.is_beside() {
+        let beyond_break = if branch.is_regressing() {
             None
         } else {
             reach_of_break(self.axes, self.points, &target.values, &branch.defined, direction, region)
@@ -175,7 +175,7 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
     let reach_of_kinks = with_kinks(fits, direction, region).map(|(most, _)| most);
     let mut furthest = reach_of_kinks.fold(furthest, |most, own| direction.further(most, own));
     // Beside what is noisy or rough a summit that is a little higher than the best candidate says nothing.
-    if model.is_beside() {
+    if model.is_regressing() {
         return furthest;
     }
     // The mean distance of neighbours.

@@ -37,7 +37,7 @@ impl Search<'_> {
     /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; nothing where it is not worth a
     /// point, and where the target is not smooth.
     fn summit(&self, extreme: &Extreme<'_>) -> Option<(f64, Place)> {
-        if extreme.model.is_beside() {
+        if extreme.model.is_regressing() {
             return None;
         }
         let Place { combination, ref at } = self.points[extreme.point];

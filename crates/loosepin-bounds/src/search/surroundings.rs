@@ -61,7 +61,7 @@ impl Search<'_> {
         let &Extreme { point, value, region, resolution, model, .. } = extreme;
         let Place { combination, at } = &self.points[point];
         // What a model takes for noise does not end however near it looks.
-        if is_turned && model.is_beside() {
+        if is_turned && model.is_regressing() {
             return;
         }
         let fall = |place: &[f64]| (model.at(place, Allowance::NONE).mean() - value).abs();

@@ -2,7 +2,7 @@
 
 use loosepin::identify::record::{Gain, Identification, Outcome};
 use loosepin::identify::{
-    Heard, IdentifyProblem, MotionValues, Options, SpecimenStudy, identify, plan_motion, write_narrowed,
+    IdentifyProblem, MotionValues, Options, ProgressCallback, SpecimenStudy, identify, plan_motion, write_narrowed,
 };
 use loosepin::report::{identification_gain, identification_page, identification_text, motion_plan_text};
 use loosepin::result::json::to_json;
@@ -134,7 +134,7 @@ fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
 }
 
 /// What `work` gives, which takes a while, with a bar on a terminal.
-fn with_bar<T>(work: impl FnOnce(Heard<'_>) -> T) -> T {
+fn with_bar<T>(work: impl FnOnce(ProgressCallback<'_>) -> T) -> T {
     let bar = Bar::of_values();
     let heard = |finished: usize, most: usize| {
         bar.runs(finished, most);

@@ -9,10 +9,10 @@ use std::rc::Rc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Hears how many values of the unknowns have their runs, and how many will, about at most; says whether it goes on.
-pub type Heard<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
+pub type ProgressCallback<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
 
 /// Nobody hears.
-pub const UNHEARD: Heard<'static> = &|_, _| true;
+pub const NO_CALLBACK: ProgressCallback<'static> = &|_, _| true;
 
 /// Numbers of rows that are held at once, at most.
 const MAX_NUMBERS: usize = 8_000_000;
@@ -43,7 +43,7 @@ pub(crate) struct Bank<'s> {
     /// Of each feature its columns in a row; none for impacts.
     columns: Vec<Vec<usize>>,
     known: HashMap<Vec<u64>, Runs>,
-    heard: Heard<'s>,
+    heard: ProgressCallback<'s>,
     /// Values that others have before these, and that all have together, about at most.
     before: usize,
     most: usize,
@@ -99,14 +99,14 @@ impl<'s> Bank<'s> {
             stretches,
             columns,
             known: HashMap::new(),
-            heard: UNHEARD,
+            heard: NO_CALLBACK,
             before: 0,
             most: 0,
         })
     }
 
     /// Tells `heard` of values that have their runs, `before` of them elsewhere and at most about `most` together.
-    pub fn tell(&mut self, heard: Heard<'s>, before: usize, most: usize) {
+    pub fn tell(&mut self, heard: ProgressCallback<'s>, before: usize, most: usize) {
         (self.heard, self.before, self.most) = (heard, before, most);
     }
 
@@ -202,7 +202,7 @@ impl<'s> Bank<'s> {
             return Ok(Vec::new());
         }
         for (stretch, rows) in self.stretches.iter().enumerate() {
-            let made = rows.make_heard(&[], inputs.iter().cloned(), &finished)?;
+            let made = rows.make_until(&[], inputs.iter().cloned(), &finished)?;
             all_made(made.len(), inputs.len())?;
             for (row, sums) in made.into_iter().zip(&mut sums) {
                 let row = row.ok();

@@ -1,6 +1,6 @@
 //! Inversion of the joint test: the values of the unknowns at which it keeps the measurement.
 
-use super::bank::{Bank, Heard, Runs};
+use super::bank::{Bank, ProgressCallback, Runs};
 use super::grid::{Axis, Grid, TestedCell};
 use super::joint_test::{Verdict, joint_test, runs_for};
 use super::lengths::lengths;
@@ -306,7 +306,7 @@ pub(crate) fn identify_motion(
     study: &Study,
     specimen: Option<&String>,
     asked: &MotionValues,
-    heard: Heard<'_>,
+    heard: ProgressCallback<'_>,
 ) -> Result<Vec<MotionSpecimen>, Complaints> {
     let mut names: Vec<&Option<String>> = Vec::new();
     for feature in &study.motion {

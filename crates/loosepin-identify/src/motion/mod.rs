@@ -15,7 +15,7 @@ mod scatter;
 mod sided;
 mod unknowns;
 
-pub use bank::{Heard, UNHEARD};
+pub use bank::{NO_CALLBACK, ProgressCallback};
 pub(crate) use invert::identify_motion;
 pub use invert::{MotionRig, MotionValues, RunsOfValue};
 pub use plan::plan_motion;

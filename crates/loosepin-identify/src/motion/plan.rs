@@ -1,13 +1,13 @@
 //! What features would tell, before anything is measured.
 
-use super::bank::Heard;
+use super::bank::ProgressCallback;
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
 use super::unknowns::name;
 use crate::conduct::known_specimen;
 use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
-use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, Reduction, Seen, Study};
+use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
 use loosepin_text::diagnostics::{Complaints, Place};
 use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::{hash, uniform};
@@ -46,7 +46,7 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
     };
     let mut all = Vec::new();
     for (output, known) in study.outputs.iter().enumerate() {
-        if !matches!(known.seen, Seen::Reading(_)) {
+        if !matches!(known.seen, OutputSource::Reading(_)) {
             continue;
         }
         for reduction in [Reduction::MaximumAbsolute, Reduction::RootMeanSquare] {
@@ -72,7 +72,7 @@ pub fn plan_motion(
     study: &Study,
     specimen: Option<&str>,
     asked: &MotionValues,
-    heard: Heard<'_>,
+    heard: ProgressCallback<'_>,
 ) -> Result<MotionPlan, Complaints> {
     if let Some(wanted) = specimen {
         known_specimen(study, wanted)?;

@@ -6,7 +6,7 @@
 use super::motion::ideal_model;
 use super::study;
 use loosepin_identify::motion_record::{LengthsRefusal, MechanismRows, SpecimenLengths};
-use loosepin_identify::{Options, SpecimenStudy, UNHEARD, identify, known_bounds, narrowed, record};
+use loosepin_identify::{NO_CALLBACK, Options, SpecimenStudy, identify, known_bounds, narrowed, record};
 use loosepin_study::{Progress, RunOptions, Study, run_study};
 use loosepin_uncertainty::{hash, normal, uniform};
 use std::path::Path;
@@ -61,7 +61,7 @@ fn options() -> Options {
 }
 
 fn answer(study: &Study, options: &Options) -> record::Identification {
-    identify(study, options, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"))
+    identify(study, options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"))
 }
 
 fn given(answer: &record::Identification) -> &MechanismRows {
@@ -184,7 +184,7 @@ fn identity_rows_are_the_same_for_any_number_of_threads_and_go_on_in_a_study() {
     // 400 draws on average leave about as many different rows.
     assert!(rows.effective > 300.0 && rows.effective < 800.0, "{}", rows.effective);
     check_study(&one, &written.study);
-    let again = identify(&written.study, &options(), UNHEARD).expect_err("it would count twice").to_string();
+    let again = identify(&written.study, &options(), NO_CALLBACK).expect_err("it would count twice").to_string();
     assert!(again.contains("the measurement would count twice"), "{again}");
 }
 

@@ -13,7 +13,7 @@ mod uncertain;
 mod written;
 
 use loosepin_identify::record::{Consistent, Misfit, Outcome, Specimen};
-use loosepin_identify::{Options, UNHEARD, identify};
+use loosepin_identify::{NO_CALLBACK, Options, identify};
 use loosepin_mechanics::model::Model;
 use loosepin_study::Study;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ pub(crate) fn study(model: &str, study: &str) -> Study {
 /// What the readings of the only specimen say; further readings are not looked for.
 pub(crate) fn answer(study: &Study) -> Specimen {
     let options = Options { looks_further: false, ..Options::default() };
-    let mut answer = identify(study, &options, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut answer = identify(study, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(answer.specimens.len(), 1);
     answer.specimens.remove(0)
 }

@@ -1,7 +1,7 @@
 //! Readings that no play explains, and what cannot be computed.
 
 use super::{answer, known, misfit, study, text_of};
-use loosepin_identify::{IdentifyProblem, Options, UNHEARD, identify};
+use loosepin_identify::{IdentifyProblem, NO_CALLBACK, Options, identify};
 
 #[test]
 fn analytic_a_reading_beyond_the_intervals_is_told_by_itself() {
@@ -43,14 +43,14 @@ fn identity_readings_of_other_specimens_do_not_count() {
     );
     let options = Options { looks_further: false, specimen: Some("A".to_owned()), ..Options::default() };
     let both = study(&model, &named);
-    let of_a = identify(&both, &options, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let of_a = identify(&both, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(of_a.specimens.len(), 1);
     assert_eq!(known(&of_a.specimens[0]).plays, known(&alone).plays);
-    let all = identify(&both, &Options { specimen: None, ..options.clone() }, UNHEARD)
+    let all = identify(&both, &Options { specimen: None, ..options.clone() }, NO_CALLBACK)
         .unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(all.specimens.len(), 2);
-    let unknown =
-        identify(&both, &Options { specimen: Some("C".to_owned()), ..options }, UNHEARD).expect_err("no such specimen");
+    let unknown = identify(&both, &Options { specimen: Some("C".to_owned()), ..options }, NO_CALLBACK)
+        .expect_err("no such specimen");
     let problem =
         IdentifyProblem::UnknownSpecimen { name: "C".to_owned(), known: vec!["'A'".to_owned(), "'B'".to_owned()] };
     assert!(unknown.to_string().contains(&problem.to_string()), "{unknown}");
@@ -60,7 +60,7 @@ fn identity_readings_of_other_specimens_do_not_count() {
 fn refusals_say_what_is_missing() {
     let model = text_of("model.toml");
     let refused = |text: &str| {
-        let error = identify(&study(&model, text), &Options::default(), UNHEARD).expect_err("it is refused");
+        let error = identify(&study(&model, text), &Options::default(), NO_CALLBACK).expect_err("it is refused");
         error.to_string()
     };
     let text = text_of("first.toml");

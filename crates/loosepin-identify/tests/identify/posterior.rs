@@ -2,11 +2,11 @@
 
 use super::motion::{ROD, of_crank, stroke};
 use loosepin_identify::motion_record::{MarginalSummary, MotionPosterior, MotionSpecimen, PosteriorRefusal};
-use loosepin_identify::{Options, UNHEARD, identify};
+use loosepin_identify::{NO_CALLBACK, Options, identify};
 
 fn with_posterior(tables: &str, options: &Options) -> MotionSpecimen {
     let study = of_crank(tables);
-    let mut answer = identify(&study, options, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut answer = identify(&study, options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
     answer.motion.remove(0)
 }
 

@@ -121,7 +121,7 @@ fn analytic_a_push_beyond_the_contact_law_is_refused() {
     let refused = loosepin_identify::identify(
         &study(&text_of("model.toml"), &text),
         &Default::default(),
-        loosepin_identify::UNHEARD,
+        loosepin_identify::NO_CALLBACK,
     );
     let error = refused.expect_err("no contact carries it").to_string();
     assert!(error.contains("by more than its contact law carries"), "{error}");

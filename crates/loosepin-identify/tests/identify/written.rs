@@ -2,7 +2,7 @@
 
 use super::{answer, case, known, study, text_of};
 use loosepin_identify::record::{Consistent, Outcome};
-use loosepin_identify::{Options, UNHEARD, identify, narrowed, write_narrowed};
+use loosepin_identify::{NO_CALLBACK, Options, identify, narrowed, write_narrowed};
 use loosepin_study::Study;
 
 fn consistent(study: &Study) -> Consistent {
@@ -84,7 +84,7 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
 #[test]
 fn identity_the_named_reading_tells_apart_what_one_reading_does_not() {
     let first = study(&text_of("model.toml"), &text_of("first.toml"));
-    let answer = identify(&first, &Options::default(), UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let answer = identify(&first, &Options::default(), NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
     let Outcome::Consistent(known) = &answer.specimens[0].outcome else { panic!("it fits") };
     assert_eq!(known.alike, [[0, 1, 2]]);
     let further = known.further.as_ref().expect("there is a better place");

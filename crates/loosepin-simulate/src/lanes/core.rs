@@ -3,7 +3,7 @@
 use crate::depth_limit::DepthLimit;
 use crate::follow::{Follow, FollowLayout};
 use crate::lanes::execution::Execution;
-use crate::lanes::memory::{Block, LaneLayout, Memory, Named, Turn};
+use crate::lanes::memory::{Block, LaneLayout, Memory, Named, NextStepRule};
 use crate::lanes::pass::Pass;
 use crate::lanes::plain::Plain;
 use crate::lanes::programs::numbers;
@@ -30,7 +30,7 @@ const POWERS_OF_TWO: [f64; 32] = {
 };
 
 /// How a pass is computed.
-enum Way<'a> {
+enum Backend<'a> {
     Plain(Box<Plain<'a>>),
     Recorded(Box<Recorded<'a>>),
 }
@@ -54,7 +54,7 @@ pub struct Core<'a> {
     memory: Memory,
     /// What the instants that wait are read from: at each place one instant, of any lane's run.
     waiting: Memory,
-    way: Way<'a>,
+    way: Backend<'a>,
     /// The lanes in which the penetration of some closed contact that may have a root of its own is read off the positions.
     reading_depths: u32,
     /// The lanes in which the root of a penetration is an unknown: their steps do not pass at an even pace.
@@ -78,11 +78,11 @@ impl<'a> Core<'a> {
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
         let way = match execution {
-            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, follow, settings))),
+            Execution::Scalar => Backend::Plain(Box::new(Plain::new(mechanism, sample, arms, follow, settings))),
             Execution::Interpreted | Execution::MachineCode(_) => {
                 let recorded =
                     Recorded::new(mechanism, sample, arms, follow, &pass, lengths, (execution.level(), lanes));
-                Way::Recorded(Box::new(recorded))
+                Backend::Recorded(Box::new(recorded))
             }
         };
         Self {
@@ -128,8 +128,8 @@ impl<'a> Core<'a> {
     /// Replaces the numbers of the run in a lane.
     pub fn load_numbers(&mut self, lane: usize, sample: &Sample<f64>, arms: &Arms) {
         match &mut self.way {
-            Way::Plain(plain) => plain.load(sample, arms),
-            Way::Recorded(recorded) => recorded.load(&self.pass, &mut self.memory, lane, sample, arms),
+            Backend::Plain(plain) => plain.load(sample, arms),
+            Backend::Recorded(recorded) => recorded.load(&self.pass, &mut self.memory, lane, sample, arms),
         }
     }
 
@@ -159,7 +159,7 @@ impl<'a> Core<'a> {
         for (k, value) in values.into_iter().enumerate() {
             self.memory.set(Block::Lane, LaneLayout::contact(contact) + k, lane, value);
         }
-        if let Way::Plain(plain) = &mut self.way {
+        if let Backend::Plain(plain) = &mut self.way {
             plain.set_contact(contact, state, has_root);
         }
         for place in [self.pass.layout.roots[contact], self.pass.layout.bristles[contact]].into_iter().flatten() {
@@ -196,7 +196,7 @@ impl<'a> Core<'a> {
 
     /// Whether attempts are machine code.
     pub fn is_machine_code(&self) -> bool {
-        matches!(&self.way, Way::Recorded(recorded) if recorded.is_machine_code())
+        matches!(&self.way, Backend::Recorded(recorded) if recorded.is_machine_code())
     }
 
     /// Puts the run of a lane into an empty one before it.
@@ -211,7 +211,7 @@ impl<'a> Core<'a> {
 
     /// Computes from now on in so many lanes, the first ones; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
-        if let Way::Recorded(recorded) = &mut self.way {
+        if let Backend::Recorded(recorded) = &mut self.way {
             recorded.use_lanes(used);
         }
     }
@@ -284,12 +284,12 @@ impl<'a> Core<'a> {
     /// Sets the step to be tried in a lane.
     #[inline]
     pub fn set_step(&mut self, lane: usize, step: f64) {
-        self.set_turn(lane, Turn::Set);
+        self.set_turn(lane, NextStepRule::Set);
         self.set_number(lane, LaneLayout::STEP, step);
     }
     /// Says how the next step of a lane follows from its last attempt.
     #[inline]
-    pub fn set_turn(&mut self, lane: usize, turn: Turn) {
+    pub fn set_turn(&mut self, lane: usize, turn: NextStepRule) {
         self.set_number(lane, LaneLayout::TURN, turn.number());
     }
     /// Evaluations of the equations of motion in the run of a lane so far.
@@ -360,11 +360,11 @@ impl<'a> Core<'a> {
         }
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(plain) => {
+            Backend::Plain(plain) => {
                 plain.evaluate_start(pass, memory);
                 pass.take_evaluation(&mut Named::new(memory.blocks()));
             }
-            Way::Recorded(recorded) => {
+            Backend::Recorded(recorded) => {
                 let first = lanes.trailing_zeros().min(u32::BITS - 1) as usize;
                 recorded.restart(memory, first..(u32::BITS - lanes.leading_zeros()) as usize);
             }
@@ -376,8 +376,8 @@ impl<'a> Core<'a> {
         self.is_dense = false;
         let Self { pass, memory, way, reading_depths, .. } = self;
         match way {
-            Way::Plain(plain) => plain.attempt(pass, memory),
-            Way::Recorded(recorded) => recorded.attempt(memory, *reading_depths != 0),
+            Backend::Plain(plain) => plain.attempt(pass, memory),
+            Backend::Recorded(recorded) => recorded.attempt(memory, *reading_depths != 0),
         }
     }
 
@@ -387,7 +387,7 @@ impl<'a> Core<'a> {
         self.is_dense = false;
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(plain) => {
+            Backend::Plain(plain) => {
                 pass.accept(&mut Named::new(memory.blocks()));
                 if plain.holds_loops() {
                     plain.hold_loops(pass, memory);
@@ -395,7 +395,7 @@ impl<'a> Core<'a> {
                     pass.close_account(&mut Named::new(memory.blocks()));
                 }
             }
-            Way::Recorded(recorded) => recorded.accept(memory),
+            Backend::Recorded(recorded) => recorded.accept(memory),
         }
     }
 
@@ -403,8 +403,8 @@ impl<'a> Core<'a> {
     pub fn follow(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(_) => pass.follow(&mut Named::new(memory.blocks())),
-            Way::Recorded(recorded) => recorded.follow(memory),
+            Backend::Plain(_) => pass.follow(&mut Named::new(memory.blocks())),
+            Backend::Recorded(recorded) => recorded.follow(memory),
         }
     }
 
@@ -412,8 +412,8 @@ impl<'a> Core<'a> {
     pub fn spread(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(_) => pass.spread(&mut Named::new(memory.blocks())),
-            Way::Recorded(recorded) => recorded.spread(memory),
+            Backend::Plain(_) => pass.spread(&mut Named::new(memory.blocks())),
+            Backend::Recorded(recorded) => recorded.spread(memory),
         }
     }
 
@@ -447,8 +447,8 @@ impl<'a> Core<'a> {
     pub fn look(&mut self, places: usize) {
         let Self { pass, waiting, way, .. } = self;
         match way {
-            Way::Plain(_) => pass.look(&mut Named::new(waiting.blocks())),
-            Way::Recorded(recorded) => recorded.look(waiting, places),
+            Backend::Plain(_) => pass.look(&mut Named::new(waiting.blocks())),
+            Backend::Recorded(recorded) => recorded.look(waiting, places),
         }
     }
 
@@ -457,8 +457,8 @@ impl<'a> Core<'a> {
     pub fn look_in_place(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
-            Way::Recorded(recorded) => recorded.look_in_place(memory),
+            Backend::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
+            Backend::Recorded(recorded) => recorded.look_in_place(memory),
         }
     }
 
@@ -507,8 +507,8 @@ impl<'a> Core<'a> {
     pub fn close_accounts(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(_) => pass.close_account(&mut Named::new(memory.blocks())),
-            Way::Recorded(recorded) => recorded.close_account(memory),
+            Backend::Plain(_) => pass.close_account(&mut Named::new(memory.blocks())),
+            Backend::Recorded(recorded) => recorded.close_account(memory),
         }
     }
 
@@ -552,8 +552,8 @@ impl<'a> Core<'a> {
         self.is_dense = true;
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(plain) => plain.prepare_dense(pass, memory),
-            Way::Recorded(recorded) => recorded.prepare_dense(memory),
+            Backend::Plain(plain) => plain.prepare_dense(pass, memory),
+            Backend::Recorded(recorded) => recorded.prepare_dense(memory),
         }
     }
 
@@ -563,8 +563,8 @@ impl<'a> Core<'a> {
         self.prepare_dense();
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(plain) => plain.look_inside(pass, memory),
-            Way::Recorded(recorded) => {
+            Backend::Plain(plain) => plain.look_inside(pass, memory),
+            Backend::Recorded(recorded) => {
                 recorded.look_inside(memory);
                 0
             }
@@ -580,7 +580,7 @@ impl<'a> Core<'a> {
     /// Evaluations of the equations that the first look inside the step at hand costs: [`Self::prepare_dense`].
     pub fn evaluations_for_dense(&self) -> u64 {
         match &self.way {
-            Way::Plain(plain) if plain.is_implicit() => 0,
+            Backend::Plain(plain) if plain.is_implicit() => 0,
             _ => self.pass.stepper.evaluations_for_dense(),
         }
     }
@@ -607,7 +607,7 @@ impl<'a> Core<'a> {
     pub fn correct(&mut self, share: f64, state: &mut [f64]) -> u64 {
         let Self { pass, memory, way, .. } = self;
         match way {
-            Way::Plain(plain) if plain.is_implicit() && share > 0.0 && share < 1.0 => {
+            Backend::Plain(plain) if plain.is_implicit() && share > 0.0 && share < 1.0 => {
                 plain.correct(pass, memory, share, state)
             }
             _ => 0,

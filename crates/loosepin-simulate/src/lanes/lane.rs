@@ -1,7 +1,7 @@
 //! State of one run: its steps, its search for events, its counts. One lane follows one of these.
 
 use crate::depth_limit::DepthLimit;
-use crate::lanes::batch::Seat;
+use crate::lanes::batch::RunHandle;
 use crate::lanes::lane_step::LaneStep;
 use crate::recording::report::{FrictionPath, PlaySummary};
 use crate::settings::{STEP_SHARE, Window};
@@ -76,7 +76,7 @@ pub struct LaneRun {
     /// The recorded part.
     pub window: Window,
     /// Who looks at it.
-    pub observer: Seat,
+    pub observer: RunHandle,
     /// Steps that end before this time need not be shown to the observer, s.
     pub awaited_s: f64,
     /// Whether the step at hand lies in the recorded part.

@@ -28,7 +28,7 @@ pub enum Block {
 
 /// How the next step follows from the last attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turn {
+pub enum NextStepRule {
     /// It is set already.
     Set,
     /// The last one was good: it may be longer.
@@ -39,7 +39,7 @@ pub enum Turn {
     Choose,
 }
 
-impl Turn {
+impl NextStepRule {
     /// The number that stands for it in [`LaneLayout::TURN`].
     pub fn number(self) -> f64 {
         f64::from(self as u8)

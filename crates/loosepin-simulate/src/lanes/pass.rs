@@ -2,7 +2,7 @@
 //! stands for one run, written down for many ([`super::recorded`]).
 
 use crate::follow::{Follow, FollowLayout, LOBATTO, StepEnds};
-use crate::lanes::memory::{BLOCKS, LaneLayout, Named, Turn};
+use crate::lanes::memory::{BLOCKS, LaneLayout, Named, NextStepRule};
 use crate::lanes::reads::ReadLayout;
 use crate::settings::{STEP_SHARE, Settings};
 use crate::stepping::motion::{Layout, Motion, tolerances};
@@ -156,21 +156,24 @@ impl Pass {
         let (zero, one, half) = (T::zero(), T::one(), T::from_f64(0.5));
         let lane = &mut *blocks.lane;
         let turn = lane[LaneLayout::TURN];
-        let is_beyond = |least: Turn| T::from_f64(least.number() - 0.5).less_than(turn);
+        let is_beyond = |least: NextStepRule| T::from_f64(least.number() - 0.5).less_than(turn);
         let [error, growth, step] = [LaneLayout::ERROR, LaneLayout::GROWTH, LaneLayout::STEP].map(|place| lane[place]);
         let [least_growth, most_growth] = GROWTH.map(T::from_f64);
         let most_growth = T::select(is_set(lane[LaneLayout::WAS_REJECTED]), one, most_growth);
-        let factor =
-            T::select(is_beyond(Turn::Shrink), shrinkage(error, growth), growth.min(most_growth).max(least_growth));
-        let by_error = T::select(is_beyond(Turn::Grow), step * factor, lane[LaneLayout::NEXT]);
-        let next = T::select(is_beyond(Turn::Choose), lane[LaneLayout::NEXT], by_error);
+        let factor = T::select(
+            is_beyond(NextStepRule::Shrink),
+            shrinkage(error, growth),
+            growth.min(most_growth).max(least_growth),
+        );
+        let by_error = T::select(is_beyond(NextStepRule::Grow), step * factor, lane[LaneLayout::NEXT]);
+        let next = T::select(is_beyond(NextStepRule::Choose), lane[LaneLayout::NEXT], by_error);
         let was_rejected = T::select(
-            is_beyond(Turn::Shrink),
+            is_beyond(NextStepRule::Shrink),
             one,
-            T::select(is_beyond(Turn::Grow), zero, lane[LaneLayout::WAS_REJECTED]),
+            T::select(is_beyond(NextStepRule::Grow), zero, lane[LaneLayout::WAS_REJECTED]),
         );
         lane[LaneLayout::WAS_REJECTED] =
-            T::select(is_beyond(Turn::Choose), lane[LaneLayout::WAS_REJECTED], was_rejected);
+            T::select(is_beyond(NextStepRule::Choose), lane[LaneLayout::WAS_REJECTED], was_rejected);
         lane[LaneLayout::NEXT] = next;
 
         // The time at which steps stop is met exactly, and a last crumb is joined to the step before it. Where time is not the variable of
@@ -183,8 +186,8 @@ impl Pass {
         let pace = blocks.start_reads[ReadLayout::TIME + 1];
         let over_root = T::select(zero.less_than(pace), next.min(longest_s / pace), next);
         let chosen = T::select(is_set(self.roots(lane)), over_root, chosen_s);
-        lane[LaneLayout::STEP] = T::select(is_beyond(Turn::Grow), chosen, step);
-        lane[LaneLayout::TURN] = T::from_f64(Turn::Set.number());
+        lane[LaneLayout::STEP] = T::select(is_beyond(NextStepRule::Grow), chosen, step);
+        lane[LaneLayout::TURN] = T::from_f64(NextStepRule::Set.number());
     }
 
     /// How many roots of penetrations are unknowns in a lane.
@@ -253,7 +256,8 @@ impl Pass {
         let attention = T::select(is_good, good, bad).max(lane[LaneLayout::IS_WATCHED]);
         let attention = unless(evaluations.less_than(T::from_f64(self.largest_evaluations as f64 + 1.0)), attention);
         let is_watched = is_set(attention);
-        let [set, grow, shrink] = [Turn::Set, Turn::Grow, Turn::Shrink].map(|turn| T::from_f64(turn.number()));
+        let [set, grow, shrink] =
+            [NextStepRule::Set, NextStepRule::Grow, NextStepRule::Shrink].map(|turn| T::from_f64(turn.number()));
         lane[LaneLayout::EVALUATIONS] = evaluations;
         lane[LaneLayout::REJECTIONS] += T::select(is_good, zero, one);
         lane[LaneLayout::ATTENTION] = attention;

@@ -15,7 +15,7 @@ use loosepin_tape::native::{Graph, Hoisted, NativeError, Program, Slot, Value};
 use loosepin_tape::trace::{Traced, record};
 
 /// Numbers of a lane that are said of an attempt.
-const JUDGED: [usize; 11] = [
+const ATTEMPT_OUTPUTS: [usize; 11] = [
     LaneLayout::ERROR,
     LaneLayout::GROWTH,
     LaneLayout::EVENTFUL,
@@ -224,7 +224,7 @@ impl Tracing<'_> {
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
             self.pass.limit_turns(&mut blocks);
             self.pass.judge_attempt(&sample, &mut blocks);
-            let places = JUDGED.map(|place| (slot(Block::Lane, place), blocks.lane[place].value()));
+            let places = ATTEMPT_OUTPUTS.map(|place| (slot(Block::Lane, place), blocks.lane[place].value()));
             (points.0, places)
         });
         (points.iter().map(|point| program(hoisted, &graph, point)).collect(), program(hoisted, &graph, &judgement))

@@ -2,7 +2,7 @@
 
 use crate::engine::run_from;
 use crate::failure::RunFailure;
-use crate::lanes::batch::Kept;
+use crate::lanes::batch::CompiledCodeCache;
 use crate::observer::{Observer, Step};
 use crate::resume::MotionState;
 use crate::settings::{STEP_SHARE, Settings, Window};
@@ -127,7 +127,7 @@ struct Pair<'a> {
     run: MotionState,
     neighbour: MotionState,
     /// Pieces of turns are short: their machine code is kept from one to the next.
-    kept: Kept<'a>,
+    kept: CompiledCodeCache<'a>,
 }
 
 impl<'a> Pair<'a> {
@@ -159,7 +159,7 @@ impl<'a> Pair<'a> {
             SEPARATION.min(SHARE_OF_CLEARANCE * smallest_m / mechanism.size_m).max(OVER_LOCAL_ERROR * local);
         let flight = vec![PlayState::flight(); mechanism.contacts.len()];
         let mut run = MotionState::new(&motion.layout, &first, 0.0, flight);
-        let mut kept = Kept::default();
+        let mut kept = CompiledCodeCache::default();
         if start_s > 0.0 {
             run = go_on(mechanism, sample, &plan.settings, None, start_s, &mut kept)?;
         }
@@ -241,7 +241,7 @@ fn go_on<'m>(
     settings: &Settings,
     from: Option<&MotionState>,
     to_s: f64,
-    kept: &mut Kept<'m>,
+    kept: &mut CompiledCodeCache<'m>,
 ) -> Result<MotionState, RunFailure> {
     let mut last = LastState { end_s: to_s, state: None };
     // Only the last step is looked at.
@@ -267,7 +267,7 @@ impl Observer for LastState {
 #[cfg(test)]
 mod tests {
     use super::{go_on, mean_and_error};
-    use crate::lanes::batch::Kept;
+    use crate::lanes::batch::CompiledCodeCache;
     use crate::lanes::execution::Execution;
     use crate::resume::MotionState;
     use crate::settings::Settings;
@@ -278,7 +278,7 @@ mod tests {
     fn bits_of_pieces<'m>(
         mechanism: &'m Mechanism,
         sample: &Sample<f64>,
-        kept: &mut Kept<'m>,
+        kept: &mut CompiledCodeCache<'m>,
         is_kept: bool,
     ) -> Vec<Vec<u64>> {
         let turn_s = 60.0 / 5000.0;
@@ -287,7 +287,7 @@ mod tests {
         for piece in 0..12 {
             let to_s = turn_s * (2.0 + f64::from(piece) / 8.0);
             if !is_kept {
-                *kept = Kept::default();
+                *kept = CompiledCodeCache::default();
             }
             let found =
                 go_on(mechanism, sample, &Settings::for_simulation(), state.as_ref(), to_s, kept).expect("a run");
@@ -307,7 +307,7 @@ mod tests {
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
         let sample = Sample::<f64>::new(&mechanism, &values).unwrap_or_else(|error| panic!("{error}"));
-        let (mut kept, mut not_kept) = (Kept::default(), Kept::default());
+        let (mut kept, mut not_kept) = (CompiledCodeCache::default(), CompiledCodeCache::default());
         let found = bits_of_pieces(&mechanism, &sample, &mut kept, true);
         assert_eq!(kept.has_machine_code(), matches!(Execution::best(), Execution::MachineCode(_)));
         assert_eq!(found, bits_of_pieces(&mechanism, &sample, &mut not_kept, false));

@@ -7,7 +7,7 @@ use crate::engine::run_from;
 use crate::failure::RunFailure;
 use crate::ideal::column::{Column, columns};
 use crate::ideal::reference::IdealReference;
-use crate::lanes::batch::Kept;
+use crate::lanes::batch::CompiledCodeCache;
 use crate::observer::{Observer, Step};
 use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
@@ -103,8 +103,14 @@ fn run_cycle(
         failure: None,
     };
     let mut watched = Watched { observer: &mut observer, stop };
-    let report =
-        run_from(mechanism, sample, (&plan.window, plan.settings), resume, &mut Kept::default(), &mut watched)?;
+    let report = run_from(
+        mechanism,
+        sample,
+        (&plan.window, plan.settings),
+        resume,
+        &mut CompiledCodeCache::default(),
+        &mut watched,
+    )?;
     report.check_energy(&mechanism.model)?;
     if let Some(failure) = observer.failure {
         return Err(failure.into());

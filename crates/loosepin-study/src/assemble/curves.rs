@@ -5,8 +5,8 @@ use super::material::Material;
 use super::value_bands::value_bands;
 use crate::file::{Ask, Deviation, Where};
 use crate::question::CurveBand;
-use crate::response::columns::{BAND, Spot};
-use crate::response::outputs::Seen;
+use crate::response::columns::{BAND, Location};
+use crate::response::outputs::OutputSource;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
 use loosepin_simulate::Reading;
@@ -63,7 +63,8 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask:
 
 /// The ideal path, where an ask is for a distance from it.
 fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
-    let Seen::Path(readings, PathError::Normal | PathError::Contour) = material.plan().outputs[ask.output].seen else {
+    let OutputSource::Path(readings, PathError::Normal | PathError::Contour) = material.plan().outputs[ask.output].seen
+    else {
         return None;
     };
     let shared = &material.response.shared;
@@ -71,7 +72,7 @@ fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
     let (x, y) = place(readings[0]).zip(place(readings[1]))?;
     let mut path = PathCurve::default();
     for &column in &ask.columns {
-        let Spot::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
+        let Location::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
         let share = turns / material.response.recorded_turns;
         // The time has no part in a direction.
         let [x, y] = [x, y].map(|reading| shared.nominal_curve.jet(reading, share, 1.0));

@@ -3,7 +3,7 @@
 use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
-use crate::response::outputs::Seen;
+use crate::response::outputs::OutputSource;
 use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
@@ -165,11 +165,11 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
             words: output.words.clone(),
             unit: output.unit.clone(),
             path: match output.seen {
-                Seen::Path(_, part) => {
+                OutputSource::Path(_, part) => {
                     let point = output.point.as_deref().unwrap_or_default();
                     Some(PathOutput { point: point.to_owned(), part })
                 }
-                Seen::Reading(_) | Seen::Wear(..) => None,
+                OutputSource::Reading(_) | OutputSource::Wear(..) => None,
             },
             contact_force_in: output.seen.force_in().and_then(|joint| contact_of(material, joint)),
         })

@@ -3,8 +3,8 @@
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
 use crate::question::Rare;
-use crate::response::columns::{ColumnPlan, Spot, StudyColumn};
-use crate::response::outputs::Seen;
+use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use crate::response::outputs::OutputSource;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
@@ -170,9 +170,9 @@ impl Material<'_> {
     fn of_same_curve(&self, column: usize) -> Vec<(usize, Option<[bool; 2]>)> {
         let own = self.plan().columns[column];
         let mut found = vec![(column, None)];
-        let Spot::Reduced(own_reduction) = own.spot else { return found };
+        let Location::Reduced(own_reduction) = own.spot else { return found };
         for (other, planned) in self.plan().columns.iter().enumerate() {
-            let Spot::Reduced(reduction) = planned.spot else { continue };
+            let Location::Reduced(reduction) = planned.spot else { continue };
             if other != column && (planned.output, planned.deviation) == (own.output, own.deviation) {
                 found.push((
                     other,
@@ -223,9 +223,9 @@ impl Material<'_> {
     /// |E d| <= E max|d|, the quantiles of d lie within those of ± max|d|, and what else grows with d lies within S(- max|d|) and S(max|d|).
     fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
-        let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
+        let largest = StudyColumn { spot: Location::Reduced(Reduction::MaximumAbsolute), ..planned };
         let largest = self.plan().columns.iter().position(|known| *known == largest);
-        let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) else {
+        let (Some(largest), Location::Pose { .. }) = (largest, planned.spot) else {
             return Limit::NONE;
         };
         let most = |statistic| match self.ordered(largest, statistic) {
@@ -249,13 +249,13 @@ impl Material<'_> {
         let column = &self.plan().columns[column];
         let seen = self.plan().outputs[column.output].seen;
         let is_magnitude = match seen {
-            Seen::Path(_, PathError::Magnitude) | Seen::Wear(..) => true,
+            OutputSource::Path(_, PathError::Magnitude) | OutputSource::Wear(..) => true,
             // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
-            Seen::Reading(reading) => reading.is_never_negative() && column.deviation == Deviation::Value,
-            Seen::Path(..) => false,
+            OutputSource::Reading(reading) => reading.is_never_negative() && column.deviation == Deviation::Value,
+            OutputSource::Path(..) => false,
         };
         // The reductions of a magnitude are magnitudes.
-        is_magnitude || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())
+        is_magnitude || matches!(column.spot, Location::Reduced(reduction) if reduction.is_never_negative())
     }
 
     /// The unit of a column.
@@ -276,14 +276,14 @@ impl Material<'_> {
     /// Where a column is taken; `in_curve` tells that it is a point of a curve.
     pub fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
         match self.plan().columns[column].spot {
-            Spot::Pose { angle_rad: pose_rad, .. } => {
+            Location::Pose { angle_rad: pose_rad, .. } => {
                 if in_curve {
                     ResponsePoint::Curve { pose_rad }
                 } else {
                     ResponsePoint::Pose { pose_rad }
                 }
             }
-            Spot::Reduced(reduction) => ResponsePoint::Reduced { reduction },
+            Location::Reduced(reduction) => ResponsePoint::Reduced { reduction },
         }
     }
 }
@@ -358,7 +358,7 @@ mod tests {
         let columns = &runs.response.shared.plan.columns;
         let pose = runs.response.shared.plan.asks[0].columns[2];
         let Some(largest) = (0..columns.len()).find(|column| {
-            let is_largest = super::Spot::Reduced(super::Reduction::MaximumAbsolute);
+            let is_largest = super::Location::Reduced(super::Reduction::MaximumAbsolute);
             columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)
         }) else {
             panic!("the largest deviation narrows curves");

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::file::{Ask, Where};
-use crate::response::columns::{BAND, Spot};
+use crate::response::columns::{BAND, Location};
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
 use loosepin_result::study::{CurveRange, DraftCurve};
@@ -33,8 +33,8 @@ fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at
     let step = ask.columns.len().div_ceil(MAX_POSES).max(1);
     let columns: Vec<usize> = ask.columns.iter().copied().step_by(step).collect();
     let angle = |&column: &usize| match plan.columns[column].spot {
-        Spot::Pose { angle_rad, .. } => angle_rad,
-        Spot::Reduced(_) => f64::NAN,
+        Location::Pose { angle_rad, .. } => angle_rad,
+        Location::Reduced(_) => f64::NAN,
     };
     let pose_rad = columns.iter().map(angle).collect();
     let (lower_si, upper_si) = columns.iter().map(|&column| ends_si(table, column, runs_at)).unzip();

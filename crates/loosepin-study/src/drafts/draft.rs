@@ -4,7 +4,7 @@ use crate::assemble::{Material, asked_bounds, requirements};
 use crate::drafts::curves::draft_curves;
 use crate::drafts::progress::{Drafts, PilotRun};
 use crate::file::{Study, Where};
-use crate::response::columns::{BAND, Spot};
+use crate::response::columns::{BAND, Location};
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable, Statistic};
 use loosepin_result::study::{Draft, ResponsePoint};
@@ -58,7 +58,7 @@ impl<'s> Drafting<'s> {
     /// Whether a request is of a single number of the whole recorded part.
     fn is_told(&self, request: &Request) -> bool {
         let column = self.response.shared.plan.columns.get(request.column);
-        column.is_some_and(|column| matches!(column.spot, Spot::Reduced(_)))
+        column.is_some_and(|column| matches!(column.spot, Location::Reduced(_)))
     }
 
     fn draft(&self, plan: &DoubleLoop, table: &SampleTable) -> Result<Draft, PlanError> {

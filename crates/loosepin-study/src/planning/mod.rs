@@ -2,8 +2,8 @@
 //! No run is made here but those that are timed.
 
 pub(crate) mod budget;
-pub(crate) mod foresee;
-pub(crate) mod foreseen;
+pub(crate) mod cost_estimate;
+pub(crate) mod estimate_cost;
 pub(crate) mod goals;
 pub(crate) mod plans;
 pub(crate) mod problem;

@@ -8,7 +8,7 @@ use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
-use crate::response::columns::{Spot, StudyColumn};
+use crate::response::columns::{Location, StudyColumn};
 use crate::response::study_response::{MAX_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
 use crate::runs::all_runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
@@ -208,10 +208,10 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyErr
 /// A column that more turns can only move one way.
 fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)> {
     match column.spot {
-        Spot::Reduced(
+        Location::Reduced(
             reduction @ (Reduction::Maximum | Reduction::Minimum | Reduction::MaximumAbsolute | Reduction::Range),
         ) => Some((index, reduction)),
-        Spot::Reduced(Reduction::RootMeanSquare | Reduction::Mean) | Spot::Pose { .. } => None,
+        Location::Reduced(Reduction::RootMeanSquare | Reduction::Mean) | Location::Pose { .. } => None,
     }
 }
 

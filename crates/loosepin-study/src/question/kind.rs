@@ -4,7 +4,7 @@ use super::found::{Found, StudyRun};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::{QuestionSettings, Study};
-use crate::planning::foreseen::Foreseen;
+use crate::planning::cost_estimate::CostEstimate;
 use crate::response::study_response::StudyResponse;
 use crate::runs::all_runs::Runs;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
@@ -21,7 +21,7 @@ pub trait Question: Send + Sync {
     }
 
     /// Adds what is known of its cost before anything has run.
-    fn add_cost(&self, cost: &mut Foreseen) {
+    fn add_cost(&self, cost: &mut CostEstimate) {
         let _ = cost;
     }
 

@@ -16,7 +16,7 @@ pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
 
 /// Where in the recorded turns a column is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Spot {
+pub enum Location {
     /// At this many turns of the drive after the start of the recorded part.
     Pose {
         /// Turns since the start of the recorded part.
@@ -36,7 +36,7 @@ pub struct StudyColumn {
     /// Which deviation.
     pub deviation: Deviation,
     /// Where.
-    pub spot: Spot,
+    pub spot: Location,
 }
 
 /// All columns of a study, and which ask uses which.
@@ -63,8 +63,8 @@ impl StudyColumn {
     fn key(&self) -> ColumnKey {
         let spot = match self.spot {
             // Adding zero leaves one of the two zeros.
-            Spot::Pose { turns, angle_rad } => Ok([turns, angle_rad].map(|number| (number + 0.0).to_bits())),
-            Spot::Reduced(reduction) => Err(reduction),
+            Location::Pose { turns, angle_rad } => Ok([turns, angle_rad].map(|number| (number + 0.0).to_bits())),
+            Location::Reduced(reduction) => Err(reduction),
         };
         (self.output, self.deviation, spot)
     }
@@ -90,7 +90,7 @@ impl ColumnPlan {
             |turns: f64| drive_start_rad + drive_sign * std::f64::consts::TAU * (study.cycle.transient_turns + turns);
         // People count the recorded turns, not those before them.
         let whole_turns_rad = drive_sign * std::f64::consts::TAU * study.cycle.transient_turns.floor();
-        let spots = |location: &Where| -> Vec<Spot> {
+        let spots = |location: &Where| -> Vec<Location> {
             match location {
                 Where::Cycle => {
                     let rows = (study.cycle.recorded_turns * study.cycle.samples_per_turn as f64).round().max(1.0);
@@ -98,7 +98,7 @@ impl ColumnPlan {
                     let is_closed = study.cycle.recorded_turns.fract() == 0.0;
                     (0..rows as usize + usize::from(!is_closed))
                         .map(|row| study.cycle.recorded_turns * row as f64 / rows)
-                        .map(|turns| Spot::Pose { turns, angle_rad: angle(turns) - whole_turns_rad })
+                        .map(|turns| Location::Pose { turns, angle_rad: angle(turns) - whole_turns_rad })
                         .collect()
                 }
                 Where::Poses { angles_rad, .. } => angles_rad
@@ -111,10 +111,10 @@ impl ColumnPlan {
                         if turns > 1.0 - 1e-12 {
                             turns = 0.0;
                         }
-                        Spot::Pose { turns, angle_rad: *asked_rad }
+                        Location::Pose { turns, angle_rad: *asked_rad }
                     })
                     .collect(),
-                Where::Reduced(reduction) => vec![Spot::Reduced(*reduction)],
+                Where::Reduced(reduction) => vec![Location::Reduced(*reduction)],
             }
         };
         for ask in &study.asks {
@@ -122,7 +122,7 @@ impl ColumnPlan {
             plan.asks.push(Ask { columns, ..ask.clone() });
         }
         // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
-        let whole = [Spot::Reduced(Reduction::MaximumAbsolute)];
+        let whole = [Location::Reduced(Reduction::MaximumAbsolute)];
         for k in 0..plan.asks.len() {
             let Ask { output, deviation, ref location, .. } = plan.asks[k];
             let is_at_poses = !matches!(location, Where::Reduced(_));
@@ -133,7 +133,7 @@ impl ColumnPlan {
         }
         for requirement in &study.requirements {
             let spots = match &requirement.location {
-                Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
+                Where::Cycle => vec![Location::Reduced(requirement.limit.reduction())],
                 other => spots(other),
             };
             let columns = plan.add(requirement.output, requirement.deviation, &spots);
@@ -142,7 +142,7 @@ impl ColumnPlan {
         plan
     }
 
-    fn add(&mut self, output: usize, deviation: Deviation, spots: &[Spot]) -> Vec<usize> {
+    fn add(&mut self, output: usize, deviation: Deviation, spots: &[Location]) -> Vec<usize> {
         spots
             .iter()
             .map(|&spot| {

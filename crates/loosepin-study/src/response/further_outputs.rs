@@ -3,7 +3,7 @@
 use crate::error::StudyError;
 use crate::file::{Study, Where};
 use crate::planning::problem::problem;
-use crate::response::columns::Spot;
+use crate::response::columns::Location;
 use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
 use crate::runs::all_runs::Runs;
@@ -71,8 +71,8 @@ impl<'s> FurtherOutputs<'s> {
         for (is_curve, columns) in asked.chain(required) {
             if is_curve {
                 let angle = |&column: &usize| match plan.columns[column].spot {
-                    Spot::Pose { angle_rad, .. } => angle_rad,
-                    Spot::Reduced(_) => f64::NAN,
+                    Location::Pose { angle_rad, .. } => angle_rad,
+                    Location::Reduced(_) => f64::NAN,
                 };
                 let pose_rad = columns.iter().map(angle).collect();
                 push(

@@ -23,12 +23,12 @@ pub struct StudyOutput {
     /// Its dimension.
     pub dimension: Dimension,
     /// What is seen of a run.
-    pub seen: Seen,
+    pub seen: OutputSource,
 }
 
 /// What is seen of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Seen {
+pub enum OutputSource {
     /// A number that can be read at any instant.
     Reading(Reading),
     /// A part of the error of a point from its ideal path; x and y of the point.
@@ -37,7 +37,7 @@ pub enum Seen {
     Wear(JointId, WearMeasure),
 }
 
-impl Seen {
+impl OutputSource {
     /// The position or angle that it is.
     pub fn position(&self) -> Option<Position> {
         match self {
@@ -93,7 +93,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 point: None,
                 unit: column.unit.clone(),
                 dimension,
-                seen: Seen::Reading(column.reading),
+                seen: OutputSource::Reading(column.reading),
             });
         }
         match output.kind.recorded() {
@@ -106,7 +106,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 point: None,
                 unit: SiUnit::of_dimension(dimension),
                 dimension,
-                seen: Seen::Wear(joint, measure),
+                seen: OutputSource::Wear(joint, measure),
             }),
             Recorded::Path(point) => {
                 let [x, y] = own[..] else { continue };
@@ -119,7 +119,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                     point: Some(format!("{} ({})", output.name, words)),
                     unit: x.unit.clone(),
                     dimension,
-                    seen: Seen::Path([x.reading, y.reading], part),
+                    seen: OutputSource::Path([x.reading, y.reading], part),
                 }));
             }
         }

@@ -4,8 +4,8 @@
 //! read by looking inside the steps.
 
 use crate::file::{Deviation, Reduction};
-use crate::response::columns::{ColumnPlan, Spot};
-use crate::response::outputs::Seen;
+use crate::response::columns::{ColumnPlan, Location};
+use crate::response::outputs::OutputSource;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 /// Where the value of a column comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Origin {
+enum ColumnSource {
     /// A reading at an instant: its index in [`Follow::readings`], and that of the instant.
     Instant { reading: usize, instant: usize },
     /// A deviation that is followed on the lanes: its index in [`Follow::deviations`].
@@ -49,7 +49,7 @@ pub struct Shared {
     /// Turns since the start of the recorded part at which these are read.
     instants_turns: Vec<f64>,
     /// Of each column.
-    origins: Vec<Origin>,
+    origins: Vec<ColumnSource>,
     /// Outputs and deviations that are followed by looks inside the steps.
     looked: Vec<(usize, Deviation)>,
     /// Whether a column needs an integral of each of these.
@@ -97,7 +97,7 @@ impl Shared {
         let (mut looked, mut looks, mut instants_turns) = (Vec::new(), Vec::new(), Vec::new());
         let mut looked_is_integrated = Vec::new();
         for column in &plan.columns {
-            if let Spot::Pose { turns, .. } = column.spot {
+            if let Location::Pose { turns, .. } = column.spot {
                 instants_turns.push(turns);
             }
         }
@@ -109,32 +109,34 @@ impl Shared {
             let instant = |turns: f64| instants_turns.partition_point(|&instant| instant < turns);
             let of = column.deviation;
             let followed = match plan.outputs[column.output].seen {
-                Seen::Wear(joint, measure) => Some(Origin::Wear { joint, measure }),
-                Seen::Reading(reading) => match (place(reading), column.spot) {
-                    (Some(reading), Spot::Pose { turns, .. }) => {
-                        Some(Origin::Instant { reading, instant: instant(turns) })
+                OutputSource::Wear(joint, measure) => Some(ColumnSource::Wear { joint, measure }),
+                OutputSource::Reading(reading) => match (place(reading), column.spot) {
+                    (Some(reading), Location::Pose { turns, .. }) => {
+                        Some(ColumnSource::Instant { reading, instant: instant(turns) })
                     }
-                    (Some(reading), Spot::Reduced(reduction)) => {
+                    (Some(reading), Location::Reduced(reduction)) => {
                         Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
                     }
-                    (None, Spot::Reduced(reduction))
+                    (None, Location::Reduced(reduction))
                         if of == Deviation::Value && is_integrated && reading.is_on_lanes() =>
                     {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }
                     (None, _) => None,
                 },
-                Seen::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| match column.spot {
-                    Spot::Pose { turns, .. } => Origin::PathInstant { readings: [x, y], part, instant: instant(turns) },
-                    Spot::Reduced(reduction) => follow_path(&mut follow.paths, ([x, y], of), part, reduction),
+                OutputSource::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| match column.spot {
+                    Location::Pose { turns, .. } => {
+                        ColumnSource::PathInstant { readings: [x, y], part, instant: instant(turns) }
+                    }
+                    Location::Reduced(reduction) => follow_path(&mut follow.paths, ([x, y], of), part, reduction),
                 }),
             };
             origins.push(followed.unwrap_or_else(|| match column.spot {
-                Spot::Pose { .. } => {
+                Location::Pose { .. } => {
                     looks.push(index);
-                    Origin::Look
+                    ColumnSource::Look
                 }
-                Spot::Reduced(reduction) => {
+                Location::Reduced(reduction) => {
                     let own = (column.output, of);
                     let deviation = looked.iter().position(|known| *known == own).unwrap_or_else(|| {
                         looked.push(own);
@@ -142,7 +144,7 @@ impl Shared {
                         looked.len() - 1
                     });
                     looked_is_integrated[deviation] |= is_integral(reduction);
-                    Origin::Looked { deviation, reduction }
+                    ColumnSource::Looked { deviation, reduction }
                 }
             }));
         }
@@ -154,9 +156,9 @@ impl Shared {
         let needs_own_ideal = of_own.clone().next().is_some();
         let is_position = |output: usize| plan.outputs[output].seen.readings().all(|reading| reading.is_position());
         let needs_own_reference = of_own.any(|column| !is_position(column.output));
-        let needs_wear = origins.iter().any(|origin| matches!(origin, Origin::Wear { .. }));
+        let needs_wear = origins.iter().any(|origin| matches!(origin, ColumnSource::Wear { .. }));
         let needs_depths =
-            origins.iter().any(|origin| matches!(origin, Origin::Wear { measure, .. } if measure.is_depth()));
+            origins.iter().any(|origin| matches!(origin, ColumnSource::Wear { measure, .. } if measure.is_depth()));
         Self {
             needs_wear,
             needs_depths,
@@ -182,8 +184,10 @@ impl Shared {
 
     /// What is followed in a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
     pub fn followed(&self, own: Option<Arc<IdealCurve>>, window: &Window, turn_s: f64) -> FollowedRun {
-        let is_read =
-            self.origins.iter().any(|origin| matches!(origin, Origin::Instant { .. } | Origin::PathInstant { .. }));
+        let is_read = self
+            .origins
+            .iter()
+            .any(|origin| matches!(origin, ColumnSource::Instant { .. } | ColumnSource::PathInstant { .. }));
         let instants = self.instants_turns.iter().filter(|_| is_read);
         let instants_s = instants.map(|turns| window.start_s + turns * turn_s).collect();
         FollowedRun { instants_s, nominal: Some(self.nominal_curve.clone()), own }
@@ -195,14 +199,14 @@ fn follow_deviation(
     known: &mut Vec<FollowedDeviation>,
     (reading, deviation): (usize, Deviation),
     reduction: Reduction,
-) -> Origin {
+) -> ColumnSource {
     let found = known.iter().position(|one| one.reading == reading && one.deviation == deviation);
     let place = found.unwrap_or_else(|| {
         known.push(FollowedDeviation { reading, deviation, is_integrated: false });
         known.len() - 1
     });
     known[place].is_integrated |= is_integral(reduction);
-    Origin::Followed { deviation: place, reduction }
+    ColumnSource::Followed { deviation: place, reduction }
 }
 
 /// A number of a part of the error of a point, which joins those that are followed.
@@ -211,7 +215,7 @@ fn follow_path(
     (readings, deviation): ([usize; 2], Deviation),
     part: PathError,
     reduction: Reduction,
-) -> Origin {
+) -> ColumnSource {
     let found = known.iter().position(|one| one.readings == readings && one.deviation == deviation);
     let path = found.unwrap_or_else(|| {
         known.push(FollowedPath { readings, deviation, parts: [false; 4], is_integrated: false });
@@ -220,16 +224,16 @@ fn follow_path(
     let part = PathError::ALL.iter().position(|known| *known == part).unwrap_or(0);
     known[path].parts[part] = true;
     known[path].is_integrated |= is_integral(reduction);
-    Origin::FollowedPath { path, part, reduction }
+    ColumnSource::FollowedPath { path, part, reduction }
 }
 
 /// A number of the value of an output that is no position, which joins those that are followed.
-fn follow_inside(known: &mut Vec<Reading>, reading: Reading, reduction: Reduction) -> Origin {
+fn follow_inside(known: &mut Vec<Reading>, reading: Reading, reduction: Reduction) -> ColumnSource {
     let value = known.iter().position(|one| *one == reading).unwrap_or_else(|| {
         known.push(reading);
         known.len() - 1
     });
-    Origin::Inside { value, reduction }
+    ColumnSource::Inside { value, reduction }
 }
 
 fn is_integral(reduction: Reduction) -> bool {
@@ -239,8 +243,8 @@ fn is_integral(reduction: Reduction) -> bool {
 /// Turns of the pose of a column; not a number of a reduced one.
 fn pose_turns(plan: &ColumnPlan, column: usize) -> f64 {
     match plan.columns[column].spot {
-        Spot::Pose { turns, .. } => turns,
-        Spot::Reduced(_) => f64::NAN,
+        Location::Pose { turns, .. } => turns,
+        Location::Reduced(_) => f64::NAN,
     }
 }
 
@@ -314,28 +318,28 @@ impl<'r> Recorder<'r> {
         let turns = span_s / self.turn_s;
         for (index, (column, origin)) in shared.plan.columns.iter().zip(&shared.origins).enumerate() {
             self.values[index] = match *origin {
-                Origin::Instant { reading, instant } => {
+                ColumnSource::Instant { reading, instant } => {
                     let share = (shared.instants_turns[instant] / turns).min(1.0);
                     let actual = || findings.at_instants.get(instant * readings + reading).copied().unwrap_or(f64::NAN);
                     let own = || self.references.curve.as_ref().map_or(f64::NAN, |curve| curve.value(reading, share));
                     deviation(column.deviation, actual, own, || shared.nominal_at_pose[index])
                 }
-                Origin::Followed { deviation, reduction } => {
+                ColumnSource::Followed { deviation, reduction } => {
                     reduced(&findings.deviations[deviation], reduction, span_s)
                 }
-                Origin::PathInstant { readings: own, part, instant } => {
+                ColumnSource::PathInstant { readings: own, part, instant } => {
                     let share = (shared.instants_turns[instant] / turns).min(1.0);
                     let at = |reading| findings.at_instants.get(instant * readings + reading).copied();
                     let actual = own.map(|reading| at(reading).unwrap_or(f64::NAN));
                     self.path_error(column.deviation, part, (own, actual), share)
                 }
-                Origin::FollowedPath { path, part, reduction } => {
+                ColumnSource::FollowedPath { path, part, reduction } => {
                     reduced(&findings.paths[path][part], reduction, span_s)
                 }
-                Origin::Inside { value, reduction } => reduced(&findings.inside[value], reduction, span_s),
-                Origin::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
-                Origin::Wear { joint, measure } => self.wear_value(joint, measure, report),
-                Origin::Look => self.values[index],
+                ColumnSource::Inside { value, reduction } => reduced(&findings.inside[value], reduction, span_s),
+                ColumnSource::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
+                ColumnSource::Wear { joint, measure } => self.wear_value(joint, measure, report),
+                ColumnSource::Look => self.values[index],
             };
         }
     }
@@ -348,7 +352,7 @@ impl<'r> Recorder<'r> {
     /// The joint of a column of wear that is no finite number.
     pub fn wear_not_finite(&self) -> Option<JointId> {
         self.shared.origins.iter().zip(&self.values).find_map(|(origin, value)| match *origin {
-            Origin::Wear { joint, .. } if !value.is_finite() => Some(joint),
+            ColumnSource::Wear { joint, .. } if !value.is_finite() => Some(joint),
             _ => None,
         })
     }
@@ -391,7 +395,7 @@ impl<'r> Recorder<'r> {
         nominal: Option<f64>,
     ) -> f64 {
         let Self { shared, arms, references, failure, .. } = self;
-        let Seen::Reading(reading) = shared.plan.outputs[output].seen else { return f64::NAN };
+        let OutputSource::Reading(reading) = shared.plan.outputs[output].seen else { return f64::NAN };
         let mut ideal = |reference: &mut Option<IdealReference<'r>>, time_s: f64| match reference {
             Some(reference) => read(reference, failure, |dynamics| reading.value(arms, dynamics), time_s),
             None => f64::NAN,
@@ -431,7 +435,7 @@ impl<'r> Recorder<'r> {
 
     /// Value of an output without a polynomial, by a look inside a step.
     fn actual(&self, step: &mut Step<'_, '_>, output: usize, time_s: f64) -> f64 {
-        let Seen::Reading(reading) = self.shared.plan.outputs[output].seen else { return f64::NAN };
+        let OutputSource::Reading(reading) = self.shared.plan.outputs[output].seen else { return f64::NAN };
         let dynamics = if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
         reading.value(&self.arms, dynamics)
     }
@@ -556,7 +560,7 @@ fn poses(dynamics: &Dynamics<'_, f64>) -> Vec<[f64; 3]> {
 mod tests {
     use crate::Study;
     use crate::file::Reduction;
-    use crate::response::columns::Spot;
+    use crate::response::columns::Location;
     use crate::response::study_response::StudyResponse;
     use crate::written::texts::study_with;
     use loosepin_result::study::PathError;
@@ -571,13 +575,16 @@ mod tests {
         let mut row = vec![0.0; response.row_length()];
         response.run(&[0.05, 0.12], &[2e-5, 0.8], &mut row).unwrap();
         let plan = &response.shared.plan;
-        let of = |is_meant: &dyn Fn(&Spot) -> bool| {
+        let of = |is_meant: &dyn Fn(&Location) -> bool| {
             let columns = plan.columns.iter().zip(&row);
             let total = columns
                 .filter(|(column, _)| column.deviation == crate::file::Deviation::Total && is_meant(&column.spot));
             total.fold(0.0_f64, |most, (_, value)| most.max(value.abs()))
         };
-        [of(&|spot| *spot == Spot::Reduced(Reduction::MaximumAbsolute)), of(&|spot| matches!(spot, Spot::Pose { .. }))]
+        [
+            of(&|spot| *spot == Location::Reduced(Reduction::MaximumAbsolute)),
+            of(&|spot| matches!(spot, Location::Pose { .. })),
+        ]
     }
 
     #[test]

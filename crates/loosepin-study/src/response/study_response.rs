@@ -1,10 +1,10 @@
 //! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
 
 use crate::file::{EpistemicSubject, MAX_POSES, Study, Where};
-use crate::response::columns::{ColumnPlan, Spot};
+use crate::response::columns::{ColumnPlan, Location};
 use crate::response::extras::RunExtras;
 use crate::response::ideal_tables::IdealTables;
-use crate::response::outputs::Seen;
+use crate::response::outputs::OutputSource;
 use crate::response::recorder::{Shared, positions};
 use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
@@ -355,7 +355,7 @@ const ROUND_OFF_OF_LOOPS: f64 = 1e-11;
 fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
     let recorded_turns = study.cycle.recorded_turns;
     for column in &plan.columns {
-        if let Spot::Pose { turns, angle_rad } = column.spot
+        if let Location::Pose { turns, angle_rad } = column.spot
             && turns > recorded_turns + POSE_ROUND_OFF
         {
             let output = plan.outputs[column.output].name.clone();
@@ -372,7 +372,7 @@ fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, spa
     const LOOKS: usize = 4;
     const MIN_SHARE: f64 = 0.01;
     for output in plan.outputs.iter().enumerate().filter(|(index, _)| plan.is_used(*index)).map(|(_, output)| output) {
-        let Seen::Path(readings, part) = output.seen else { continue };
+        let OutputSource::Path(readings, part) = output.seen else { continue };
         let places = readings.map(|reading| positions.iter().position(|known| *known == reading));
         let ([Some(x), Some(y)], true) = (places, part != PathError::Magnitude) else { continue };
         let looks = LOOKS * curve.nodes.pieces().iter().sum::<usize>();
@@ -442,8 +442,8 @@ fn share_nominal(
         .iter()
         .enumerate()
         .filter_map(|(index, column)| match column.spot {
-            Spot::Pose { turns, .. } => Some((turns, index)),
-            Spot::Reduced(_) => None,
+            Location::Pose { turns, .. } => Some((turns, index)),
+            Location::Reduced(_) => None,
         })
         .collect();
     pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -453,11 +453,11 @@ fn share_nominal(
         let time_s = nominal_window.start_s + at * span_s / turns;
         let dynamics = reference.at(time_s, true)?;
         nominal_at_pose[index] = match plan.outputs[plan.columns[index].output].seen {
-            Seen::Reading(reading) => reading.value(&arms, dynamics),
+            OutputSource::Reading(reading) => reading.value(&arms, dynamics),
             // The ideal motion has no error.
-            Seen::Path(..) => 0.0,
+            OutputSource::Path(..) => 0.0,
             // Wear is no number of a pose.
-            Seen::Wear(..) => f64::NAN,
+            OutputSource::Wear(..) => f64::NAN,
         };
     }
     check_paths(&plan, &positions, &nominal_curve, span_s)?;

@@ -9,7 +9,7 @@ use crate::run_options::RunOptions;
 use crate::runs::elsewhere::made_elsewhere;
 use crate::runs::evaluate::{Row, Work, evaluate};
 use crate::runs::failures::failures;
-use crate::runs::keep::{KeptList, RunLists};
+use crate::runs::keep::{RunLists, StoredRuns};
 use crate::runs::part::{OpenRound, Part};
 use crate::runs::table::{RunsTable, runs_table};
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
@@ -36,7 +36,7 @@ pub(crate) struct Runs<'s> {
     /// The runs so far.
     pub table: SampleTable,
     lists: Arc<RunLists<'s>>,
-    list: KeptList<'s>,
+    list: StoredRuns<'s>,
     /// Tells drafts, where they are wanted.
     pub drafts: Option<&'s dyn Drafts>,
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use crate::error::StudyError;
 use crate::runs::evaluate::Row;
 use loosepin_bounds::{Failure, RunInputs};
-use loosepin_store::{InputsKey, KeptRun, RunStore, StoreError};
+use loosepin_store::{InputsKey, RunStore, StoreError, StoredRun};
 
 /// The lists of runs of a study: where they are kept, how many have been begun, and the runs of those that are finished.
 pub(crate) struct RunLists<'s> {
@@ -17,7 +17,7 @@ pub(crate) struct RunLists<'s> {
 /// One list of runs: that of the study itself, or of a direct study of the inverse question. They are begun in the same order
 /// whenever the study is run.
 #[derive(Clone, Copy)]
-pub(crate) struct KeptList<'s> {
+pub(crate) struct StoredRuns<'s> {
     store: Option<&'s RunStore>,
     list: u32,
 }
@@ -29,8 +29,8 @@ impl<'s> RunLists<'s> {
     }
 
     /// The next list.
-    pub fn begin(&self) -> KeptList<'s> {
-        KeptList { store: self.store, list: self.begun.fetch_add(1, Ordering::Relaxed) }
+    pub fn begin(&self) -> StoredRuns<'s> {
+        StoredRuns { store: self.store, list: self.begun.fetch_add(1, Ordering::Relaxed) }
     }
 
     /// A list is finished with so many runs.
@@ -44,7 +44,7 @@ impl<'s> RunLists<'s> {
     }
 }
 
-impl KeptList<'_> {
+impl StoredRuns<'_> {
     /// The rows of `batch`, whose first run stands at `first` in the list, where they are known.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ impl KeptList<'_> {
     pub fn keep(&self, place: usize, inputs: &RunInputs, row: &Row) {
         if let Some(store) = self.store {
             let outcome = row.clone().map_err(|failure| failure.0);
-            store.keep(self.list, place as u64, KeptRun { inputs: key(inputs), outcome });
+            store.keep(self.list, place as u64, StoredRun { inputs: key(inputs), outcome });
         }
     }
 

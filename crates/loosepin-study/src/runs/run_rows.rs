@@ -53,14 +53,14 @@ impl RunRows {
         loosened: &[(usize, f64)],
         inputs: impl IntoIterator<Item = [Vec<f64>; 2]>,
     ) -> Result<Vec<Result<Vec<f64>, Failure>>, StudyError> {
-        self.make_heard(loosened, inputs, &|| true)
+        self.make_until(loosened, inputs, &|| true)
     }
 
     /// As [`Self::make`]; `finished` hears of every run that ends, and says whether others are to begin: rows of those that are not are left out.
     ///
     /// # Errors
     /// Inputs cannot be loosened so.
-    pub fn make_heard(
+    pub fn make_until(
         &self,
         loosened: &[(usize, f64)],
         inputs: impl IntoIterator<Item = [Vec<f64>; 2]>,

@@ -1,7 +1,7 @@
 //! The runs of a study as a table: one row a run, every column with its name and unit: inputs, single numbers, status, counters.
 
 use crate::file::{EpistemicSubject, Study, Where, named_angle_rad};
-use crate::response::columns::{ColumnPlan, Spot};
+use crate::response::columns::{ColumnPlan, Location};
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
@@ -62,8 +62,8 @@ impl RunData {
 pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
     let column = &plan.columns[index];
     let at = match column.spot {
-        Spot::Pose { angle_rad, .. } => format!("at {} rad", named_angle_rad(angle_rad)),
-        Spot::Reduced(reduction) => reduction.word().to_owned(),
+        Location::Pose { angle_rad, .. } => format!("at {} rad", named_angle_rad(angle_rad)),
+        Location::Reduced(reduction) => reduction.word().to_owned(),
     };
     format!("{} {at}", curve_name(plan, index))
 }

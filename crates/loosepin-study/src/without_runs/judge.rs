@@ -6,7 +6,7 @@
 
 use crate::file::{Allowance, AllowedInput, Requirement, Study, Where};
 use crate::response::input_limits::{DEVIATIONS, InputLimits};
-use crate::response::outputs::Seen;
+use crate::response::outputs::OutputSource;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
@@ -124,19 +124,19 @@ impl Judge<'_> {
         let asked = self.study.requirements.iter().map(|requirement| {
             let of = requirement.deviation;
             match self.study.outputs[requirement.output].seen {
-                Seen::Reading(reading) => match reading.position() {
+                OutputSource::Reading(reading) => match reading.position() {
                     Some(position) => Asked::One(place(position, of)),
                     None => NO_POSITION,
                 },
-                Seen::Path(coordinates, error) if of != Deviation::Value || error != PathError::Along => {
+                OutputSource::Path(coordinates, error) if of != Deviation::Value || error != PathError::Along => {
                     let of = if of == Deviation::Value { Deviation::Total } else { of };
                     match coordinates.map(|reading| reading.position()) {
                         [Some(x), Some(y)] => Asked::Path([place(x, of), place(y, of)]),
                         _ => NO_POSITION,
                     }
                 }
-                Seen::Wear(..) => Asked::No("wear needs runs"),
-                Seen::Path(..) => NO_POSITION,
+                OutputSource::Wear(..) => Asked::No("wear needs runs"),
+                OutputSource::Path(..) => NO_POSITION,
             }
         });
         let asked = asked.collect();

@@ -9,7 +9,7 @@ impl Cdf {
         word: "cdf",
         with_article: "a distribution function",
         words: "distribution function",
-        other_words: &[],
+        synonyms: &[],
         form: Form::DistributionFunction,
         number: None,
     };

@@ -14,7 +14,7 @@ pub struct Description {
     /// In a table, with {} where its number stands: "{} quantile".
     pub words: &'static str,
     /// What it is called elsewhere, with how study files write that.
-    pub other_words: &'static [(&'static str, &'static str)],
+    pub synonyms: &'static [(&'static str, &'static str)],
     /// What it is of.
     pub form: Form,
     /// Its number, where it has one.

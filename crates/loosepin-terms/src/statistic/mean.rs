@@ -9,7 +9,7 @@ impl Mean {
         word: "mean",
         with_article: "a mean",
         words: "mean",
-        other_words: &[],
+        synonyms: &[],
         form: Form::Number,
         number: None,
     };

@@ -11,7 +11,7 @@ impl MeanAbsoluteDeviation {
         word: "mean_absolute_deviation",
         with_article: "a mean absolute deviation",
         words: "mean absolute deviation",
-        other_words: &[("mean_deviation", "\"mean_absolute_deviation\"")],
+        synonyms: &[("mean_deviation", "\"mean_absolute_deviation\"")],
         form: Form::Number,
         number: None,
     };

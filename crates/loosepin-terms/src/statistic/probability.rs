@@ -15,7 +15,7 @@ impl ProbabilityAbove {
         word: "probability_above",
         with_article: "a probability",
         words: "probability above {}",
-        other_words: &[],
+        synonyms: &[],
         form: Form::Number,
         number: Some(Number {
             name: LIMIT,
@@ -31,7 +31,7 @@ impl ProbabilityBelow {
         word: "probability_below",
         with_article: "a probability",
         words: "probability below {}",
-        other_words: &[],
+        synonyms: &[],
         form: Form::Number,
         number: Some(Number {
             name: LIMIT,
@@ -47,7 +47,7 @@ impl ProbabilityBeyond {
         word: "probability_beyond",
         with_article: "a probability",
         words: "probability beyond ±{}",
-        other_words: &[],
+        synonyms: &[],
         form: Form::Number,
         number: Some(Number {
             name: LIMIT,

@@ -9,7 +9,7 @@ impl Quantile {
         word: "quantile",
         with_article: "a quantile",
         words: "{} quantile",
-        other_words: &[("median", "{ quantile = 0.5 }")],
+        synonyms: &[("median", "{ quantile = 0.5 }")],
         form: Form::Number,
         number: Some(Number {
             name: "probability",

@@ -9,7 +9,7 @@ impl SimultaneousBand {
         word: "simultaneous_band",
         with_article: "a simultaneous band",
         words: "band of {} for the whole cycle",
-        other_words: &[],
+        synonyms: &[],
         form: Form::Curve,
         number: Some(Number {
             name: "share",

@@ -10,7 +10,7 @@ impl StandardDeviation {
         word: "standard_deviation",
         with_article: "a standard deviation",
         words: "standard deviation",
-        other_words: &[("std", "\"standard_deviation\"")],
+        synonyms: &[("std", "\"standard_deviation\"")],
         form: Form::Number,
         number: None,
     };

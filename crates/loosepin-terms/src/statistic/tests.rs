@@ -72,7 +72,7 @@ fn every_statistic_has_words_of_its_own() {
         assert_eq!(every().filter(|other| other.word == own.word).count(), 1, "{}", own.word);
         assert_eq!(every().filter(|other| other.words == own.words).count(), 1, "{}", own.words);
         assert_eq!(own.words.matches("{}").count(), usize::from(own.number.is_some()), "{}", own.words);
-        for (other, form) in own.other_words {
+        for (other, form) in own.synonyms {
             assert!(every().all(|known| known.word != *other) && form.contains(own.word), "{other}: {form}");
         }
         // The example can be read.

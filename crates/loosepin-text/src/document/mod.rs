@@ -6,13 +6,13 @@
 mod differences;
 mod entry;
 mod keys;
-mod meant_file;
-mod other_words;
 mod path;
 mod problem;
 mod reader;
 mod record;
 mod schema;
+mod suggested_file;
+mod synonyms;
 
 pub use crate::units::listed;
 pub use differences::{Difference, differences};

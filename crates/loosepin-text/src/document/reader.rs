@@ -9,10 +9,10 @@ use toml::de::{DeTable, DeValue};
 
 use super::entry::{Entry, Table, Written, shortened};
 use super::keys::{Keys, Kind};
-use super::meant_file::{file_of_like_name, files_inside};
-use super::other_words::by_other_word;
 use super::path::{EntryPath, is_name};
 use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
+use super::suggested_file::{file_of_like_name, files_inside};
+use super::synonyms::by_synonym;
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, first_control_character, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
@@ -212,7 +212,7 @@ impl Reader {
                 DocumentProblem::RemovedKey { entry: table.path.join(key).describe(), instead: (*instead).to_owned() }
             } else {
                 let known: Vec<&'static str> = keys.keys.iter().map(|key| key.name).collect();
-                let other = by_other_word(key, &known);
+                let other = by_synonym(key, &known);
                 let nearest = other.map(|(same, _)| same).or_else(|| nearest_name(key, known.iter().copied()));
                 let (nearest, note) = (nearest.map(str::to_owned), other.map_or("", |(_, note)| note));
                 has_unknown = true;
@@ -385,7 +385,7 @@ impl Reader {
             return Some(*meaning);
         }
         let choices: Vec<&'static str> = choices.iter().map(|(word, _)| *word).collect();
-        let other = by_other_word(text, &choices).map(|(same, _)| same);
+        let other = by_synonym(text, &choices).map(|(same, _)| same);
         let nearest = other.or_else(|| nearest_name(text, choices.iter().copied())).map(str::to_owned);
         let doc = entry.key.map_or("", |key| key.doc);
         let problem = DocumentProblem::UnknownChoice {

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use loosepin::files::{FolderLock, LockKind};
 use loosepin::model::Model;
 use loosepin::results::{Claim, InputsHasher, Place, ResultKind};
-use loosepin::store::{InputsKey, KeptRun, RunStore, StoreError};
+use loosepin::store::{InputsKey, RunStore, StoreError, StoredRun};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{Begun, Study, StudyError, begin_in_folder, conclude, store_identity};
 use loosepin::templates::find_template;
@@ -43,7 +43,7 @@ impl Failing {
         let begun = begin_in_folder(&self.claim, |lock| self.store(lock));
         let Ok(Begun::Open(folder, store)) = begun else { panic!("the folder is new") };
         for place in 0..runs {
-            store.keep(0, place, KeptRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome: Ok(vec![1.0]) });
+            store.keep(0, place, StoredRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome: Ok(vec![1.0]) });
         }
         let error = StudyError::Loosened { path: "c".to_owned(), value_si: 1.0, reason: "impossible".to_owned() };
         let page = |_: &StudyResult| String::new();

@@ -3,7 +3,7 @@
 use crate::silent::run_on;
 use loosepin::result::json::to_json;
 use loosepin::study::result::{PromiseRecord, Purpose, Side, Statistic, StudyResult, Verdict};
-use loosepin::study::{Study, foresee};
+use loosepin::study::{Study, estimate_cost};
 /// The worn pin in few and short runs, with `rest` of the study.
 fn study(rest: &str) -> Study {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
@@ -39,7 +39,7 @@ fn requirement(within: &str) -> String {
 #[test]
 fn what_is_promised_is_run_and_stored() {
     let study = study(&format!("{CLEARANCE}{PROMISE}{ASK}{}", requirement("9 mm")));
-    let foreseen = foresee(&study).unwrap().promise.expect("something is promised");
+    let foreseen = estimate_cost(&study).unwrap().promise.expect("something is promised");
     let result = conducted(&study, 2);
     let promise = result.promise.as_ref().expect("something is promised");
     let PromiseRecord { share, confidence, boxes, values, inner, runs, .. } = *promise;
@@ -106,7 +106,7 @@ fn every_member_and_every_focal_element_has_a_box_of_its_own() {
         { interval = [\"0.2 mm\", \"0.5 mm\"], mass = 0.6 }] }\n\
         \"contact.steel_pin.restitution\" = { any_of = [0.7, 0.9] }\n";
     let study = study(&format!("{epistemic}{PROMISE}{ASK}"));
-    let foreseen = foresee(&study).unwrap().promise.expect("something is promised");
+    let foreseen = estimate_cost(&study).unwrap().promise.expect("something is promised");
     // Two ends: ln 0.05/ln(1 - 0.099) = 28.7.
     assert_eq!((foreseen.boxes, foreseen.values, foreseen.runs), (4, 29, 4 * 29 * 8));
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use loosepin::model::model_schema;
-use loosepin::store::{InputsKey, KeptRun, RunStore, STORE_COMPANIONS, STORE_FILE};
+use loosepin::store::{InputsKey, StoredRun, RunStore, STORE_COMPANIONS, STORE_FILE};
 use loosepin::study::study_schema;
 use loosepin_fuzz::files::TABLE;
 use loosepin_fuzz::store::{identity, lock};
@@ -142,7 +142,7 @@ fn stores(out: &Path) -> Vec<(String, Vec<u8>)> {
         let store = RunStore::open(&lock, &identity()).expect("a store");
         for place in rows {
             let outcome = if place % 3 == 1 { Err(place as u16) } else { Ok(vec![place as f64 / 3.7; 9]) };
-            store.keep((place % 2) as u32, place, KeptRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome });
+            store.keep((place % 2) as u32, place, StoredRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome });
         }
         store.settle().expect("rows are written");
         store

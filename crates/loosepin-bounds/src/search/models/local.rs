@@ -155,8 +155,8 @@ impl LocalSmoothers {
 
 impl<'a> LocalFits<'a> {
     /// Whether it passes beside the values anywhere.
-    pub fn is_beside(&self) -> bool {
-        self.fits.iter().any(Fit::is_beside)
+    pub fn is_regressing(&self) -> bool {
+        self.fits.iter().any(Fit::is_regressing)
     }
 
     /// Variance of the sampling noise between the points, where it is greatest; 0 where all fits pass through the estimates.

@@ -66,8 +66,8 @@ impl Branch<'_> {
     }
 
     /// Whether the model passes beside the values.
-    pub fn is_beside(&self) -> bool {
-        self.model.as_ref().is_some_and(TargetModel::is_beside)
+    pub fn is_regressing(&self) -> bool {
+        self.model.as_ref().is_some_and(TargetModel::is_regressing)
     }
 
     /// Whether the target is taken for rough.
@@ -219,7 +219,7 @@ impl<'a> Search<'a> {
 pub(crate) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
     let mut values = target.values.clone();
     for branch in branches {
-        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_beside()) else { continue };
+        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_regressing()) else { continue };
         let means = model.at_places(Allowance::NONE).skip(model.places().len() - branch.defined.len());
         let share = model.noise_share();
         for (&point, forecast) in branch.defined.iter().zip(means) {

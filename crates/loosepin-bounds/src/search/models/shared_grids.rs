@@ -19,12 +19,12 @@ pub(crate) struct SharedGrids {
 
 /// Grids of the last round, kept beside its rows.
 #[derive(Default)]
-struct Kept(Mutex<BTreeMap<Purpose, Vec<Arc<Grid>>>>);
+struct KeptGrids(Mutex<BTreeMap<Purpose, Vec<Arc<Grid>>>>);
 
 impl SharedGrids {
     /// None so far, of points that have been appended to those of the last round that was kept for this purpose.
     pub fn after(table: &SampleTable, purpose: Purpose) -> Self {
-        let kept = table.kept::<Kept>();
+        let kept = table.kept::<KeptGrids>();
         let rounds = kept.0.lock().unwrap_or_else(PoisonError::into_inner);
         Self { made: Mutex::default(), earlier: rounds.get(&purpose).cloned().unwrap_or_default() }
     }
@@ -33,7 +33,7 @@ impl SharedGrids {
     pub fn keep(self, table: &SampleTable, purpose: Purpose) {
         let made = self.made.into_inner().unwrap_or_else(PoisonError::into_inner).into_values().flatten();
         let grids = made.filter(|grid| grid.may_be_appended_to()).collect();
-        let kept = table.kept::<Kept>();
+        let kept = table.kept::<KeptGrids>();
         kept.0.lock().unwrap_or_else(PoisonError::into_inner).insert(purpose, grids);
     }
 

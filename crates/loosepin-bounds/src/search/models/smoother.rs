@@ -354,7 +354,7 @@ impl Fit<'_> {
     }
 
     /// Whether it passes beside the values rather than through them.
-    pub fn is_beside(&self) -> bool {
+    pub fn is_regressing(&self) -> bool {
         self.nugget > 0.0
     }
 
@@ -370,7 +370,7 @@ impl Fit<'_> {
 
     /// Whether it passes through the values and they are those of something as smooth as the smoothest processes.
     pub fn is_smoothest(&self) -> bool {
-        !self.is_beside() && self.model.smoothness() == Smoothness::FourTimes
+        !self.is_regressing() && self.model.smoothness() == Smoothness::FourTimes
     }
 
     /// Whether the values have a rough part.
@@ -617,7 +617,7 @@ mod tests {
             let values: Vec<f64> = points.iter().enumerate().map(|(i, u)| of(i, u)).collect();
             let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
             let fit = smoother.fit(&values, &Noise { variance: NOISE * NOISE, replicates });
-            assert!(fit.is_beside() && fit.noise_variance() <= 2.0 * NOISE * NOISE, "{}", fit.noise_variance());
+            assert!(fit.is_regressing() && fit.noise_variance() <= 2.0 * NOISE * NOISE, "{}", fit.noise_variance());
             if fit.is_rough() {
                 rough += 1;
                 share += fit.noise_share();
@@ -658,6 +658,6 @@ mod tests {
             assert_eq!(all(fit), all(&alone));
         }
         // Of both kinds there are some.
-        assert!(found.iter().any(|fit| fit.is_rough()) && found.iter().any(|fit| !fit.is_beside()));
+        assert!(found.iter().any(|fit| fit.is_rough()) && found.iter().any(|fit| !fit.is_regressing()));
     }
 }

@@ -187,9 +187,9 @@ impl<'a> TargetModel<'a> {
     }
 
     /// Whether it passes beside the values rather than through them.
-    pub fn is_beside(&self) -> bool {
+    pub fn is_regressing(&self) -> bool {
         match self {
-            Self::Plain(fit) => fit.is_beside(),
+            Self::Plain(fit) => fit.is_regressing(),
             Self::Index(_) | Self::Either(_) => false,
         }
     }

@@ -11,7 +11,7 @@ mod seats;
 mod switch;
 
 pub use queue::{Queue, Run};
-pub(crate) use seats::{Seat, Seated, Seats};
+pub(crate) use seats::{HandledQueue, QueueOfHandles, RunHandle};
 
 use crate::depth_limit::DepthLimit;
 use crate::failure::RunFailure;
@@ -20,7 +20,7 @@ use crate::lanes::core::{Awaited, Core, lanes_of, move_flag};
 use crate::lanes::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::lanes::lane::{Decision, Event, LaneRun, Phase};
 use crate::lanes::lane_step::LaneStep;
-use crate::lanes::memory::{LaneLayout, Turn};
+use crate::lanes::memory::{LaneLayout, NextStepRule};
 use crate::lanes::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::lanes::reads::ReadLayout;
 use crate::observer::{DenseOutput, Source, Step};
@@ -52,7 +52,7 @@ const PASSES_PER_QUESTION: u64 = 64;
 
 /// What runs alone, one after the other, of one mechanism leave for the next one: the machine code of those that were long.
 #[derive(Default)]
-pub(crate) struct Kept<'a> {
+pub(crate) struct CompiledCodeCache<'a> {
     core: Option<Core<'a>>,
     /// Evaluations of all of them.
     evaluations: u64,
@@ -61,7 +61,7 @@ pub(crate) struct Kept<'a> {
 }
 
 #[cfg(test)]
-impl Kept<'_> {
+impl CompiledCodeCache<'_> {
     pub fn has_machine_code(&self) -> bool {
         self.core.is_some()
     }
@@ -113,7 +113,7 @@ impl<'a> Batch<'a> {
         follow: &Follow,
         settings: &Settings,
         execution: Execution,
-        queue: &mut dyn Seated,
+        queue: &mut dyn QueueOfHandles,
     ) {
         Self::conduct_until_long(mechanism, follow, settings, (execution, None), queue);
     }
@@ -124,8 +124,8 @@ impl<'a> Batch<'a> {
         mechanism: &'a Mechanism,
         settings: &Settings,
         later: Option<Execution>,
-        kept: &mut Kept<'a>,
-        queue: &mut dyn Seated,
+        kept: &mut CompiledCodeCache<'a>,
+        queue: &mut dyn QueueOfHandles,
     ) {
         let later = later.map(|execution| (execution, kept));
         Self::conduct_until_long(mechanism, &Follow::default(), settings, (Execution::Scalar, later), queue);
@@ -135,8 +135,8 @@ impl<'a> Batch<'a> {
         mechanism: &'a Mechanism,
         follow: &Follow,
         settings: &Settings,
-        (execution, mut later): (Execution, Option<(Execution, &mut Kept<'a>)>),
-        queue: &mut dyn Seated,
+        (execution, mut later): (Execution, Option<(Execution, &mut CompiledCodeCache<'a>)>),
+        queue: &mut dyn QueueOfHandles,
     ) {
         let Some(first) = queue.next() else { return };
         let view = Motion::new(mechanism, &first.sample);
@@ -191,7 +191,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Lets the run alone go on by a later execution, with the same bits, where that is machine code; says whether it does.
-    fn go_on_later(&mut self, execution: Execution, kept: &mut Kept<'a>) -> bool {
+    fn go_on_later(&mut self, execution: Execution, kept: &mut CompiledCodeCache<'a>) -> bool {
         let Some(run) = &self.runs[0] else { return false };
         let LaneRun { sample, arms, .. } = run;
         let new = || Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
@@ -234,7 +234,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Puts waiting runs into the free lanes.
-    fn refill(&mut self, queue: &mut dyn Seated) {
+    fn refill(&mut self, queue: &mut dyn QueueOfHandles) {
         if self.is_exhausted || self.active.count_ones() as usize == self.runs.len() {
             return;
         }
@@ -249,7 +249,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or where it goes on.
-    fn start(&mut self, lane: usize, run: Run<Seat>, queue: &mut dyn Seated) {
+    fn start(&mut self, lane: usize, run: Run<RunHandle>, queue: &mut dyn QueueOfHandles) {
         let Run { mut sample, arms, window, observer, followed, resume } = run;
         let n = self.mechanism.real.free;
         let state = &mut self.view_state;
@@ -339,7 +339,7 @@ impl<'a> Batch<'a> {
         ] {
             self.core.set_number(lane, place, number);
         }
-        self.core.set_turn(lane, Turn::Choose);
+        self.core.set_turn(lane, NextStepRule::Choose);
         self.active |= 1 << lane;
         self.restarts |= 1 << lane;
         self.openings |= 1 << lane;
@@ -372,7 +372,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Tries a step in every lane and acts on it.
-    fn pass(&mut self, queue: &mut dyn Seated) {
+    fn pass(&mut self, queue: &mut dyn QueueOfHandles) {
         let restarts = std::mem::take(&mut self.restarts);
         self.restart(restarts);
         self.core.attempt();
@@ -422,7 +422,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Looks at the attempt of a lane, and accepts it where it is good; gives the event at its end.
-    fn look(&mut self, lane: usize, queue: &mut dyn Seated) -> Option<Event> {
+    fn look(&mut self, lane: usize, queue: &mut dyn QueueOfHandles) -> Option<Event> {
         let Some(run) = &mut self.runs[lane] else { return None };
         // A step onto an event is part of a good one; where it is not good itself, the search is given up.
         if !(self.core.number(lane, LaneLayout::ERROR) < 1.0 + f64::EPSILON) {
@@ -470,7 +470,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Gives up the runs that are stopped.
-    fn ask_whether_stopped(&mut self, queue: &mut dyn Seated) {
+    fn ask_whether_stopped(&mut self, queue: &mut dyn QueueOfHandles) {
         for lane in lanes_of(self.active) {
             let Some(run) = &self.runs[lane] else { continue };
             if queue.observer(run.observer).is_some_and(|observer| observer.is_stopped()) {
@@ -498,7 +498,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Shortens the step after too large an error.
-    fn reject(&mut self, lane: usize, queue: &mut dyn Seated) {
+    fn reject(&mut self, lane: usize, queue: &mut dyn QueueOfHandles) {
         let [error, growth] = [LaneLayout::ERROR, LaneLayout::GROWTH].map(|place| self.core.number(lane, place));
         let [time_s, pace, change] = self.times(lane)[0].jet;
         let next_s = step_in_time([pace, change], self.core.step(lane) * shrinkage(error, growth));
@@ -519,13 +519,13 @@ impl<'a> Batch<'a> {
         } else if let Some(failure) = self.too_many_evaluations(lane) {
             failure
         } else {
-            return self.core.set_turn(lane, Turn::Shrink);
+            return self.core.set_turn(lane, NextStepRule::Shrink);
         };
         self.finish(lane, Err(failure), queue);
     }
 
     /// Notes what an accepted step shows before it is left behind.
-    fn show(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) -> Result<(), RunFailure> {
+    fn show(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn QueueOfHandles) -> Result<(), RunFailure> {
         let step = self.core.step(lane);
         let end_s = self.core.end_read(lane, ReadLayout::TIME);
         let start_s = self.core.start_read(lane, ReadLayout::TIME);
@@ -598,7 +598,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Goes on from an accepted step that was looked at.
-    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
+    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn QueueOfHandles) {
         let Some(run) = &mut self.runs[lane] else { return };
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
@@ -618,7 +618,7 @@ impl<'a> Batch<'a> {
                 if was_searching {
                     self.core.set_number(lane, LaneLayout::WAS_REJECTED, 0.0);
                 }
-                self.core.set_turn(lane, if was_searching { Turn::Choose } else { Turn::Grow });
+                self.core.set_turn(lane, if was_searching { NextStepRule::Choose } else { NextStepRule::Grow });
                 self.watch_stalling(lane);
             }
             Some(event) => {
@@ -628,7 +628,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    fn succeed(&mut self, lane: usize, queue: &mut dyn Seated) {
+    fn succeed(&mut self, lane: usize, queue: &mut dyn QueueOfHandles) {
         let findings = self.findings(lane);
         let Some(run) = &self.runs[lane] else { return };
         let mut plays = vec![PlaySummary::default(); self.mechanism.plays.len()];
@@ -646,7 +646,7 @@ impl<'a> Batch<'a> {
         self.finish(lane, Ok(report), queue);
     }
 
-    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Seated) {
+    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn QueueOfHandles) {
         self.look_at_waiting();
         if let Some(run) = self.runs[lane].take() {
             queue.finished(run.observer, outcome);

@@ -8,48 +8,48 @@ use crate::recording::report::RunReport;
 
 /// Where the observer of a run sits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Seat(usize);
+pub struct RunHandle(usize);
 
 /// A queue of runs whose observers are reached by their seats.
-pub(crate) trait Seated {
+pub(crate) trait QueueOfHandles {
     /// The next run, if any is left.
-    fn next(&mut self) -> Option<Run<Seat>>;
+    fn next(&mut self) -> Option<Run<RunHandle>>;
     /// The observer in a seat; none once its run is over.
-    fn observer(&mut self, seat: Seat) -> Option<&mut dyn Observer>;
+    fn observer(&mut self, seat: RunHandle) -> Option<&mut dyn Observer>;
     /// Gives back the observer of a run that is over.
-    fn finished(&mut self, seat: Seat, outcome: Result<RunReport, RunFailure>);
+    fn finished(&mut self, seat: RunHandle, outcome: Result<RunReport, RunFailure>);
 }
 
 /// The observers of a queue while their runs are on lanes.
-pub(crate) struct Seats<'q, O> {
+pub(crate) struct HandledQueue<'q, O> {
     queue: &'q mut dyn Queue<Observer = O>,
     seats: Vec<Option<O>>,
 }
 
-impl<'q, O> Seats<'q, O> {
-    /// Seats for the observers of `queue`.
+impl<'q, O> HandledQueue<'q, O> {
+    /// HandledQueue for the observers of `queue`.
     pub fn new(queue: &'q mut dyn Queue<Observer = O>) -> Self {
         Self { queue, seats: Vec::new() }
     }
 }
 
-impl<O: Observer> Seated for Seats<'_, O> {
-    fn next(&mut self) -> Option<Run<Seat>> {
+impl<O: Observer> QueueOfHandles for HandledQueue<'_, O> {
+    fn next(&mut self) -> Option<Run<RunHandle>> {
         let Run { sample, arms, window, observer, followed, resume } = self.queue.next()?;
         let free = self.seats.iter().position(Option::is_none).unwrap_or_else(|| {
             self.seats.push(None);
             self.seats.len() - 1
         });
         self.seats[free] = Some(observer);
-        Some(Run { sample, arms, window, observer: Seat(free), followed, resume })
+        Some(Run { sample, arms, window, observer: RunHandle(free), followed, resume })
     }
 
-    fn observer(&mut self, seat: Seat) -> Option<&mut dyn Observer> {
+    fn observer(&mut self, seat: RunHandle) -> Option<&mut dyn Observer> {
         let observer = self.seats.get_mut(seat.0)?.as_mut()?;
         Some(observer)
     }
 
-    fn finished(&mut self, seat: Seat, outcome: Result<RunReport, RunFailure>) {
+    fn finished(&mut self, seat: RunHandle, outcome: Result<RunReport, RunFailure>) {
         if let Some(observer) = self.seats.get_mut(seat.0).and_then(Option::take) {
             self.queue.finished(observer, outcome);
         }

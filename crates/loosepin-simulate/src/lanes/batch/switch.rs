@@ -1,9 +1,9 @@
 //! Contacts that begin and end, and roots of penetrations that come and go with them.
 
-use super::seats::Seated;
+use super::seats::QueueOfHandles;
 use super::{Batch, next_stop_s};
 use crate::lanes::lane::{Event, Phase};
-use crate::lanes::memory::{LaneLayout, Turn};
+use crate::lanes::memory::{LaneLayout, NextStepRule};
 use crate::lanes::pass::STALLED_SHARE;
 use crate::lanes::reads::ReadLayout;
 use crate::observer::{Onset, Separation};
@@ -37,7 +37,7 @@ impl Batch<'_> {
             let next = STALLED_SHARE * run.longest_s;
             self.core.set_number(lane, LaneLayout::NEXT, next);
             self.core.set_number(lane, LaneLayout::WAS_REJECTED, 0.0);
-            self.core.set_turn(lane, Turn::Choose);
+            self.core.set_turn(lane, NextStepRule::Choose);
             let (state, _) = self.core.contact(lane, contact);
             self.core.set_contact(lane, contact, &state, false);
             self.restarts |= 1 << lane;
@@ -51,7 +51,7 @@ impl Batch<'_> {
     }
 
     /// Ends the run at the end of its window, or takes the next pieces of the drives' motions.
-    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn Seated) {
+    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn QueueOfHandles) {
         let Some(run) = &mut self.runs[lane] else { return };
         let time_s = run.stop_s;
         if time_s == run.window.end_s {
@@ -73,11 +73,11 @@ impl Batch<'_> {
         if is_start {
             self.begin_record(lane, time_s);
         }
-        self.core.set_turn(lane, Turn::Choose);
+        self.core.set_turn(lane, NextStepRule::Choose);
     }
 
     /// Lets a contact begin or end at the start of the step, or stops.
-    pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Seated) {
+    pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn QueueOfHandles) {
         let (contact, crossing) = match event {
             Event::Contact { contact, crossing } => (contact, crossing),
             Event::Stop => return self.stop(lane, queue),
@@ -86,7 +86,7 @@ impl Batch<'_> {
                 if let Some(run) = &mut self.runs[lane] {
                     run.phase = Phase::Stepping;
                 }
-                return self.core.set_turn(lane, Turn::Choose);
+                return self.core.set_turn(lane, NextStepRule::Choose);
             }
             Event::Passage { .. } => {
                 if let Some(run) = &mut self.runs[lane] {
@@ -94,7 +94,7 @@ impl Batch<'_> {
                 }
                 // The end of the step may have been moved.
                 self.restarts |= 1 << lane;
-                return self.core.set_turn(lane, Turn::Choose);
+                return self.core.set_turn(lane, NextStepRule::Choose);
             }
         };
         let time_s = self.core.start_read(lane, ReadLayout::TIME);
@@ -161,7 +161,7 @@ impl Batch<'_> {
         }
         self.core.set_contact(lane, contact, &state, has_root);
         self.restarts |= 1 << lane;
-        self.core.set_turn(lane, Turn::Choose);
+        self.core.set_turn(lane, NextStepRule::Choose);
     }
 
     /// Whether another contact of the same joint is at its beginning or end where `contact` begins.

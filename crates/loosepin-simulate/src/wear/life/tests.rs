@@ -4,7 +4,7 @@
 use super::{LifePlan, run_cycle, wear};
 use crate::engine::run_from;
 use crate::ideal::reference::IdealReference;
-use crate::lanes::batch::Kept;
+use crate::lanes::batch::CompiledCodeCache;
 use crate::observer::{Observer, Step};
 use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
@@ -165,7 +165,7 @@ fn part_of_a_turn(pressed: &Pressed, rows: &[Vec<f64>]) -> [f64; 2] {
             &pressed.sample,
             (&window, &settings),
             Some(resume),
-            &mut Kept::default(),
+            &mut CompiledCodeCache::default(),
             &mut beside,
         )
         .unwrap_or_else(|failure| panic!("{failure}"));

@@ -6,7 +6,7 @@ use crate::file::measurements::measurement::{
 use crate::file::problem::StudyProblem;
 use crate::file::reader::{StudyReader, adopt};
 use crate::file::words::{DEVIATIONS, words};
-use crate::response::outputs::Seen;
+use crate::response::outputs::OutputSource;
 use crate::response::sampled_feature::sampled_feature;
 use loosepin_mechanics::model::Cycle;
 use loosepin_result::simulation::Abscissa;
@@ -251,7 +251,7 @@ impl StudyReader {
         }
         let problem = match (deviation, self.outputs[output].seen) {
             _ if written == Some(false) => Some(MotionProblem::Between { entry: words.clone() }),
-            (Deviation::Value, Seen::Reading(_)) => None,
+            (Deviation::Value, OutputSource::Reading(_)) => None,
             (Deviation::Value, _) => Some(MotionProblem::OutputNotSampled { entry: words.clone() }),
             _ => Some(MotionProblem::DeviationNotSampled { entry: words.clone() }),
         };

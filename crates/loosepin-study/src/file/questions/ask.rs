@@ -351,7 +351,7 @@ fn other_form(text: &str) -> Option<String> {
         Some(format!("{{ {text} = {} }}", number.example))
     });
     let every = Statistic::PLAIN.into_iter().chain(WITH_A_NUMBER);
-    let mut others = every.flat_map(|statistic| statistic.description().other_words);
+    let mut others = every.flat_map(|statistic| statistic.description().synonyms);
     with_example.or_else(|| others.find(|(word, _)| *word == text).map(|(_, form)| (*form).to_owned()))
 }
 

@@ -3,7 +3,7 @@
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
 use crate::file::words::{DEVIATIONS, words};
-use crate::response::outputs::{COMPONENTS, Seen, StudyOutput};
+use crate::response::outputs::{COMPONENTS, OutputSource, StudyOutput};
 use loosepin_mechanics::model::{Recorded, WearMeasure};
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
@@ -63,7 +63,7 @@ impl StudyReader {
         let entry = entry?;
         let deviation = self.reader.choice(entry, &DEVIATIONS)?;
         if deviation == Deviation::Value
-            && let Some(StudyOutput { seen: Seen::Path(..), component: Some(component), .. }) =
+            && let Some(StudyOutput { seen: OutputSource::Path(..), component: Some(component), .. }) =
                 output.map(|output| &self.outputs[output])
         {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
@@ -82,11 +82,11 @@ impl StudyReader {
 
     /// Whether an output is the life of a joint.
     pub(crate) fn is_life(&self, output: usize) -> bool {
-        matches!(self.outputs[output].seen, Seen::Wear(_, WearMeasure::Life))
+        matches!(self.outputs[output].seen, OutputSource::Wear(_, WearMeasure::Life))
     }
 
     /// Whether an output is the wear of a joint.
     pub(crate) fn is_wear(&self, output: Option<usize>) -> bool {
-        output.is_some_and(|output| matches!(self.outputs[output].seen, Seen::Wear(..)))
+        output.is_some_and(|output| matches!(self.outputs[output].seen, OutputSource::Wear(..)))
     }
 }

@@ -3,8 +3,8 @@
 use super::plan::{ContributorPlan, groups};
 use crate::assemble::Material;
 use crate::file::{Ask, Deviation, EpistemicInput, Study, Where};
-use crate::response::columns::Spot;
-use crate::response::outputs::Seen;
+use crate::response::columns::Location;
+use crate::response::outputs::OutputSource;
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_result::study::{
@@ -54,7 +54,7 @@ fn of_columns(
     // To first order the distance from the path is the error across it.
     let asked = &plan_of_columns.outputs[plan_of_columns.columns[columns[0]].output];
     let still_name = match asked.seen {
-        Seen::Path(_, PathError::Contour) => {
+        OutputSource::Path(_, PathError::Contour) => {
             let path = &study.model.outputs[asked.output].name;
             format!("{path} {}", PathError::Normal.word())
         }
@@ -172,7 +172,7 @@ fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
 /// The pose of a question at a single one.
 fn spot(material: &Material<'_>, ask: &Ask, columns: &[usize]) -> Option<f64> {
     match material.response.shared.plan.columns[columns[0]].spot {
-        Spot::Pose { angle_rad, .. } if ask.location != Where::Cycle => Some(angle_rad),
+        Location::Pose { angle_rad, .. } if ask.location != Where::Cycle => Some(angle_rad),
         _ => None,
     }
 }

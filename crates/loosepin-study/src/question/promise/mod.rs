@@ -10,7 +10,7 @@ use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
-use crate::planning::foreseen::{Foreseen, ForeseenPromise};
+use crate::planning::cost_estimate::{CostEstimate, PromiseCost};
 use crate::runs::all_runs::Runs;
 use loosepin_bounds::{PromisePlan, PromisedBound, RunInputs, SampleTable};
 use plan::promise_plan;
@@ -34,8 +34,8 @@ impl Question for PromiseQuestion {
         self.plan.runs()
     }
 
-    fn add_cost(&self, cost: &mut Foreseen) {
-        cost.promise = Some(ForeseenPromise::new(&self.plan));
+    fn add_cost(&self, cost: &mut CostEstimate) {
+        cost.promise = Some(PromiseCost::new(&self.plan));
     }
 
     fn run(&mut self, runs: &mut Runs<'_>, _found: &mut Found) -> Result<(), StudyError> {

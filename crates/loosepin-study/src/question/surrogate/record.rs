@@ -2,7 +2,7 @@
 
 use super::saved::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::assemble::{Material, asked_bounds, learned_treatments};
-use crate::response::columns::Spot;
+use crate::response::columns::Location;
 use loosepin_bounds::{GroupBounds, SurrogateBounds, SurrogateInput, SurrogatePlan};
 use loosepin_result::study::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
@@ -75,8 +75,8 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
     let pose = |column: usize| match material.response.shared.plan.columns[column].spot {
-        Spot::Pose { angle_rad, .. } => Some(angle_rad),
-        Spot::Reduced(_) => None,
+        Location::Pose { angle_rad, .. } => Some(angle_rad),
+        Location::Reduced(_) => None,
     };
     record.along = is_curve.then(|| SurrogateAlong {
         pose_rad: columns.iter().map(|&column| pose(column).unwrap_or(f64::NAN)).collect(),

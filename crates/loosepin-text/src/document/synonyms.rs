@@ -87,7 +87,7 @@ const FAMILY: &str = "The family is the key: { normal = { mean = \"50 mm\", stan
 const ENDS: &str = "It has both ends: interval = [\"0.1 mm\", \"0.5 mm\"]";
 
 /// The key among `known` that is called `written` elsewhere, with what else differs.
-pub(super) fn by_other_word(written: &str, known: &[&'static str]) -> Option<(&'static str, &'static str)> {
+pub(super) fn by_synonym(written: &str, known: &[&'static str]) -> Option<(&'static str, &'static str)> {
     let found = OTHER_WORDS.iter().find(|(other, key, _)| {
         let is_same = if other.len() == 1 { *other == written } else { other.eq_ignore_ascii_case(written) };
         is_same && known.contains(key)
@@ -97,14 +97,14 @@ pub(super) fn by_other_word(written: &str, known: &[&'static str]) -> Option<(&'
 
 #[cfg(test)]
 mod tests {
-    use super::{OTHER_WORDS, by_other_word};
+    use super::{OTHER_WORDS, by_synonym};
 
     #[test]
     fn a_word_is_taken_for_a_key_of_its_table_only() {
-        assert_eq!(by_other_word("mu", &["law", "coefficient"]), Some(("coefficient", "")));
-        assert_eq!(by_other_word("mu", &["mean", "standard_deviation"]), Some(("mean", "")));
-        assert_eq!(by_other_word("mu", &["mass"]), None);
-        assert_eq!(by_other_word("e", &["youngs_modulus"]), None, "letters have their case");
+        assert_eq!(by_synonym("mu", &["law", "coefficient"]), Some(("coefficient", "")));
+        assert_eq!(by_synonym("mu", &["mean", "standard_deviation"]), Some(("mean", "")));
+        assert_eq!(by_synonym("mu", &["mass"]), None);
+        assert_eq!(by_synonym("e", &["youngs_modulus"]), None, "letters have their case");
     }
 
     #[test]

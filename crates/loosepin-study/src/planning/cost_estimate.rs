@@ -4,18 +4,18 @@ use loosepin_bounds::PromisePlan;
 
 /// What a study will come to.
 #[derive(Debug, Clone, Copy)]
-pub struct Foreseen {
+pub struct CostEstimate {
     /// As [`crate::plan_runs`].
     pub most_runs: usize,
     /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
     pub run_s: Option<f64>,
     /// Those of the runs that stand behind a promise, where something is promised.
-    pub promise: Option<ForeseenPromise>,
+    pub promise: Option<PromiseCost>,
 }
 
 /// What a promise costs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ForeseenPromise {
+pub struct PromiseCost {
     /// Ends that are promised together.
     pub ends: usize,
     /// Boxes: combinations of the members of lists and focal elements.
@@ -28,7 +28,7 @@ pub struct ForeseenPromise {
     pub runs: usize,
 }
 
-impl ForeseenPromise {
+impl PromiseCost {
     pub(crate) fn new(plan: &PromisePlan) -> Self {
         Self { ends: plan.ends(), boxes: plan.boxes(), values: plan.values(), inner: plan.inner(), runs: plan.runs() }
     }

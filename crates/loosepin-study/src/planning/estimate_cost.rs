@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::file::Study;
-use crate::planning::foreseen::Foreseen;
+use crate::planning::cost_estimate::CostEstimate;
 use crate::planning::plans::{default_threads, planned};
 use crate::planning::problem::problem;
 use crate::response::study_response::StudyResponse;
@@ -33,10 +33,10 @@ const MIN_FREE_SHARE: f64 = 0.1;
 ///
 /// # Errors
 /// As for [`crate::plan_runs`], or all timed runs failed.
-pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
+pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;
-    let mut foreseen = Foreseen { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
+    let mut foreseen = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut foreseen));
     let variants = response.mechanisms.len().min(MAX_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
@@ -154,7 +154,7 @@ fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize
 
 #[cfg(test)]
 mod tests {
-    use super::{Timing, foresee};
+    use super::{Timing, estimate_cost};
     use crate::response::study_response::StudyResponse;
     use crate::written::texts::study_with;
     use loosepin_simulate::{Execution, RunFailure};
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn a_run_without_play_and_one_of_many_laws_have_a_time() {
         let play = "\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n";
-        let run_s = |replaced: &[(&str, &str)]| foresee(&study_with(WORN_PIN, replaced)).unwrap().run_s;
+        let run_s = |replaced: &[(&str, &str)]| estimate_cost(&study_with(WORN_PIN, replaced)).unwrap().run_s;
         let without = run_s(&[(play, ""), ("radial_clearance = \"0.3 mm\"", "radial_clearance = \"0 mm\"")]);
         assert!(without.is_some());
         let laws = "\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"hunt-crossley\", \"herbert-mcwhannell\", \"lee-wang\"] }\n";
