@@ -1,4 +1,4 @@
-"""Adds one more of a kind to a copy of the tree, builds the program, runs it, and counts the source files that it took.
+"""Adds one more of each kind to a copy of the tree, builds the program, runs each, and counts the source files that each took.
 
 Each file NAME.toml beside this one is an addition:
 
@@ -26,20 +26,28 @@ HERE = pathlib.Path(__file__).parent
 TREE = HERE.parent.parent
 
 
-def added(name: str) -> str | None:
-    """Nothing if the addition works and costs no more than it may; else what is wrong."""
-    addition = tomllib.loads((HERE / f"{name}.toml").read_text())
-    # Always at the same place, so that what one addition has compiled serves the next.
+def add_all(names: list[str]) -> dict[str, str]:
+    """What is wrong, by addition. All stand in one copy of the tree: one build serves them, and none may hinder another."""
+    additions = {name: tomllib.loads((HERE / f"{name}.toml").read_text()) for name in names}
+    # Always at the same place, so that what one call has compiled serves the next.
     copy = TREE / "target" / "additions" / "tree"
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["git", "worktree", "add", "--quiet", "--force", "--detach", copy, "HEAD"], cwd=TREE, check=True)
-        try:
-            return added_to(copy, addition, pathlib.Path(folder), name)
-        finally:
-            subprocess.run(["git", "worktree", "remove", "--force", copy], cwd=TREE, check=True)
+    subprocess.run(["git", "worktree", "add", "--quiet", "--force", "--detach", copy, "HEAD"], cwd=TREE, check=True)
+    try:
+        failures = {name: wrong for name in names if (wrong := write(copy, additions[name])) is not None}
+        target = TREE / "target" / "additions" / "target"
+        build = ["cargo", "build", "--quiet", "--locked", "--bin", "loosepin", "--target-dir", target]
+        if subprocess.run(build, cwd=copy).returncode != 0:
+            return {name: "the tree with the additions does not build" for name in names}
+    finally:
+        subprocess.run(["git", "worktree", "remove", "--force", copy], cwd=TREE, check=True)
+    for name in names:
+        wrong = failures.get(name) or run(target / "debug" / "loosepin", additions[name]["run"]) or count(name, additions[name])
+        if wrong is not None:
+            failures[name] = wrong
+    return failures
 
 
-def added_to(copy: pathlib.Path, addition: dict, folder: pathlib.Path, name: str) -> str | None:
+def write(copy: pathlib.Path, addition: dict) -> str | None:
     for new in addition.get("file", []):
         path = copy / new["path"]
         if path.exists():
@@ -53,28 +61,29 @@ def added_to(copy: pathlib.Path, addition: dict, folder: pathlib.Path, name: str
             return f"{line['path']} has no line that begins '{line['before']}'"
         lines.insert(place, line["text"])
         path.write_text("\n".join(lines))
-    touched = sorted({entry["path"] for key in ("file", "line") for entry in addition.get(key, [])})
-    sources = [path for path in touched if path.endswith(".rs")]
-    target = TREE / "target" / "additions" / "target"
-    build = ["cargo", "build", "--quiet", "--locked", "--bin", "loosepin", "--target-dir", target]
-    if subprocess.run(build, cwd=copy).returncode != 0:
-        return "it does not build"
-    run = addition["run"]
-    for path, text in run["files"].items():
-        (folder / path).write_text(text)
-    command = [target / "debug" / "loosepin", *run["arguments"]]
-    answer = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    return None
+
+
+def run(program: pathlib.Path, run: dict) -> str | None:
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in run["files"].items():
+            (pathlib.Path(folder) / path).write_text(text)
+        answer = subprocess.run([program, *run["arguments"]], cwd=folder, capture_output=True, text=True)
     printed = " ".join((answer.stdout + answer.stderr).split())
     missing = [words for words in run["prints"] if words not in printed]
-    if missing:
-        return f"it does not print {missing}: {printed}"
-    print(f"{name}: {len(sources)} source files, at most {run['most']}: {', '.join(sources)}")
-    return None if len(sources) <= run["most"] else "it takes too many files"
+    return f"it does not print {missing}: {printed}" if missing else None
+
+
+def count(name: str, addition: dict) -> str | None:
+    touched = sorted({entry["path"] for key in ("file", "line") for entry in addition.get(key, [])})
+    sources = [path for path in touched if path.endswith(".rs")]
+    print(f"{name}: {len(sources)} source files, at most {addition['run']['most']}: {', '.join(sources)}")
+    return None if len(sources) <= addition["run"]["most"] else "it takes too many files"
 
 
 def main() -> int:
     names = sys.argv[1:] or sorted(path.stem for path in HERE.glob("*.toml"))
-    failures = {name: wrong for name in names if (wrong := added(name)) is not None}
+    failures = add_all(names)
     for name, wrong in failures.items():
         print(f"error: {name}: {wrong}", file=sys.stderr)
     return 1 if failures else 0
