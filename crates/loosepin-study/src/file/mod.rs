@@ -51,7 +51,7 @@ pub use sizes::{MAX_POSES, MAX_RUNS};
 pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
 use words::READINGS;
-pub(super) use words::statistic_name;
+pub(super) use words::{dimension_of_statistic, statistic_name};
 
 use crate::question::read_questions;
 use crate::response::outputs::study_outputs;
