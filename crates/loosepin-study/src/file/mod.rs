@@ -62,6 +62,7 @@ use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
 use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
+use questions::promise::PromiseTable;
 
 /// The JSON Schema of a study file, for editors.
 pub fn study_schema() -> serde_json::Value {
@@ -205,6 +206,7 @@ fn read(
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
     let outputs = study_outputs(&model);
+    let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, root.promise.as_ref());
     let mut file = StudyReader {
         reader,
         outputs,
@@ -215,7 +217,7 @@ fn read(
         tables: Vec::new(),
         parameters: Parameters::default(),
         poses: HashMap::new(),
-        promise: PromiseSettings::default(),
+        promise: PromiseSettings { share, confidence, inner },
         questions: HashSet::new(),
         has_rows: root.specimen.is_some(),
     };
@@ -234,7 +236,6 @@ fn read(
     let (correlation, specimen) = file.read_specimen([root.specimen.as_ref(), random], correlation);
     file.read_reading(root.reading.as_ref());
     let percentiles = file.percentiles(root.percentiles.as_ref());
-    file.read_promise(root.promise.as_ref());
     let (asks, of_asks) = file.read_asks(root.ask.as_ref());
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
