@@ -39,6 +39,7 @@ pub use problem::StudyProblem;
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};
 pub use questions::location::{Where, named_angle_rad};
+use questions::promise::PromiseTable;
 pub use questions::question_settings::QuestionSettings;
 pub use questions::requirement::{Limit, Requirement};
 pub use questions::target::AccuracyTarget;
@@ -62,7 +63,6 @@ use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
 use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
-use questions::promise::PromiseTable;
 
 /// The JSON Schema of a study file, for editors.
 pub fn study_schema() -> serde_json::Value {
