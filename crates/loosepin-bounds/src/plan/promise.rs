@@ -28,11 +28,11 @@ const SAMPLES: u64 = 0x7072_6f6d_6973_6501;
 /// What is promised, and from how many runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PromiseSettings {
-    /// Share of the box that keeps a bound, each of them at least, in (0, 1). Default: 0.99.
+    /// Share of the box that keeps a bound, each of them at least, in (0, 1).
     pub share: f64,
-    /// Confidence that this is so for all bounds together, in (0, 1). Default: 0.99.
+    /// Confidence that this is so for all bounds together, in (0, 1).
     pub confidence: f64,
-    /// Runs at each value of u. Default: 256.
+    /// Runs at each value of u.
     pub inner: usize,
 }
 

@@ -39,6 +39,7 @@ pub use problem::StudyProblem;
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};
 pub use questions::location::{Where, named_angle_rad};
+use questions::promise::PromiseTable;
 pub use questions::question_settings::QuestionSettings;
 pub use questions::requirement::{Limit, Requirement};
 pub use questions::target::AccuracyTarget;
@@ -51,7 +52,7 @@ pub use sizes::{MAX_POSES, MAX_RUNS};
 pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
 use words::READINGS;
-pub(super) use words::statistic_name;
+pub(super) use words::{dimension_of_statistic, statistic_name};
 
 use crate::question::read_questions;
 use crate::response::outputs::study_outputs;
@@ -205,6 +206,7 @@ fn read(
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
     let outputs = study_outputs(&model);
+    let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, root.promise.as_ref());
     let mut file = StudyReader {
         reader,
         outputs,
@@ -215,7 +217,7 @@ fn read(
         tables: Vec::new(),
         parameters: Parameters::default(),
         poses: HashMap::new(),
-        promise: PromiseSettings::default(),
+        promise: PromiseSettings { share, confidence, inner },
         questions: HashSet::new(),
         has_rows: root.specimen.is_some(),
     };
@@ -234,7 +236,6 @@ fn read(
     let (correlation, specimen) = file.read_specimen([root.specimen.as_ref(), random], correlation);
     file.read_reading(root.reading.as_ref());
     let percentiles = file.percentiles(root.percentiles.as_ref());
-    file.read_promise(root.promise.as_ref());
     let (asks, of_asks) = file.read_asks(root.ask.as_ref());
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);

@@ -17,9 +17,12 @@ pub(super) const ACCURACY: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&K
 record! {
     /// what is run and recorded, where it differs from the model
     pub(super) lenient struct StudyCycleTable for Reads;
-    optional transient_turns: f64 as CYCLE_NUMBERS[0];
-    optional recorded_turns: f64 as CYCLE_NUMBERS[1];
-    optional samples_per_turn: usize as CYCLE_NUMBERS[2];
+    /// turns run before recording; as in the model if left out
+    optional transient_turns: f64 = CYCLE_NUMBERS[0].kind, "2";
+    /// turns recorded; as in the model if left out
+    optional recorded_turns: f64 = CYCLE_NUMBERS[1].kind, "1";
+    /// rows recorded in a turn; as in the model if left out
+    optional samples_per_turn: usize = CYCLE_NUMBERS[2].kind, "500";
 }
 
 record! {

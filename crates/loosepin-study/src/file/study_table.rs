@@ -74,3 +74,36 @@ pub(super) static STUDY_KEYS: LazyLock<Keys> = LazyLock::new(|| {
     // They live as long as the program.
     Keys { keys: keys.leak(), ..StudyTable::KEYS }
 });
+
+#[cfg(test)]
+mod tests {
+    use crate::file::evidence::FuzzyTable;
+    use crate::file::questions::promise::PromiseTable;
+    use crate::file::sampling::SamplingTable;
+    use crate::file::study_table::StudyTable;
+    use loosepin_bounds::{PERCENTILES, PromiseSettings, Sampling};
+    use loosepin_text::document::{Keys, listed};
+    use loosepin_text::units::format_number;
+    use loosepin_uncertainty::USUAL_CUTS;
+
+    #[test]
+    fn what_a_file_leaves_out_is_told_as_the_library_has_it() {
+        let Sampling { outer, inner, seed, .. } = Sampling::default();
+        let promise = PromiseSettings::default();
+        let words = |numbers: &[f64]| listed(&numbers.iter().copied().map(format_number).collect::<Vec<_>>(), "and");
+        let told: [(&Keys, &str, String); 8] = [
+            (&StudyTable::KEYS, "seed", seed.to_string()),
+            (&StudyTable::KEYS, "percentiles", words(&PERCENTILES)),
+            (&SamplingTable::KEYS, "outer", outer.to_string()),
+            (&SamplingTable::KEYS, "inner", inner.to_string()),
+            (&PromiseTable::KEYS, "share", promise.share.to_string()),
+            (&PromiseTable::KEYS, "confidence", promise.confidence.to_string()),
+            (&PromiseTable::KEYS, "inner", promise.inner.to_string()),
+            (&FuzzyTable::KEYS, "degrees", words(&USUAL_CUTS)),
+        ];
+        for (keys, key, due) in told {
+            let doc = keys.find(key).map_or("", |known| known.doc);
+            assert!(doc.ends_with(&format!("; {due} if left out")), "{key}: {doc}; {due}");
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_result::study::{Deviation, Reduction};
+use loosepin_text::units::Dimension;
 
 /// The words of a table.
 pub(super) const fn words<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
@@ -56,6 +57,11 @@ pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = words(&worded!(WITH_A
 /// Statistics that are one number each, which an accuracy can be of.
 pub(super) fn numbers() -> impl Iterator<Item = &'static str> {
     Statistic::PLAIN.into_iter().chain(WITH_A_NUMBER).filter_map(statistic_name)
+}
+
+/// What a statistic measures, `of_output` that of the output: a probability is a number.
+pub(crate) fn dimension_of_statistic(statistic: Statistic, of_output: Dimension) -> Dimension {
+    if statistic.is_probability() { Dimension::NUMBER } else { of_output }
 }
 
 /// The name that a statistic of one number has in study files; nothing for others.

@@ -1,9 +1,8 @@
 //! Goals of a study: how near its bounds are to be, and how its steps towards that ended.
 
-use crate::file::{AccuracyTarget, Ask, Budget, Study, statistic_name};
+use crate::file::{AccuracyTarget, Ask, Budget, Study, dimension_of_statistic, statistic_name};
 use crate::response::columns::ColumnPlan;
 use loosepin_bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
-use loosepin_text::units::Dimension;
 
 /// The accuracy that `statistic` of question `place` is to have.
 fn target(study: &Study, place: usize, ask: &Ask, statistic: Statistic) -> Option<f64> {
@@ -11,8 +10,7 @@ fn target(study: &Study, place: usize, ask: &Ask, statistic: Statistic) -> Optio
     if ask.is_by_method(statistic) {
         return None;
     }
-    let of_output = study.outputs[ask.output].dimension;
-    let dimension = if statistic.is_probability() { Dimension::NUMBER } else { of_output };
+    let dimension = dimension_of_statistic(statistic, study.outputs[ask.output].dimension);
     let concerns = |target: &&AccuracyTarget| {
         target.dimension == dimension
             && target.ask.is_none_or(|own| own == place)

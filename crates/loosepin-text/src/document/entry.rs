@@ -50,9 +50,9 @@ pub enum Written<'t> {
 static NOTHING: LazyLock<DeTable<'static>> = LazyLock::new(DeTable::new);
 
 impl<'t> Table<'t> {
-    /// A table that is left out, as if it were there without keys.
-    pub fn left_out(keys: &'static Keys) -> Table<'t> {
-        Table { path: EntryPath::default(), span: Span::default(), entries: &NOTHING, keys }
+    /// A table that is left out at `path`, as if it were there without keys.
+    pub fn left_out(path: EntryPath, keys: &'static Keys) -> Table<'t> {
+        Table { path, span: Span::default(), entries: &NOTHING, keys }
     }
 
     /// The entry of a key that the table may have; absent where it is not written.

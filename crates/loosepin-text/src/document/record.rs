@@ -91,8 +91,10 @@ impl<'t, R: Reads + ?Sized, T: Choice> Value<'t, R> for T {
 }
 
 impl<'t, R: Reads + ?Sized, T: Choice> Usual<'t, R, &'static str> for T {
-    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
-        T::choices().into_iter().find(|(word, _)| *word == usual).map(|(_, meaning)| meaning)
+    fn usual(_reader: &mut R, _table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+        let found = T::choices().into_iter().find(|(word, _)| *word == usual);
+        debug_assert!(found.is_some(), "{key}: {usual} is none of its words");
+        found.map(|(_, meaning)| meaning)
     }
 }
 
@@ -295,7 +297,8 @@ macro_rules! record {
             entry: Option<&$crate::document::Entry<'t>>,
         ) -> Self {
             let table = entry.and_then(|entry| $crate::document::Reads::document(reader).table(entry, &Self::KEYS));
-            let table = table.unwrap_or_else(|| $crate::document::Table::left_out(&Self::KEYS));
+            let table = table
+                .unwrap_or_else(|| $crate::document::Table::left_out(Default::default(), &Self::KEYS));
             Self::of(reader, table).expect("every key has a value, or may have none")
         }
     };

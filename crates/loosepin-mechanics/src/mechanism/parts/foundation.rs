@@ -30,7 +30,7 @@ pub(in crate::mechanism) fn foundation(
         (FoundationChoice::Law, _, Some((stiffness_n_m1_5, _))) => {
             point_law_foundation_pa_m(stiffness_n_m1_5, clearance_m, radius_m, length_m)
         }
-        // Refused where the model is read.
+        // Refused where the model is read, and where another law is set.
         (FoundationChoice::Liu | FoundationChoice::Law, ..) => f64::NAN,
     };
     let sizes_m = [radius_m, clearance_m, length_m];

@@ -12,15 +12,15 @@ const MAX_SAMPLES_PER_TURN: u64 = 1_000_000;
 record! {
     /// how much is run and recorded
     pub(in crate::model) struct CycleNumbers for Reads;
-    /// turns run before recording; 2 if left out
-    optional transient_turns: Option<f64> = Kind::Number { rule: Rule::Turns }, "2";
+    /// turns run before recording
+    optional transient_turns: Option<f64> = Kind::Number { rule: Rule::Turns }, "2", or 2.0 called "2";
     /// turns recorded
     optional recorded_turns: Option<f64> = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
     /// rows recorded in a turn
     optional samples_per_turn: Option<usize> = count(1, MAX_SAMPLES_PER_TURN), "500", or 500;
 }
 
-/// Numbers of `[cycle]`, in model and study files alike.
+/// Numbers of `[cycle]`: turns run before recording, turns recorded, and rows recorded in a turn.
 pub const CYCLE_NUMBERS: &[Key] = CycleNumbers::KEYS.keys;
 
 /// The part of the motion that `simulate` runs and a study records.

@@ -11,9 +11,6 @@ use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
-/// Turns run before recording, where the file does not say.
-const TRANSIENT_TURNS: f64 = 2.0;
-
 record! {
     /// what is run and recorded; every number can be overridden
     pub(super) struct CycleTable for PartReader, exactly one of [drive, duration];
@@ -30,12 +27,12 @@ impl ModelReader {
         let CycleTable { drive, duration, numbers, .. } = CycleTable::read(self, entry)?;
         self.remember(entry);
         // A span of time has no turns to settle over.
-        let default_turns = if duration.is_some() { 0.0 } else { TRANSIENT_TURNS };
+        let no_transient = duration.is_some() && !numbers.table.has("transient_turns");
         let span = match duration {
             Some(duration) => CycleSpan::Duration(duration),
             None => self.counted_drive(&drive?)?,
         };
-        let transient_turns = numbers.transient_turns.unwrap_or(Some(default_turns))?;
+        let transient_turns = if no_transient { 0.0 } else { numbers.transient_turns? };
         let (recorded_turns, samples_per_turn) = (numbers.recorded_turns?, numbers.samples_per_turn?);
         Some(Cycle { span, transient_turns, recorded_turns, samples_per_turn })
     }

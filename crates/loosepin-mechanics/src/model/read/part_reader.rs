@@ -49,3 +49,25 @@ impl PartReader for ModelReader {
         self.joints[joint.0].name.clone()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Model;
+
+    /// The slider-crank template.
+    const SLIDER_CRANK: &str = include_str!("../../../../loosepin-import/templates/slider-crank/model.toml");
+
+    #[test]
+    fn a_joint_is_named_with_its_table_or_without() {
+        let joint_of_drive = |joint: &str| {
+            let (before, drive) = SLIDER_CRANK.split_once("[drive.").unwrap();
+            let text =
+                format!("{before}[drive.{}", drive.replacen("joint = \"main\"", &format!("joint = \"{joint}\""), 1));
+            let model = Model::from_text("model.toml", &text).map_err(|complaints| complaints.to_string())?;
+            Ok::<String, String>(model.joints[model.drives[0].joint.0].name.clone())
+        };
+        assert_eq!(joint_of_drive("main"), Ok("main".to_owned()));
+        assert_eq!(joint_of_drive("joint.main"), Ok("main".to_owned()));
+        assert!(joint_of_drive("joint.joint.main").is_err());
+    }
+}

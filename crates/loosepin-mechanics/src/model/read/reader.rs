@@ -279,12 +279,6 @@ impl ModelReader {
         self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
     }
 
-    /// The joint that an entry names.
-    pub fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
-        let name = self.reader.text(entry)?;
-        self.named(entry, "joint", name, |file| &file.joint_names)
-    }
-
     /// The point that an entry names as `body.point`.
     pub fn point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
         let text = self.reader.text(entry)?;

@@ -3,9 +3,10 @@
 use super::reader::ModelReader;
 use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
+use crate::model::part_reader::PartReader;
 use crate::model::parts::wear::{
-    FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry, WearLife,
-    WearMeasure, WearPressure,
+    ActsBack, FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
+    WearLife, WearMeasure, WearPressure,
 };
 use crate::model::problem::ModelProblem;
 use crate::model::values::quantity::QuantityId;
@@ -28,20 +29,22 @@ impl ModelReader {
                 self.remember(&entry);
             }
         }
-        let surfaces = [wear.bearing, wear.journal];
-        let foundation = match wear.foundation_stiffness {
-            Some(stiffness) => {
+        let [bearing, journal] = [&wear.bearing, &wear.journal].map(|surface| match surface {
+            Some(entry) => self.coefficient(entry).map(Some),
+            None => Some(None),
+        });
+        let foundation = match &wear.foundation_stiffness {
+            Some(entry) => {
                 self.refuse_beside(&wear.table, "foundation", "foundation_stiffness");
-                FoundationChoice::Given(stiffness)
+                self.quantity_at(entry).map(FoundationChoice::Given).or(wear.foundation)
             }
             None => wear.foundation,
         };
         let wear_path = wear.table.path.describe();
-        if surfaces.iter().all(Option::is_none) {
+        if wear.bearing.is_none() && wear.journal.is_none() {
             let problem = ModelProblem::NothingWears { entry: wear_path };
             return self.reader.refuse(&problem, entry.key_span);
         }
-        let coefficients = surfaces.map(|surface| surface.map_or(Some(None), |own| self.coefficient(own).map(Some)));
         for key in ["radial_clearance", "bearing_length"] {
             let is_there = table.has(key) || (key == "radial_clearance" && table.has("diametral_clearance"));
             if !is_there {
@@ -56,29 +59,28 @@ impl ModelReader {
             let problem = ModelProblem::WearByLiteral { entry: wear_path, contact: name };
             return self.reader.refuse(&problem, entry.key_span);
         }
-        let [bearing, journal] = coefficients;
         let bearing_length_m = clearance.bearing_length_m?;
         Some(Some(JointWear {
             coefficients_m2_n: [bearing?, journal?],
             bearing_length_m,
             sectors: wear.sectors,
-            pressure: wear.pressure,
-            foundation,
+            pressure: wear.pressure?,
+            foundation: foundation?,
         }))
     }
 
     /// The wear coefficient of a surface: as written, or Archard's number over the hardness.
-    fn coefficient(&mut self, surface: SurfaceWear<'_>) -> Option<QuantityId> {
-        let SurfaceWear { table, coefficient, archard, hardness } = surface;
-        if table.has("coefficient") {
+    fn coefficient(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
+        let SurfaceWear { table, coefficient, archard, hardness } = SurfaceWear::read(self, entry)?;
+        if let Some(coefficient) = coefficient {
             self.refuse_beside(&table, "hardness", "coefficient");
-            return coefficient.filter(|_| !table.has("hardness"));
+            return coefficient.filter(|_| hardness.is_none());
         }
-        if table.has("archard") && !table.has("hardness") {
+        if archard.is_some() && hardness.is_none() {
             self.complain_of_missing(&table, "archard", vec!["hardness"]);
             return None;
         }
-        let (archard, hardness) = (archard?, hardness?);
+        let (archard, hardness) = (archard??, hardness??);
         let ops = vec![Op::Load(archard.0), Op::Load(hardness.0), Op::Divide];
         let path = table.path.join("coefficient").dotted();
         Some(self.derived(path, Dimension::WEAR_COEFFICIENT, Rule::NonNegative, ops, &[archard, hardness]))
@@ -87,24 +89,25 @@ impl ModelReader {
     /// For how long wear is stated. Nothing where no joint wears.
     pub(super) fn read_life(&mut self, entry: &Option<Entry<'_>>, outputs: &[Output]) -> Option<WearLife> {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
-        let (cycles, geometry, limit) = match entry {
+        let life = match entry {
             Some(entry) => {
                 let life = LifeTable::read(self, entry)?;
                 self.remember(entry);
                 self.uses_life = wears;
-                let geometry =
-                    if life.geometry.0 { self.worn_geometry(&life) } else { self.fixed_geometry(&life.table) };
-                let limit = self.limit(&life, outputs);
-                (life.cycles, geometry?, limit?)
+                life
             }
             None if wears => {
-                self.fixed_joints()?;
-                let path = EntryPath::default().join("wear").join("cycles");
-                let cycles = self.default_quantity(&path, Dimension::NUMBER, Rule::Positive, 1.0);
-                (cycles, WearGeometry::Fixed, None)
+                let table = Table::left_out(EntryPath::default().join("wear"), &LifeTable::KEYS);
+                LifeTable::of(self, table)?
             }
             None => return None,
         };
+        let geometry = match life.geometry? {
+            ActsBack(true) => self.worn_geometry(&life),
+            ActsBack(false) => self.fixed_geometry(&life.table),
+        };
+        let limit = self.limit(&life, outputs);
+        let (cycles, geometry, limit) = (life.cycles?, geometry?, limit?);
         wears.then_some(WearLife { cycles, geometry, limit })
     }
 
@@ -173,7 +176,7 @@ impl ModelReader {
         let jumps = match life.jumps {
             Some(count) => {
                 self.refuse_beside(table, "tolerance", "jumps");
-                Jumps::Equal(count)
+                Jumps::Equal(count?)
             }
             None => Jumps::Controlled(tolerance?),
         };

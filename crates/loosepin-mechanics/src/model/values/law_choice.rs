@@ -3,6 +3,7 @@
 use crate::model::contact::{LawError, NormalDescription};
 use crate::model::ids::ContactId;
 use crate::model::parts::topology::Model;
+use crate::model::parts::wear::FoundationChoice;
 use crate::model::values::path_error::PathError;
 use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::units::quoted;
@@ -33,15 +34,19 @@ impl Model {
         let given = &self.contacts[contact.0];
         let table = format!("contact '{}'", given.name);
         let changed = given.law.with(law, given.line_loss, &table)?;
-        if changed.line().is_some() {
-            for joint in &self.joints {
-                if let Some(clearance) = joint.kind.pin_clearance()
-                    && clearance.contact == contact
-                    && clearance.bearing_length_m.is_none()
-                {
-                    let table = format!("joint '{}'", joint.name);
-                    return Err(LawError::NeedsKey { law: law.name(), key: "bearing_length", table });
-                }
+        let needs = |key: &'static str, table: String| Err(LawError::NeedsKey { law: law.name(), key, table });
+        for joint in self.joints.iter().filter(|_| changed.line().is_some()) {
+            let Some(clearance) = joint.kind.pin_clearance().filter(|clearance| clearance.contact == contact) else {
+                continue;
+            };
+            if clearance.bearing_length_m.is_none() {
+                return needs("bearing_length", format!("joint '{}'", joint.name));
+            }
+            // A line law has no stiffness for the foundation between worn surfaces.
+            if self.has_worn_geometry()
+                && joint.wear.as_ref().is_some_and(|wear| wear.foundation == FoundationChoice::Law)
+            {
+                return needs("foundation_stiffness", format!("joint '{}' wear", joint.name));
             }
         }
         let mut model = self.clone();
@@ -103,5 +108,24 @@ mod tests {
             refused(linear, "anagnostopoulos"),
             "anagnostopoulos needs restitution of contact 'steel_pin', which the model does not give"
         );
+    }
+
+    #[test]
+    fn no_line_law_comes_to_a_foundation_of_the_point_law() {
+        let worn = |wear: &str, geometry: &str| {
+            let text = SLIDER_CRANK.replace(
+                "contact = \"steel_pin\"\n",
+                &format!("contact = \"steel_pin\"\nbearing_length = \"20 mm\"\nwear = {{ bearing = {{ coefficient = \"2e-15 m^2/N\" }}{wear} }}\n"),
+            ) + &format!("\n[wear]\ncycles = 1000\ngeometry = \"{geometry}\"\n");
+            let model =
+                Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"));
+            model.with_law(ContactId(0), law("johnson")).map(|model| model.contacts[0].law.name())
+        };
+        assert_eq!(
+            worn(", foundation = \"law\"", "worn").unwrap_err().to_string(),
+            "johnson needs foundation_stiffness of joint 'gudgeon' wear, which the model does not give"
+        );
+        assert_eq!(worn("", "worn"), Ok("johnson"));
+        assert_eq!(worn("", "fixed"), Ok("johnson"));
     }
 }

@@ -161,7 +161,6 @@ impl StudyReader {
         let MotionTable { table, output, component, of, joint, order, within, highest_order, sampled, file, .. } =
             &motion;
         let words = || table.path.describe();
-        motion.kind?;
         let feature_entry = motion.feature.as_ref()?;
         let feature_word = self.reader.text(feature_entry)?.to_owned();
         let feature = self.reader.choice(feature_entry, &FEATURES)?;
@@ -212,6 +211,7 @@ impl StudyReader {
         let name = motion.name.clone().unwrap_or_else(|| format!("{of}, {}", feature_word.replace('_', " ")));
         let span = motion.value.as_ref().or(file.as_ref()).map_or(table.span, |at| at.span);
         let place = self.reader.place(span);
+        motion.kind?;
         Some(MeasuredMotion { name, specimen, instrument, subject, unit, values_si, repeats, error, scatter, place })
     }
 

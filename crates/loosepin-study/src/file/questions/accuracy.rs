@@ -9,7 +9,7 @@ use crate::file::questions::target::AccuracyTarget;
 use crate::file::reader::StudyReader;
 use crate::file::sizes::MAX_RUNS;
 use crate::file::study::Study;
-use crate::file::words::{numbers, statistic_name};
+use crate::file::words::{dimension_of_statistic, numbers, statistic_name};
 use loosepin_result::study::Budget;
 use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
 use loosepin_text::document::{Entry, Written, listed};
@@ -85,7 +85,7 @@ fn askable(asks: &[Ask], dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askab
         let counted = ask.statistics().filter(|statistic| !ask.is_by_method(*statistic));
         let known = counted.filter_map(|statistic| {
             let name = statistic_name(statistic)?;
-            let dimension = if statistic.is_probability() { Dimension::NUMBER } else { dimension_of(ask.output) };
+            let dimension = dimension_of_statistic(statistic, dimension_of(ask.output));
             Some(Askable { ask: place, output: ask.output, statistic: name, dimension })
         });
         known.collect::<Vec<Askable>>()

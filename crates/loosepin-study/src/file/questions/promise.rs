@@ -2,7 +2,7 @@
 
 use crate::file::problem::StudyProblem;
 use crate::file::questions::ask::{Ask, Asked, PromisedEnds};
-use crate::file::questions::requirement::{DecidedBy, Requirement};
+use crate::file::questions::requirement::Requirement;
 use crate::file::reader::StudyReader;
 use crate::file::sampling::MAX_INNER;
 use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
@@ -24,12 +24,6 @@ record! {
 }
 
 impl StudyReader {
-    /// Reads how large a promise is; questions are checked against it.
-    pub fn read_promise(&mut self, written: Option<&Entry<'_>>) {
-        let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(self, written);
-        self.promise = PromiseSettings { share, confidence, inner };
-    }
-
     /// The ends of the statistics of a question that are promised.
     pub(crate) fn promised_ends(&mut self, entry: Option<&Entry<'_>>, entries: &[(Entry<'_>, Asked)]) -> Vec<Side> {
         let Some(entry) = entry else { return Vec::new() };
@@ -62,10 +56,9 @@ impl StudyReader {
         ends.to_vec()
     }
 
-    /// Whether a promise decides a requirement.
-    pub(crate) fn is_decided_by_promise(&mut self, entry: Option<&Entry<'_>>, probability_at_least: f64) -> bool {
-        let Some(entry) = entry else { return false };
-        if !DecidedBy::read(self, entry).is_some_and(|by| by.0) || !self.check_promise(entry) {
+    /// Whether the promise that is written at an entry can decide a requirement.
+    pub(crate) fn is_decided_by_promise(&mut self, entry: &Entry<'_>, probability_at_least: f64) -> bool {
+        if !self.check_promise(entry) {
             return false;
         }
         // That all mechanisms keep a limit is shown by no number of them, which has its own warning.

@@ -93,8 +93,8 @@ record! {
     optional poses: Entry<'t> as POSES;
     /// the least probability of staying within the limit
     required probability_at_least: Entry<'t> = Kind::Number { rule: Rule::RequiredProbability }, "0.9973";
-    /// search: for every value of the epistemic inputs; promise: for a share of the box, without a model; search if left out
-    optional decided_by: Entry<'t> = choice::<DecidedBy>(), "\"promise\"";
+    /// search: for every value of the epistemic inputs; promise: for a share of the box, without a model
+    optional decided_by: DecidedBy = choice::<DecidedBy>(), "\"promise\"", or "search";
 }
 
 impl StudyReader {
@@ -128,7 +128,8 @@ impl StudyReader {
         };
         let probability_entry = table.probability_at_least.as_ref()?;
         let probability_at_least = probability_at_least?;
-        let is_promised = self.is_decided_by_promise(table.decided_by.as_ref(), probability_at_least);
+        let decided_by = whole.get("decided_by").filter(|_| table.decided_by.0);
+        let is_promised = decided_by.is_some_and(|entry| self.is_decided_by_promise(&entry, probability_at_least));
         // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
         if probability_at_least == 1.0 && !self.random.is_empty() {
             let problem = StudyProblem::CertaintyOfSamples { entry: probability_entry.path.describe() };
