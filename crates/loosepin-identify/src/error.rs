@@ -97,9 +97,6 @@ problems! {
         DoesNotMove { reading: String } => Code::AskNotPossible,
             says("{reading}: no play gives way to this push, so that its dead travel says nothing"),
             hint("push a point that moves with the drive locked, in a direction that it can go");
-        Model { error: MechanismError } => error.code(),
-            says("{error}"),
-            hint_of(error.hint());
         Values { error: QuantityError } => error.code(),
             says("{error}"),
             hint_of(error.hint());

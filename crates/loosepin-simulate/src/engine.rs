@@ -203,7 +203,7 @@ fn run_kinematics(
         };
         let time = [start_s, end_s].map(|time_s| GapJet { jet: [time_s, 1.0, 0.0] });
         if end_s >= observer.awaits_s() {
-            observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
+            observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time });
         }
         follower.step([start_s, end_s], &outputs, end_s == window.end_s);
         if let Some(error) = failure {

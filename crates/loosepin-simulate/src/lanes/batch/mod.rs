@@ -79,7 +79,6 @@ pub(crate) struct Batch<'a> {
     /// Number of the run whose sample `view` holds, and of the run started last.
     viewed: u64,
     started: u64,
-    output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
     /// Where everything is among the numbers of what is followed.
     follow: FollowLayout,
@@ -150,7 +149,6 @@ impl<'a> Batch<'a> {
             view,
             viewed: 0,
             started: 0,
-            output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
             events: vec![None; execution.lanes()],
             waiting: Vec::with_capacity(execution.lanes()),
             settings: *settings,
@@ -546,10 +544,6 @@ impl<'a> Batch<'a> {
         if !is_awaited {
             return Ok(());
         }
-        for (output, jets) in self.output_jets.iter_mut().enumerate() {
-            let [start, end] = self.core.jets(lane, self.core.pass.reads.output(output));
-            *jets = [start.jet, end.jet];
-        }
         let time = self.times(lane);
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         let mut dense = LaneDense { core: &mut self.core, lane, is_prepared: false, evaluations: 0 };
@@ -562,7 +556,7 @@ impl<'a> Batch<'a> {
             viewed: &mut self.viewed,
             run: run.number,
         };
-        let mut step = Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets };
+        let mut step = Step { source, start_s, end_s, length: step, time };
         if let Some(observer) = queue.observer(run.observer) {
             observer.step(&mut step);
             run.awaited_s = observer.awaits_s();
