@@ -1,6 +1,5 @@
 //! Why readings say nothing of the plays.
 
-use loosepin_mechanics::mechanism::MechanismError;
 use loosepin_mechanics::model::QuantityError;
 use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_text::diagnostics::{Code, problems};

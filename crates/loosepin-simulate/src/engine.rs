@@ -8,13 +8,14 @@ use super::settings::{Integrator, Settings, Window};
 use crate::lanes::batch::{Batch, CompiledCodeCache, HandledQueue, MAX_STEP_TURNS, Queue, Run};
 use crate::lanes::execution::Execution;
 use crate::lanes::pass::MAX_RESIDUAL;
-use crate::recording::report::{Counters, RunReport};
+use crate::recording::report::RunReport;
 use crate::recording::work::KinematicAccount;
 use crate::stepping::gap::GapJet;
 use crate::stepping::motion::Motion;
 use crate::stepping::pace::fastest_drive_rad_s;
 use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Course, Model};
+use loosepin_result::simulation::RunCounters;
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
 /// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
@@ -203,7 +204,7 @@ fn run_kinematics(
         };
         let time = [start_s, end_s].map(|time_s| GapJet { jet: [time_s, 1.0, 0.0] });
         if end_s >= observer.awaits_s() {
-            observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time });
+            observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
         }
         follower.step([start_s, end_s], &outputs, end_s == window.end_s);
         if let Some(error) = failure {
@@ -238,7 +239,7 @@ fn run_kinematics(
         }
     }
     let energy = account.map(|account| account.total());
-    let counters = Counters { steps, ..Counters::default() };
+    let counters = RunCounters { steps, ..RunCounters::default() };
     Ok(RunReport {
         counters,
         plays: Vec::new(),

@@ -74,6 +74,8 @@ pub struct Step<'s, 'a> {
     pub length: f64,
     /// Time and its derivatives over that variable at both ends.
     pub(super) time: [GapJet; 2],
+    /// Values and derivatives over that variable of the followed outputs, at both ends.
+    pub outputs: &'s [[[f64; 3]; 2]],
 }
 
 /// Where the states of a step come from.
@@ -216,6 +218,11 @@ impl<'a> Step<'_, 'a> {
     pub(super) fn time_polynomial(&self) -> Quintic {
         let [start, end] = &self.time;
         Quintic::new(start.jet, end.jet, self.length)
+    }
+
+    /// The time and its first two derivatives over the variable of integration at the start (0) or at the end (1).
+    pub fn time(&self, side: usize) -> [f64; 3] {
+        self.time[side].jet
     }
 
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {

@@ -28,7 +28,7 @@ use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
-    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason, Trust,
+    JournalOrbit, OutputHistory, Override, SimulationRecord, SimulationSettings, StopReason, Trust,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::DisplayUnits;
@@ -526,13 +526,7 @@ impl<'a> Recorder<'a> {
             },
             stop: StopReason::Finished,
             repeat: repeat(&self.mechanism.model, plan),
-            counters: RunCounters {
-                steps: report.counters.steps,
-                rejections: report.counters.rejections,
-                evaluations: report.counters.evaluations,
-                factorizations: report.counters.factorizations,
-                contact_changes: report.counters.events,
-            },
+            counters: report.counters,
             extremes,
             joints,
             kind,

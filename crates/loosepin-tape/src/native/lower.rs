@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Level;
 use super::instruction::{Arithmetic, Memory};
-use super::node::{FusedSigns, MaskOperation, Node, NodeIndex, Slot, UnaryOperation};
+use super::node::{FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 use super::program::Program;
 
 /// The position of a vector in [`Lowered::values`].
@@ -17,7 +17,6 @@ pub(super) enum UnitOperation {
     SquareRoot,
     MulAdd(FusedSigns),
     LessThan { is_negated: bool },
-    MaskBinary(MaskOperation),
     MaskNot,
     Select,
 }
@@ -169,7 +168,6 @@ impl Lowering {
             Node::Binary { operation, .. } => UnitOperation::Arithmetic(Arithmetic::Binary(operation)),
             Node::MulAdd { signs, .. } => UnitOperation::MulAdd(signs),
             Node::LessThan { is_negated, .. } => UnitOperation::LessThan { is_negated },
-            Node::MaskBinary { operation, .. } => UnitOperation::MaskBinary(operation),
             Node::MaskNot { .. } if self.level == Level::Avx2 => {
                 operands[1] = Some(self.constant(ALL_BITS));
                 UnitOperation::Arithmetic(Arithmetic::ExclusiveOr)

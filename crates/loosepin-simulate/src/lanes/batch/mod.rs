@@ -24,7 +24,7 @@ use crate::lanes::memory::{LaneLayout, NextStepRule};
 use crate::lanes::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::lanes::reads::ReadLayout;
 use crate::observer::{DenseOutput, Source, Step};
-use crate::recording::report::{Counters, FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
+use crate::recording::report::{FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::{Settings, Window};
 use crate::start::resting;
 use crate::start::settle::settle;
@@ -35,6 +35,7 @@ use crate::stepping::projection::Projection;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
 use loosepin_mechanics::model::Reading;
+use loosepin_result::simulation::RunCounters;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -79,6 +80,7 @@ pub(crate) struct Batch<'a> {
     /// Number of the run whose sample `view` holds, and of the run started last.
     viewed: u64,
     started: u64,
+    output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
     /// Where everything is among the numbers of what is followed.
     follow: FollowLayout,
@@ -149,6 +151,7 @@ impl<'a> Batch<'a> {
             view,
             viewed: 0,
             started: 0,
+            output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
             events: vec![None; execution.lanes()],
             waiting: Vec::with_capacity(execution.lanes()),
             settings: *settings,
@@ -544,6 +547,10 @@ impl<'a> Batch<'a> {
         if !is_awaited {
             return Ok(());
         }
+        for (output, jets) in self.output_jets.iter_mut().enumerate() {
+            let [start, end] = self.core.jets(lane, self.core.pass.reads.output(output));
+            *jets = [start.jet, end.jet];
+        }
         let time = self.times(lane);
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         let mut dense = LaneDense { core: &mut self.core, lane, is_prepared: false, evaluations: 0 };
@@ -556,7 +563,7 @@ impl<'a> Batch<'a> {
             viewed: &mut self.viewed,
             run: run.number,
         };
-        let mut step = Step { source, start_s, end_s, length: step, time };
+        let mut step = Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets };
         if let Some(observer) = queue.observer(run.observer) {
             observer.step(&mut step);
             run.awaited_s = observer.awaits_s();
@@ -652,10 +659,11 @@ impl<'a> Batch<'a> {
         self.core.leave(lane);
     }
 
-    fn counters(&self, lane: usize, events: u64) -> Counters {
+    fn counters(&self, lane: usize, contact_changes: u64) -> RunCounters {
         let counted = [LaneLayout::STEPS, LaneLayout::REJECTIONS, LaneLayout::FACTORIZATIONS];
         let [steps, rejections, factorizations] = counted.map(|place| self.core.number(lane, place) as u64);
-        Counters { steps, rejections, evaluations: self.core.evaluations(lane), factorizations, events }
+        let evaluations = self.core.evaluations(lane);
+        RunCounters { steps, rejections, evaluations, factorizations, contact_changes }
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {
