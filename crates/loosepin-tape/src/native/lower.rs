@@ -48,7 +48,7 @@ pub(super) struct VectorSource {
 }
 
 /// A program ready for the allocation of registers.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Lowered {
     pub values: Vec<VectorSource>,
     pub units: Vec<Unit>,
@@ -65,18 +65,7 @@ const ALL_BITS: u64 = u64::MAX;
 
 /// Writes the operations of `program` in the given `order`, each for `parts` vectors of the `lanes`.
 pub(super) fn lower(program: &Program, order: &[NodeIndex], level: Level, lanes: usize, parts: usize) -> Lowered {
-    let mut lowering = Lowering {
-        level,
-        lanes,
-        lowered: Lowered {
-            values: Vec::new(),
-            units: Vec::new(),
-            early_stores: BTreeMap::new(),
-            late_stores: Vec::new(),
-            constants: Vec::new(),
-        },
-        constants: BTreeMap::new(),
-    };
+    let mut lowering = Lowering { level, lanes, lowered: Lowered::default(), constants: BTreeMap::new() };
     let nodes = program.nodes();
     let overwritten: BTreeSet<Slot> = program.outputs().iter().map(|&(slot, _)| slot).collect();
     let mut vectors: Vec<Vec<ValueIndex>> = Vec::with_capacity(nodes.len());
