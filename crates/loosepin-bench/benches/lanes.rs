@@ -66,7 +66,7 @@ fn measure(case: &Case) {
         per_turn(|run| run.counters.evaluations),
         per_turn(|run| run.counters.steps),
         per_turn(|run| run.counters.rejections),
-        per_turn(|run| run.counters.events),
+        per_turn(|run| run.counters.contact_changes),
     );
     for runs in [64, 256, RUNS] {
         let idle = 100.0 * idle_share(&reference[..runs]);

@@ -4,7 +4,7 @@ use crate::compiled;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{PlayId, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
+    Arms, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunCounters, RunFailure, RunReport, Settings,
     Step, Window, columns, conduct,
 };
 use std::sync::Arc;
@@ -44,7 +44,7 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finished {
     /// What it counted.
-    pub counters: Counters,
+    pub counters: RunCounters,
     /// The position at the times of the plan, m or rad.
     pub readings: Vec<f64>,
 }

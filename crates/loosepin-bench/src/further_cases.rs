@@ -3,223 +3,134 @@
 use crate::precision::Case;
 use crate::precision_cases::{CLEARANCE, RESTITUTION, RIGID};
 
-const fn case(
-    name: &'static str,
-    file: &'static str,
-    point: &'static str,
-    varied: &'static [(&'static str, f64)],
-) -> Case {
-    Case { name, file, point, varied, reference_m: 1e-12, samples: 32, methods: &[], ..RIGID }
+/// The model in a folder, of which the clearances in some joints and the restitution of a contact vary.
+macro_rules! case {
+    ($name:literal, $folder:literal, $point:literal, [$($joint:literal),*], $contact:literal) => {
+        Case {
+            name: $name,
+            file: concat!($folder, "/model.toml"),
+            point: $point,
+            varied: &[
+                $((concat!("joint.", $joint, ".radial_clearance"), CLEARANCE),)*
+                (concat!("contact.", $contact, ".restitution"), RESTITUTION),
+            ],
+            reference_m: 1e-12,
+            samples: 32,
+            methods: &[],
+            ..RIGID
+        }
+    };
 }
 
 /// All other mechanisms of `cases/` with a drive and play, and the templates.
 pub const FURTHER_CASES: [Case; 31] = [
-    case(
-        "backlash_test",
-        "cases/backlash_test/model.toml",
-        "rocker.ear",
-        &[
-            ("joint.crank_pin.radial_clearance", CLEARANCE),
-            ("joint.coupler_pin.radial_clearance", CLEARANCE),
-            ("joint.rocker_pivot.radial_clearance", CLEARANCE),
-            ("contact.bush.restitution", RESTITUTION),
-        ],
-    ),
-    case(
-        "eight_bar",
-        "cases/eight_bar/model.toml",
-        "slider.pin",
-        &[("joint.tip.radial_clearance", CLEARANCE), ("contact.steel.restitution", RESTITUTION)],
-    ),
-    case(
-        "engine_indicator_diagram",
-        "cases/engine_indicator_diagram/model.toml",
-        "piston.pin",
-        &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
-    ),
-    case(
-        "five_bar_driven_slider",
-        "cases/five_bar_driven_slider/model.toml",
-        "right_link.high",
-        &[("joint.apex.radial_clearance", CLEARANCE), ("contact.steel.restitution", RESTITUTION)],
-    ),
-    case(
-        "five_bar_elbow_drive",
-        "cases/five_bar_elbow_drive/model.toml",
-        "right_link.high",
-        &[("joint.apex.radial_clearance", CLEARANCE), ("contact.steel.restitution", RESTITUTION)],
-    ),
-    case(
-        "five_bar_two_drives",
-        "cases/five_bar_two_drives/model.toml",
-        "right_link.high",
-        &[("joint.apex.radial_clearance", CLEARANCE), ("contact.steel.restitution", RESTITUTION)],
-    ),
-    case(
-        "four_bar_bronze_bushing",
-        "cases/four_bar_bronze_bushing/model.toml",
-        "rocker.tip",
-        &[("joint.tip.radial_clearance", CLEARANCE), ("contact.bushing.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("backlash_test", "cases/backlash_test", "rocker.ear", ["crank_pin", "coupler_pin", "rocker_pivot"], "bush"),
+    case!("eight_bar", "cases/eight_bar", "slider.pin", ["tip"], "steel"),
+    case!("engine_indicator_diagram", "cases/engine_indicator_diagram", "piston.pin", ["gudgeon"], "steel_pin"),
+    case!("five_bar_driven_slider", "cases/five_bar_driven_slider", "right_link.high", ["apex"], "steel"),
+    case!("five_bar_elbow_drive", "cases/five_bar_elbow_drive", "right_link.high", ["apex"], "steel"),
+    case!("five_bar_two_drives", "cases/five_bar_two_drives", "right_link.high", ["apex"], "steel"),
+    case!("four_bar_bronze_bushing", "cases/four_bar_bronze_bushing", "rocker.tip", ["tip"], "bushing"),
+    case!(
         "four_bar_coupler_path",
-        "cases/four_bar_coupler_path/model.toml",
+        "cases/four_bar_coupler_path",
         "rocker.pin",
-        &[
-            ("joint.crank_pin.radial_clearance", CLEARANCE),
-            ("joint.coupler_pin.radial_clearance", CLEARANCE),
-            ("contact.steel_pin.restitution", RESTITUTION),
-        ],
+        ["crank_pin", "coupler_pin"],
+        "steel_pin"
     ),
-    case(
+    case!(
         "four_bar_floating_coupler",
-        "cases/four_bar_floating_coupler/model.toml",
+        "cases/four_bar_floating_coupler",
         "bracket.load",
-        &[
-            ("joint.crank_end.radial_clearance", CLEARANCE),
-            ("joint.rocker_end.radial_clearance", CLEARANCE),
-            ("contact.crank_end.restitution", RESTITUTION),
-        ],
+        ["crank_end", "rocker_end"],
+        "crank_end"
     ),
-    case(
-        "four_bar_friction",
-        "cases/four_bar_friction/model.toml",
-        "rocker.tip",
-        &[("joint.tip.radial_clearance", CLEARANCE), ("contact.greased_steel.restitution", RESTITUTION)],
-    ),
-    case(
-        "four_bar_ground_journal",
-        "cases/four_bar_ground_journal/model.toml",
-        "rocker.tip",
-        &[("joint.foot.radial_clearance", CLEARANCE), ("contact.bushing.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("four_bar_friction", "cases/four_bar_friction", "rocker.tip", ["tip"], "greased_steel"),
+    case!("four_bar_ground_journal", "cases/four_bar_ground_journal", "rocker.tip", ["foot"], "bushing"),
+    case!(
         "four_bar_three_clearances",
-        "cases/four_bar_three_clearances/model.toml",
+        "cases/four_bar_three_clearances",
         "rocker.tip",
-        &[
-            ("joint.crank_pin.radial_clearance", CLEARANCE),
-            ("joint.tip.radial_clearance", CLEARANCE),
-            ("joint.foot.radial_clearance", CLEARANCE),
-            ("contact.damped.restitution", RESTITUTION),
-        ],
+        ["crank_pin", "tip", "foot"],
+        "damped"
     ),
-    case(
-        "geared_four_bar_backlash",
-        "cases/geared_four_bar_backlash/model.toml",
-        "rocker.tip",
-        &[("contact.teeth.restitution", RESTITUTION)],
-    ),
-    case(
-        "inverted_slider_crank_literal",
-        "cases/inverted_slider_crank_literal/model.toml",
-        "arm.tip",
-        &[("joint.crank_pin.radial_clearance", CLEARANCE), ("contact.bushing.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("geared_four_bar_backlash", "cases/geared_four_bar_backlash", "rocker.tip", [], "teeth"),
+    case!("inverted_slider_crank_literal", "cases/inverted_slider_crank_literal", "arm.tip", ["crank_pin"], "bushing"),
+    case!(
         "inverted_slider_crank_material",
-        "cases/inverted_slider_crank_material/model.toml",
+        "cases/inverted_slider_crank_material",
         "arm.tip",
-        &[("joint.crank_pin.radial_clearance", CLEARANCE), ("contact.bushing.restitution", RESTITUTION)],
+        ["crank_pin"],
+        "bushing"
     ),
-    case(
-        "scotch_yoke",
-        "cases/scotch_yoke/model.toml",
-        "yoke.runner",
-        &[("joint.pin.radial_clearance", CLEARANCE), ("contact.roller.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("scotch_yoke", "cases/scotch_yoke", "yoke.runner", ["pin"], "roller"),
+    case!(
         "slider_crank_force_cut",
-        "cases/slider_crank_force_cut/model.toml",
+        "cases/slider_crank_force_cut",
         "slider.pin",
-        &[
-            ("joint.crank_pin.radial_clearance", CLEARANCE),
-            ("joint.gudgeon.radial_clearance", CLEARANCE),
-            ("contact.crank_pin.restitution", RESTITUTION),
-        ],
+        ["crank_pin", "gudgeon"],
+        "crank_pin"
     ),
-    case(
-        "slider_crank_given_stiffness",
-        "cases/slider_crank_given_stiffness/model.toml",
-        "slider.pin",
-        &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.polymer.restitution", RESTITUTION)],
-    ),
-    case(
-        "slider_crank_worn_pin",
-        "cases/slider_crank_worn_pin/model.toml",
-        "slider.pin",
-        &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("slider_crank_given_stiffness", "cases/slider_crank_given_stiffness", "slider.pin", ["gudgeon"], "polymer"),
+    case!("slider_crank_worn_pin", "cases/slider_crank_worn_pin", "slider.pin", ["gudgeon"], "steel_pin"),
+    case!(
         "template double-slider",
-        "crates/loosepin-import/templates/double-slider/model.toml",
+        "crates/loosepin-import/templates/double-slider",
         "rod.pen",
-        &[("joint.pin_along.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["pin_along"],
+        "steel_pin"
     ),
-    case(
-        "template four-bar",
-        "crates/loosepin-import/templates/four-bar/model.toml",
-        "rocker.pin",
-        &[("joint.rocker_pin.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("template four-bar", "crates/loosepin-import/templates/four-bar", "rocker.pin", ["rocker_pin"], "steel_pin"),
+    case!(
         "template inverted-slider-crank",
-        "crates/loosepin-import/templates/inverted-slider-crank/model.toml",
+        "crates/loosepin-import/templates/inverted-slider-crank",
         "arm.tip",
-        &[("joint.crank_pin.radial_clearance", CLEARANCE), ("contact.bush.restitution", RESTITUTION)],
+        ["crank_pin"],
+        "bush"
     ),
-    case(
+    case!(
         "template offset-slider-crank",
-        "crates/loosepin-import/templates/offset-slider-crank/model.toml",
+        "crates/loosepin-import/templates/offset-slider-crank",
         "plunger.pin",
-        &[("joint.crank_pin.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["crank_pin"],
+        "steel_pin"
     ),
-    case(
-        "template pantograph",
-        "crates/loosepin-import/templates/pantograph/model.toml",
-        "pen_bar.pen",
-        &[("joint.side.radial_clearance", CLEARANCE), ("contact.brass_bush.restitution", RESTITUTION)],
-    ),
-    case(
-        "template scotch-yoke",
-        "crates/loosepin-import/templates/scotch-yoke/model.toml",
-        "yoke.rod",
-        &[("joint.crank_pin.radial_clearance", CLEARANCE), ("contact.bush.restitution", RESTITUTION)],
-    ),
-    case(
+    case!("template pantograph", "crates/loosepin-import/templates/pantograph", "pen_bar.pen", ["side"], "brass_bush"),
+    case!("template scotch-yoke", "crates/loosepin-import/templates/scotch-yoke", "yoke.rod", ["crank_pin"], "bush"),
+    case!(
         "template slider-crank",
-        "crates/loosepin-import/templates/slider-crank/model.toml",
+        "crates/loosepin-import/templates/slider-crank",
         "slider.pin",
-        &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["gudgeon"],
+        "steel_pin"
     ),
-    case(
+    case!(
         "template stephenson-six-bar",
-        "crates/loosepin-import/templates/stephenson-six-bar/model.toml",
+        "crates/loosepin-import/templates/stephenson-six-bar",
         "arm.pin",
-        &[("joint.tracer.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["tracer"],
+        "steel_pin"
     ),
-    case(
+    case!(
         "template toggle-press",
-        "crates/loosepin-import/templates/toggle-press/model.toml",
+        "crates/loosepin-import/templates/toggle-press",
         "ram.pin",
-        &[("joint.ram_pin.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["ram_pin"],
+        "steel_pin"
     ),
-    case(
+    case!(
         "template watt-six-bar",
-        "crates/loosepin-import/templates/watt-six-bar/model.toml",
+        "crates/loosepin-import/templates/watt-six-bar",
         "arm.pin",
-        &[("joint.coupler_pin.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["coupler_pin"],
+        "steel_pin"
     ),
-    case(
+    case!(
         "template whitworth-quick-return",
-        "crates/loosepin-import/templates/whitworth-quick-return/model.toml",
+        "crates/loosepin-import/templates/whitworth-quick-return",
         "ram.pin",
-        &[("joint.ram_pin.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
+        ["ram_pin"],
+        "steel_pin"
     ),
-    case(
-        "template worn-press",
-        "crates/loosepin-import/templates/worn-press/model.toml",
-        "ram.pin",
-        &[("joint.ram_pin.radial_clearance", CLEARANCE), ("contact.bushing.restitution", RESTITUTION)],
-    ),
+    case!("template worn-press", "crates/loosepin-import/templates/worn-press", "ram.pin", ["ram_pin"], "bushing"),
 ];

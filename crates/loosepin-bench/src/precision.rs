@@ -6,8 +6,8 @@ use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, Motion, PointId, Position, QuantityId, Relative};
 use loosepin::simulate::{
-    Arms, Counters, Execution, Follow, FollowedRun, Integrator, Observer, Queue, Reading, Run, RunFailure, RunReport,
-    Settings, Step, Window, conduct,
+    Arms, Execution, Follow, FollowedRun, Integrator, Observer, Queue, Reading, Run, RunCounters, RunFailure,
+    RunReport, Settings, Step, Window, conduct,
 };
 
 /// A model and what is watched in it.
@@ -50,7 +50,7 @@ pub struct Method {
 pub const TIMES: usize = 32;
 
 /// One run: the watched point's coordinates at [`TIMES`] times, m, x and y in turn; and what they cost.
-type Outcome = Result<(Vec<f64>, Counters), RunFailure>;
+type Outcome = Result<(Vec<f64>, RunCounters), RunFailure>;
 
 /// A compiled case with its samples.
 pub struct Samples {
@@ -136,7 +136,7 @@ impl Samples {
     /// When a run of the reference failed.
     pub fn measure(&self, settings: &Settings, reference: &[Outcome]) -> Point {
         let outcomes = self.run(settings);
-        let median = |count: fn(&Counters) -> u64| {
+        let median = |count: fn(&RunCounters) -> u64| {
             let mut counts: Vec<u64> = outcomes.iter().flatten().map(|(_, counters)| count(counters)).collect();
             counts.sort_unstable();
             quantile(&counts, 0.5)

@@ -16,7 +16,7 @@ use loosepin_result::identification::{
 use loosepin_result::repeat::Repeat;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
-use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, format_value};
+use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, distinct, format_value};
 use loosepin_uncertainty::{normal_quantile, student_factor};
 
 /// Confidence of all bounds together, where none is stated.
@@ -135,12 +135,7 @@ pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -
 
 /// The specimens of the readings, in the order of the file, or the one that is asked for.
 fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Complaints> {
-    let mut found: Vec<Option<String>> = Vec::new();
-    for reading in &study.measured {
-        if !found.contains(&reading.specimen) {
-            found.push(reading.specimen.clone());
-        }
-    }
+    let found = distinct(study.measured.iter().map(|reading| reading.specimen.clone()));
     let Some(wanted) = &options.specimen else { return Ok(found) };
     if found.iter().flatten().any(|known| known == wanted) {
         return Ok(vec![Some(wanted.clone())]);
@@ -187,12 +182,7 @@ fn of_readings(
     share: f64,
     looks_further: bool,
 ) -> Result<Specimen, Complaints> {
-    let mut instruments: Vec<&str> = Vec::new();
-    for reading in readings {
-        if !instruments.contains(&reading.instrument.as_str()) {
-            instruments.push(&reading.instrument);
-        }
-    }
+    let instruments: Vec<&str> = distinct(readings.iter().map(|reading| reading.instrument.as_str()));
     let tests: Vec<Test> = readings
         .iter()
         .map(|reading| Test {

@@ -1,6 +1,5 @@
 //! Why readings say nothing of the plays.
 
-use loosepin_mechanics::mechanism::MechanismError;
 use loosepin_mechanics::model::QuantityError;
 use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_text::diagnostics::{Code, problems};
@@ -97,9 +96,6 @@ problems! {
         DoesNotMove { reading: String } => Code::AskNotPossible,
             says("{reading}: no play gives way to this push, so that its dead travel says nothing"),
             hint("push a point that moves with the drive locked, in a direction that it can go");
-        Model { error: MechanismError } => error.code(),
-            says("{error}"),
-            hint_of(error.hint());
         Values { error: QuantityError } => error.code(),
             says("{error}"),
             hint_of(error.hint());

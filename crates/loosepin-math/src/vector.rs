@@ -4,7 +4,7 @@ use super::Real;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// A vector in the plane, its components in the unit that the name of the variable tells.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Vec2<T> {
     /// Component along x.
     pub x: T,

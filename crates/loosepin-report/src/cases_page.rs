@@ -7,7 +7,7 @@ use comfy_table::ColumnConstraint;
 
 use crate::medium::terminal_table::{push_table, table};
 use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
-use loosepin_text::units::{decimal_exponent, format_number, power_of_ten};
+use loosepin_text::units::{decimal_exponent, distinct, format_number, power_of_ten};
 
 /// Heads of the columns.
 const HEAD: [&str; 7] = ["number", "expected", "obtained", "difference", "tolerance", "verdict", "source"];
@@ -94,13 +94,7 @@ fn verdict(records: &[CaseRecord]) -> String {
 
 /// Different sources of a case, in the order of their first number.
 fn sources(record: &CaseRecord) -> Vec<&str> {
-    let mut sources: Vec<&str> = Vec::new();
-    for number in &record.numbers {
-        if !sources.contains(&number.source.as_str()) {
-            sources.push(&number.source);
-        }
-    }
-    sources
+    distinct(record.numbers.iter().map(|number| number.source.as_str()))
 }
 
 fn cells(number: &NumberRecord, sources: &[&str]) -> Vec<String> {

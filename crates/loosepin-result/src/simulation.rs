@@ -408,7 +408,7 @@ pub struct ExtremePoint {
 }
 
 /// kinetic + potential + stored + lost = supplied + what was there at the start; the residual is the difference.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyAccount {
     /// Largest |residual| over the run divided by the largest energy exchanged: the run's own check.
     #[serde(with = "extended")]

@@ -8,13 +8,14 @@ use super::settings::{Integrator, Settings, Window};
 use crate::lanes::batch::{Batch, CompiledCodeCache, HandledQueue, MAX_STEP_TURNS, Queue, Run};
 use crate::lanes::execution::Execution;
 use crate::lanes::pass::MAX_RESIDUAL;
-use crate::recording::report::{Counters, RunReport};
+use crate::recording::report::RunReport;
 use crate::recording::work::KinematicAccount;
 use crate::stepping::gap::GapJet;
 use crate::stepping::motion::Motion;
 use crate::stepping::pace::fastest_drive_rad_s;
 use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Course, Model};
+use loosepin_result::simulation::RunCounters;
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
 /// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
@@ -238,7 +239,7 @@ fn run_kinematics(
         }
     }
     let energy = account.map(|account| account.total());
-    let counters = Counters { steps, ..Counters::default() };
+    let counters = RunCounters { steps, ..RunCounters::default() };
     Ok(RunReport {
         counters,
         plays: Vec::new(),

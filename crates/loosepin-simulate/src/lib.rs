@@ -41,7 +41,7 @@ pub use lanes::memory::{Block, LaneLayout};
 pub use lanes::programs::PassPrograms;
 pub use loosepin_mechanics::mechanism::{Arms, Mechanism};
 pub use loosepin_mechanics::model::{Model, Reading, relative_words};
-pub use loosepin_result::simulation::REPEAT_SHARE;
+pub use loosepin_result::simulation::{REPEAT_SHARE, RunCounters};
 pub use observer::{Observer, Onset, Separation, Step};
 pub use recording::bending::other_formulation;
 pub use recording::contact_basis::{contact_basis, long_pin_force};
@@ -51,7 +51,7 @@ pub use recording::flight::FlightClock;
 pub use recording::history::{
     BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
 };
-pub use recording::report::{Counters, EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
+pub use recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
 pub use recording::tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
 pub use repeats::lyapunov::{ExponentPlan, largest_exponent};
 pub use repeats::period::{period_turns, section, section_sizes};

@@ -349,24 +349,6 @@ fn identity_the_same_bits_for_any_number_of_threads() {
 }
 
 #[test]
-fn identity_derivatives_of_a_network_are_difference_quotients() {
-    const TOLERANCE: f64 = 1e-6; // a step of 1e-5: truncation 1e-9, round-off 1e-10, values of order one
-    const STEP: f64 = 1e-5;
-    let at = points(&mixed_inputs(), 11, 0, 25);
-    let values = at.iter().map(|x| Some(smooth(x))).collect();
-    let surrogate = fit_number(mixed_inputs(), at.clone(), values, Choice::Only(Kind::Network));
-    let slopes = surrogate.derivatives(0, &at[5]).unwrap().unwrap();
-    for k in 0..3 {
-        let value = |step: f64| {
-            let mut x = at[5].clone();
-            x[k] += step;
-            surrogate.predict(&x).unwrap()[0].values[0]
-        };
-        assert!((slopes[0][k] - (value(STEP) - value(-STEP)) / (2.0 * STEP)).abs() < TOLERANCE, "input {k}");
-    }
-}
-
-#[test]
 fn analytic_known_noise_is_not_taken_for_the_response() {
     // Half of the runs carry noise three times as large as the response; told so, the process trusts the others.
     let at = points(&mixed_inputs(), 11, 0, 60);

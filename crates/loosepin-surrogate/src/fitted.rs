@@ -138,10 +138,4 @@ impl Fitted {
             Form::Constant | Form::Chaos(_) => Like::Nothing,
         }
     }
-
-    /// Derivatives with respect to the scaled inputs, where the form is a network; nothing otherwise.
-    pub(super) fn slopes(&self, scaled: &[f64]) -> Option<Vec<f64>> {
-        let Form::Network(ensemble) = &self.form else { return None };
-        Some(ensemble.slopes(scaled).into_iter().map(|slope| self.deviation * slope).collect())
-    }
 }

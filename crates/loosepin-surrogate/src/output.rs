@@ -78,19 +78,6 @@ impl OutputSurrogate {
         (self.modes.curve(&scores), deviations)
     }
 
-    /// Derivatives of every place with respect to the scaled inputs; nothing where a mode is not a network.
-    pub(super) fn slopes(&self, scaled: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let mut slopes = vec![vec![0.0; scaled.len()]; self.modes.mean.len()];
-        for (fit, shape) in self.fits.iter().zip(&self.modes.shapes) {
-            for (k, slope) in fit.slopes(scaled)?.into_iter().enumerate() {
-                for (row, value) in slopes.iter_mut().zip(shape) {
-                    row[k] += slope * value;
-                }
-            }
-        }
-        Some(slopes)
-    }
-
     /// The kind of each mode.
     pub fn kinds(&self) -> Vec<Kind> {
         self.fits.iter().map(Fitted::kind).collect()

@@ -52,11 +52,6 @@ impl Surrogate {
         Ok(Self { format: FORMAT, inputs: data.inputs().to_vec(), ranges, outputs })
     }
 
-    /// The inputs.
-    pub fn inputs(&self) -> &[Input] {
-        &self.inputs
-    }
-
     /// Where the surrogate answers: the range of the runs in each input and a quarter of it on either side, no further than
     /// the input itself can be.
     pub fn ranges(&self) -> &[(f64, f64)] {
@@ -88,19 +83,6 @@ impl Surrogate {
     pub fn residual(&self, output: usize, point: &[f64], share: f64) -> Result<Option<Vec<f64>>, SurrogateError> {
         let (scaled, _) = self.standard(point)?;
         Ok(self.outputs[output].residual.draw(&scaled, share))
-    }
-
-    /// ∂y(t)/∂x_k of output number `output`, one row a place; nothing where it is not made of networks alone.
-    ///
-    /// # Errors
-    ///
-    /// As for [`Self::predict`].
-    pub fn derivatives(&self, output: usize, point: &[f64]) -> Result<Option<Vec<Vec<f64>>>, SurrogateError> {
-        let (scaled, _) = self.standard(point)?;
-        let slopes = self.outputs[output].slopes(&scaled);
-        // Scaling is linear: its slope is the difference over a unit.
-        let factors: Vec<f64> = self.inputs.iter().map(|input| input.scaled(1.0) - input.scaled(0.0)).collect();
-        Ok(slopes.map(|rows| rows.iter().map(|row| row.iter().zip(&factors).map(|(s, f)| s * f).collect()).collect()))
     }
 
     fn standard(&self, point: &[f64]) -> Result<(Vec<f64>, Vec<f64>), SurrogateError> {

@@ -62,12 +62,6 @@ impl Interval {
     pub fn middle(self) -> f64 {
         0.5 * self.low + 0.5 * self.high
     }
-    /// How far the numbers lie from [`Self::middle`] at most.
-    #[inline]
-    pub fn radius(self) -> f64 {
-        let middle = self.middle();
-        f64::max((self.high - middle).next_up(), (middle - self.low).next_up()).max(0.0)
-    }
     /// The largest magnitude.
     #[inline]
     pub fn magnitude(self) -> f64 {
@@ -82,12 +76,6 @@ impl Interval {
     #[inline]
     pub fn is_inside(self, other: Self) -> bool {
         other.low < self.low && self.high < other.high
-    }
-    /// The numbers in both; none where there are none.
-    #[inline]
-    pub fn intersection(self, other: Self) -> Option<Self> {
-        let (low, high) = (f64::max(self.low, other.low), f64::min(self.high, other.high));
-        (low <= high).then_some(Self { low, high })
     }
     /// The smallest interval that holds both.
     #[inline]

@@ -91,8 +91,6 @@ pub struct Elimination {
     pivots: Vec<(usize, usize)>,
     /// Multipliers applied to later rows for each pivot, in the order of elimination.
     multipliers: Vec<Vec<(usize, f64)>>,
-    /// Ratio of the last accepted pivot to the first.
-    pivot_ratio: f64,
 }
 
 impl Elimination {
@@ -104,7 +102,7 @@ impl Elimination {
         let mut column_free = vec![true; columns];
         let mut pivots = Vec::new();
         let mut multipliers = Vec::new();
-        let (mut first, mut last) = (0.0_f64, 0.0_f64);
+        let mut first = 0.0_f64;
         // A pivot changes few rows of a mechanism with many parts: the others keep their largest entry.
         let mut largest: Vec<(f64, usize)> =
             (0..rows).map(|i| largest_entry(&reduced[i * columns..(i + 1) * columns], &column_free)).collect();
@@ -125,7 +123,6 @@ impl Elimination {
             if !(size > tolerance * first) || size == 0.0 {
                 break;
             }
-            last = size;
             row_free[i] = false;
             column_free[j] = false;
             filled.clear();
@@ -148,17 +145,12 @@ impl Elimination {
             pivots.push((i, j));
             multipliers.push(applied);
         }
-        let pivot_ratio = if first > 0.0 { last / first } else { 0.0 };
-        Self { rows, columns, reduced, pivots, multipliers, pivot_ratio }
+        Self { rows, columns, reduced, pivots, multipliers }
     }
 
     /// Number of independent rows.
     pub fn rank(&self) -> usize {
         self.pivots.len()
-    }
-    /// Size of the smallest accepted pivot relative to the largest: small near a singular position.
-    pub fn pivot_ratio(&self) -> f64 {
-        self.pivot_ratio
     }
     /// Rows that depend on the others, ascending.
     pub fn dependent_rows(&self) -> Vec<usize> {

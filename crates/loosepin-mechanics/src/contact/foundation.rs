@@ -47,7 +47,7 @@ pub struct FoundationMotion {
 }
 
 /// Load of a foundation: sums over its sectors, in the axes of the bearing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct FoundationLoad {
     /// Force on the journal, N.
     pub on_journal_n: Vec2<f64>,
@@ -71,24 +71,6 @@ pub struct FoundationLoad {
     pub carrying: usize,
     /// δ̇ of the deepest of them, m/s.
     pub deepest_rate_m_s: f64,
-}
-
-impl Default for FoundationLoad {
-    fn default() -> Self {
-        Self {
-            on_journal_n: Vec2::zero(),
-            normal_on_journal_n: Vec2::zero(),
-            moments_n_m: [0.0; 2],
-            sum_n: 0.0,
-            sliding_w: 0.0,
-            path_w: 0.0,
-            contact_loss_w: 0.0,
-            friction_loss_w: 0.0,
-            stored_j: 0.0,
-            carrying: 0,
-            deepest_rate_m_s: 0.0,
-        }
-    }
 }
 
 /// One sector of the bearing, pressed.
@@ -166,27 +148,9 @@ impl Foundation {
         self.normals.len()
     }
 
-    /// Depths of the sectors of the bearing (0) or of the journal (1), m.
-    pub fn depths_m(&self, side: usize) -> &[f64] {
-        self.profiles[side].depths_m()
-    }
-
     /// k_f R_i Δ L_b: stiffness of a sector, N/m.
     fn sector_stiffness_n_m(&self) -> f64 {
         self.stiffness_pa_m * self.bearing_radius_m * TAU / self.sectors() as f64 * self.length_m
-    }
-
-    /// Resultant of the unworn joint at a penetration, without loss, N: the closed form over a continuous foundation.
-    pub fn unworn_force_n(&self, penetration_m: f64) -> f64 {
-        if !(penetration_m > 0.0) {
-            return 0.0;
-        }
-        let eccentricity_m = self.clearance_m + penetration_m;
-        let cosine = self.clearance_m / eccentricity_m;
-        let sine = (penetration_m * (eccentricity_m + self.clearance_m)).sqrt() / eccentricity_m;
-        let reach_rad = sine.atan2(cosine);
-        let depth_m = eccentricity_m * (reach_rad + sine * cosine) - 2.0 * self.clearance_m * sine;
-        self.stiffness_pa_m * self.bearing_radius_m * self.length_m * depth_m
     }
 
     /// The weights of the journal's profile at the middles of the bearing's sectors: the same for all of them.

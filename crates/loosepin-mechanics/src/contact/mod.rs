@@ -46,7 +46,7 @@ pub use foundation::{
 };
 pub use friction::{
     BristledForce, FRICTION_KEYS, FRICTION_LAWS, Friction, FrictionDescription, FrictionKey, FrictionLaw, FrictionPart,
-    KinkSpeeds, friction_law,
+    KinkSpeeds,
 };
 pub use hertz_line::{LinePatch, share_below};
 pub use line::{LINE_LAWS, LONG_PIN_LAW, LineLaw, LinePair, force_of_same_energy_n};
@@ -55,7 +55,7 @@ pub use normal::{
     LinearContact, LogarithmicContact, NormalContact, NormalForce, NormalLaw, PlayState, PointContact,
     damping_ratio_that_delivers, inverse_logarithmic, restitution_of_damping_ratio,
 };
-pub use point::{DEFAULT_LAW, POINT_LAWS, PointLaw, point_law};
+pub use point::{DEFAULT_LAW, POINT_LAWS, PointLaw};
 pub use restitution::{damping_factor_that_delivers, delivered_restitution};
 pub use stiffness::{
     TouchingParts, compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,

@@ -74,11 +74,6 @@ impl WornProfile {
         self.is_unworn
     }
 
-    /// Depths of the sectors, m.
-    pub fn depths_m(&self) -> &[f64] {
-        &self.depths_m
-    }
-
     /// H at the middle of a sector, m.
     pub fn at_middle_m(&self, sector: usize) -> f64 {
         let count = self.depths_m.len();

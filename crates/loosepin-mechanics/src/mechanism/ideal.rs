@@ -210,10 +210,6 @@ impl<'a> IdealMotion<'a> {
     pub fn accelerations(&self) -> &[f64] {
         &self.accelerations
     }
-    /// How far the loop equations are from singular: ratio of their smallest to their largest pivot.
-    pub fn pivot_ratio(&self) -> f64 {
-        self.pivot_ratio
-    }
     /// The two ways on from here, at a change point.
     pub fn ways_on(&self) -> Option<WaysOn> {
         let (tree, driven) = (&self.mechanism.ideal, &self.driven_accelerations);

@@ -1,6 +1,6 @@
 //! Charts over one axis: what is in them.
 
-use maud::{Markup, html};
+use maud::Markup;
 
 use crate::medium::script_data::{rounded, rounded_apart};
 use crate::numbers::number::NumberWriter;
@@ -10,11 +10,12 @@ use loosepin_text::units::SiUnit;
 pub(crate) const TURN_DEG: f64 = 360.0;
 
 /// Kind of the horizontal axis; decides on the ticks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum HorizontalAxis {
     /// Angle of a drive: ticks at 30°, 45°, 90°.
     Angle,
     /// Anything else.
+    #[default]
     Plain,
 }
 
@@ -142,7 +143,7 @@ pub(crate) struct Mark {
 }
 
 /// One chart.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Chart {
     /// Name of the figure, unique in the page.
     pub id: String,
@@ -179,20 +180,11 @@ impl Chart {
     pub fn over(id: String, x_label: &str, x_si: &[f64], x_unit: &SiUnit, writer: &NumberWriter) -> Chart {
         Chart {
             id,
-            horizontal: HorizontalAxis::Plain,
             x_label: x_label.to_owned(),
             x_symbol: writer.symbol(x_unit),
             x: rounded_apart(&scaled(x_si, x_unit, writer)),
-            y_label: String::new(),
-            y_symbol: String::new(),
-            y_range: None,
-            is_periodic: false,
-            entries: Vec::new(),
-            dots: Vec::new(),
-            marks: Vec::new(),
             height: 300,
-            caption: html! {},
-            alternative: String::new(),
+            ..Chart::default()
         }
     }
 

@@ -10,7 +10,7 @@ use loosepin_result::study::{
     BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, StudyResult, Treatment,
     Verdict,
 };
-use loosepin_text::units::SiUnit;
+use loosepin_text::units::{SiUnit, distinct};
 
 /// Digits of a bound in a sentence.
 pub(crate) const SENTENCE_DIGITS: usize = 2;
@@ -37,13 +37,8 @@ pub(crate) fn output_summaries(result: &StudyResult) -> Vec<OutputSummary<'_>> {
         let verdicts = result.requirements.iter().filter(|own| own.output == name).map(|own| own.verdict);
         verdicts.map(severity).min().unwrap_or(severity(Verdict::Met))
     };
-    let mut names: Vec<&str> = Vec::new();
     let asked = result.bounds.iter().map(|bound| &bound.output[..]);
-    for name in asked.chain(result.curves.iter().map(|curve| &curve.output[..])) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
+    let names = distinct(asked.chain(result.curves.iter().map(|curve| &curve.output[..])));
     let mut summaries: Vec<OutputSummary<'_>> = names.into_iter().flat_map(|name| of_output(result, name)).collect();
     summaries.sort_by_key(|summary| (rank(summary.output()), summary.kind()));
     summaries

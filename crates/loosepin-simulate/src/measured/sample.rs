@@ -1,12 +1,11 @@
 //! One column of a table: values of one quantity, measured on many parts.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use super::problem::MeasuredProblem;
 use super::table::TableReader;
 use loosepin_text::diagnostics::{Complaints, Source, Span, nearest_name};
-use loosepin_text::document::read_source;
+
 use loosepin_text::units::Dimension;
 
 /// Measured values of one quantity, SI, in the order of the rows.
@@ -28,14 +27,6 @@ impl SampleColumn {
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its place.
-    pub fn from_path(path: &Path, name: Option<&str>) -> Result<Self, Complaints> {
-        Self::from_source(read_source(path)?, name)
-    }
-
-    /// The sample of a table that was read already.
-    ///
-    /// # Errors
-    /// As for [`SampleColumn::from_path`].
     pub fn from_source(source: Arc<Source>, name: Option<&str>) -> Result<Self, Complaints> {
         let mut reader = TableReader { source: Arc::clone(&source), complaints: Complaints::new() };
         match reader.sample(name) {

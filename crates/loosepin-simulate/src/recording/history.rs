@@ -28,7 +28,7 @@ use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
-    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason, Trust,
+    JournalOrbit, OutputHistory, Override, SimulationRecord, SimulationSettings, StopReason, Trust,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::DisplayUnits;
@@ -303,17 +303,7 @@ impl<'a> Recorder<'a> {
             value_si: vec![Vec::with_capacity(rows + 1); columns.len()],
             ideal_si: vec![Vec::with_capacity(rows + 1); columns.len()],
             extremes: vec![[Peak::none(); 2]; 2 * columns.len()],
-            energy: EnergyAccount {
-                relative_residual: 0.0,
-                kinetic_j: Vec::new(),
-                potential_j: Vec::new(),
-                stored_j: Vec::new(),
-                contact_loss_j: Vec::new(),
-                friction_loss_j: Vec::new(),
-                damping_loss_j: Vec::new(),
-                supplied_j: Vec::new(),
-                residual_j: Vec::new(),
-            },
+            energy: EnergyAccount::default(),
             energy_at_zero_j: None,
             contact_forces: vec![Vec::new(); contacts],
             controls: ControlRecorder::new(mechanism, plan.settings.tolerance_m),
@@ -526,13 +516,7 @@ impl<'a> Recorder<'a> {
             },
             stop: StopReason::Finished,
             repeat: repeat(&self.mechanism.model, plan),
-            counters: RunCounters {
-                steps: report.counters.steps,
-                rejections: report.counters.rejections,
-                evaluations: report.counters.evaluations,
-                factorizations: report.counters.factorizations,
-                contact_changes: report.counters.events,
-            },
+            counters: report.counters,
             extremes,
             joints,
             kind,

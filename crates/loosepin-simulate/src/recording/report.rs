@@ -3,6 +3,7 @@
 use crate::follow::Findings;
 use loosepin_mechanics::dynamics::MechanicalEnergy;
 use loosepin_mechanics::model::PlayId;
+use loosepin_result::simulation::RunCounters;
 
 /// Exchanges smaller than this share of all energy at the start are round-off: nothing is measured by them.
 const ROUND_OFF_SHARE: f64 = 1e-6;
@@ -11,21 +12,6 @@ const ROUND_OFF_SHARE: f64 = 1e-6;
 pub fn smallest_exchange_j(at_start: &MechanicalEnergy<f64>) -> f64 {
     let MechanicalEnergy { kinetic_j, potential_j, stored_j, .. } = at_start;
     ROUND_OFF_SHARE * (kinetic_j + potential_j.abs() + stored_j.abs())
-}
-
-/// Counters of a run.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Accepted steps.
-    pub steps: u64,
-    /// Rejected steps.
-    pub rejections: u64,
-    /// Evaluations of the equations of motion.
-    pub evaluations: u64,
-    /// Factorizations of implicit steps, each of a real and of a complex matrix; none with explicit steps.
-    pub factorizations: u64,
-    /// Contacts that began or ended.
-    pub events: u64,
 }
 
 /// Contacts and largest values of one joint with play, or of one of its contacts, in the recorded part of a run.
@@ -105,7 +91,7 @@ pub struct FrictionPath {
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunReport {
     /// Counts.
-    pub counters: Counters,
+    pub counters: RunCounters,
     /// One for each joint with play.
     pub plays: Vec<PlaySummary>,
     /// The energy account; a mechanism without play is not integrated and has none.

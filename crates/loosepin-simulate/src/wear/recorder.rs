@@ -54,11 +54,6 @@ impl WearRecorder {
         }
     }
 
-    /// Whether no joint wears.
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty()
-    }
-
     /// Takes a step in.
     pub fn step(&mut self, step: &mut Step<'_, '_>) {
         for (index, joint) in self.joints.iter().enumerate() {

@@ -5,8 +5,8 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{Model, Motion, NormalDescription, QuantityId};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{
-    Arms, Counters, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue,
-    Reading, Run, RunFailure, RunReport, Separation, Settings, Step, Window, columns, conduct,
+    Arms, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue, Reading,
+    Run, RunCounters, RunFailure, RunReport, Separation, Settings, Step, Window, columns, conduct,
 };
 use loosepin_tape::native::OperationCounts;
 use std::path::Path;
@@ -526,8 +526,9 @@ fn pinned_counts_of_reference_cases() {
         let sample = Sample::new(&case.mechanism, &case.mechanism.model.quantities.nominal()).expect("nominal");
         let window = Window { start_s: 0.0, end_s: turns * case.turn_s };
         let report = loosepin_simulate::run(&case.mechanism, &sample, &window, &Settings::for_study(), &mut Nobody);
-        let Counters { steps, rejections, evaluations, events, .. } = report.expect("the cases run").counters;
-        found.push((name, [evaluations, steps, rejections, events]));
+        let RunCounters { steps, rejections, evaluations, contact_changes, .. } =
+            report.expect("the cases run").counters;
+        found.push((name, [evaluations, steps, rejections, contact_changes]));
     }
     let expected = [
         ("slider_crank_5000", [12386, 785, 191, 49]),

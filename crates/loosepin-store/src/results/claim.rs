@@ -170,11 +170,6 @@ impl Claim {
 }
 
 impl LockedFolder<'_> {
-    /// The folder.
-    pub fn path(&self) -> &Path {
-        self.lock.folder().path()
-    }
-
     /// Its lock, which the store of runs holds as well.
     pub fn lock(&self) -> &Arc<FolderLock> {
         &self.lock

@@ -15,7 +15,7 @@ use super::reshape::Posed;
 use super::structure::Locks;
 use super::toml::pieces::Pieces;
 use super::written::Written;
-use crate::drawing::still::{NamedPoses, Pose};
+use crate::drawing::still::Pose;
 use crate::messages::{Document, Grip, Held, Reshaped};
 use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
@@ -35,6 +35,7 @@ const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
 const TOLERANCE: &str = "tolerance";
 
 /// What a drag does.
+#[derive(Default)]
 pub struct Gripped {
     /// The same for the page.
     pub reshaped: Reshaped,
@@ -62,19 +63,7 @@ impl Gripped {
 
 /// A drag that changes nothing, with the reason.
 pub fn refused_drag(words: String) -> Gripped {
-    Gripped {
-        reshaped: Reshaped {
-            changes: Vec::new(),
-            words: Vec::new(),
-            angle_deg: None,
-            poses: NamedPoses::new(),
-            refusal: Some(words),
-        },
-        model: None,
-        study: None,
-        expected_m: Vec::new(),
-        poses: Vec::new(),
-    }
+    Gripped { reshaped: Reshaped { refusal: Some(words), ..Reshaped::default() }, ..Gripped::default() }
 }
 
 /// What a drag moves.

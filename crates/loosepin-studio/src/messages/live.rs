@@ -146,7 +146,7 @@ pub enum ToPage<'a> {
 }
 
 /// What a drag does to the texts that were sent.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Reshaped {
     /// The changes, all in units of the texts that were sent, in their order.
     pub changes: Vec<Change>,

@@ -40,7 +40,7 @@ pub struct StudyColumn {
 }
 
 /// All columns of a study, and which ask uses which.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct ColumnPlan {
     /// What can be asked of the model.
     pub outputs: Vec<StudyOutput>,
@@ -78,14 +78,7 @@ impl ColumnPlan {
 
     /// Lays out what `study` asks for.
     pub fn new(study: &Study, drive_start_rad: f64, drive_sign: f64) -> Self {
-        let mut plan = Self {
-            outputs: study.outputs.clone(),
-            columns: Vec::new(),
-            asks: Vec::new(),
-            requirements: Vec::new(),
-            largest: Vec::new(),
-            places: HashMap::new(),
-        };
+        let mut plan = Self { outputs: study.outputs.clone(), ..Self::default() };
         let angle =
             |turns: f64| drive_start_rad + drive_sign * std::f64::consts::TAU * (study.cycle.transient_turns + turns);
         // People count the recorded turns, not those before them.

@@ -16,6 +16,7 @@ use loosepin_simulate::{
     IdealReference, Observer, Reading, RunReport, Step, WearRecorder, Window, extremes_within, path_error,
     points_within,
 };
+use loosepin_text::units::distinct;
 use std::sync::Arc;
 
 /// Where the value of a column comes from.
@@ -75,13 +76,7 @@ pub struct Shared {
 /// The outputs of `plan` that are positions, those that any column uses, in order.
 pub fn positions(plan: &ColumnPlan) -> Vec<Reading> {
     let used = plan.outputs.iter().enumerate().filter(|(output, _)| plan.is_used(*output));
-    let mut positions: Vec<Reading> = Vec::new();
-    for reading in used.flat_map(|(_, output)| output.seen.readings()).filter(Reading::is_position) {
-        if !positions.contains(&reading) {
-            positions.push(reading);
-        }
-    }
-    positions
+    distinct(used.flat_map(|(_, output)| output.seen.readings()).filter(Reading::is_position))
 }
 
 impl Shared {

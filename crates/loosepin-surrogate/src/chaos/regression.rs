@@ -6,6 +6,7 @@ use loosepin_math::dense::dot;
 const MIN_INDEPENDENCE: f64 = 1e-9;
 
 /// y ~ Ψ c with Ψ = Q R, Q orthonormal (modified Gram-Schmidt, twice). The first column is constant.
+#[derive(Default)]
 pub(crate) struct Regression {
     /// Columns of Q.
     directions: Vec<Vec<f64>>,
@@ -26,15 +27,7 @@ pub(crate) struct Regression {
 impl Regression {
     pub fn new(values: &[f64]) -> Self {
         let count = values.len();
-        let mut regression = Self {
-            directions: Vec::new(),
-            inverse: Vec::new(),
-            shares: Vec::new(),
-            rest: values.to_vec(),
-            leverages: vec![0.0; count],
-            trace: 0.0,
-            total: 0.0,
-        };
+        let mut regression = Self { rest: values.to_vec(), leverages: vec![0.0; count], ..Self::default() };
         regression.add(&vec![1.0; count]);
         regression.total = dot(&regression.rest, &regression.rest);
         regression

@@ -166,16 +166,6 @@ impl Kriging {
         let square = variance - dot(&white, &white) + dot(&rest, &gain);
         (value, square.max(0.0).sqrt())
     }
-
-    /// The kernel.
-    pub fn kernel(&self) -> Kernel {
-        self.stored.kernel
-    }
-
-    /// τ², in variances of the output over the runs.
-    pub fn nugget(&self) -> f64 {
-        self.stored.parameters.last().map_or(0.0, |nugget| libm::exp(*nugget))
-    }
 }
 
 impl TryFrom<Stored> for Kriging {

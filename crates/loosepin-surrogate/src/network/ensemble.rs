@@ -48,15 +48,4 @@ impl Ensemble {
         let values: Vec<f64> = self.networks.iter().map(|network| network.value(scaled)).collect();
         crate::design::mean_and_deviation(&values)
     }
-
-    /// ∂y/∂x_k of the mean.
-    pub(crate) fn slopes(&self, scaled: &[f64]) -> Vec<f64> {
-        let mut slopes = vec![0.0; scaled.len()];
-        for network in &self.networks {
-            for (sum, slope) in slopes.iter_mut().zip(network.slopes(scaled)) {
-                *sum += slope / self.networks.len() as f64;
-            }
-        }
-        slopes
-    }
 }

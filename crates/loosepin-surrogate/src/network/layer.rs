@@ -42,19 +42,6 @@ impl Network {
         outer[0] + layer.map(|(row, v)| v * libm::tanh(row[0] + dot(&row[1..], point))).sum::<f64>()
     }
 
-    /// ∂y/∂x_k = Σ_j v_j (1 - t_j²) w_jk, t_j = tanh(...).
-    pub(crate) fn slopes(&self, point: &[f64]) -> Vec<f64> {
-        let (hidden, outer) = self.weights.split_at(self.neurons * (self.inputs + 1));
-        let mut slopes = vec![0.0; self.inputs];
-        for (row, v) in hidden.chunks(self.inputs + 1).zip(&outer[1..]) {
-            let t = libm::tanh(row[0] + dot(&row[1..], point));
-            for (slope, weight) in slopes.iter_mut().zip(&row[1..]) {
-                *slope += v * (1.0 - t * t) * weight;
-            }
-        }
-        slopes
-    }
-
     /// y at x, and its derivatives with respect to the weights, written to `row`.
     pub(crate) fn value_and_row(&self, point: &[f64], row: &mut [f64]) -> f64 {
         let (hidden, outer) = self.weights.split_at(self.neurons * (self.inputs + 1));
@@ -98,14 +85,6 @@ mod tests {
                 Network::new(3, 4, weights).value(&point)
             };
             assert!((row[k] - (moved(STEP) - moved(-STEP)) / (2.0 * STEP)).abs() < TOLERANCE, "weight {k}");
-        }
-        for (k, slope) in network.slopes(&point).into_iter().enumerate() {
-            let moved = |step: f64| {
-                let mut point = point;
-                point[k] += step;
-                network.value(&point)
-            };
-            assert!((slope - (moved(STEP) - moved(-STEP)) / (2.0 * STEP)).abs() < TOLERANCE, "input {k}");
         }
     }
 }

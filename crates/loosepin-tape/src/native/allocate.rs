@@ -90,10 +90,6 @@ impl Allocator<'_> {
             (UnitOperation::LessThan { is_negated }, [Some(left), Some(right), _]) => {
                 self.less_than(unit, is_negated, left, right)
             }
-            (UnitOperation::MaskBinary(operation), [Some(left), Some(right), _]) => {
-                let (left, right) = (self.loaded(left), self.loaded(right));
-                Instruction::MaskBinary { operation, to: self.result_register(unit), left, right }
-            }
             (UnitOperation::MaskNot, [Some(operand), ..]) => {
                 let from = self.loaded(operand);
                 Instruction::MaskNot { to: self.result_register(unit), from }

@@ -90,11 +90,9 @@ impl Program {
                     BinaryOperation::Divide => &mut counts.divisions,
                     BinaryOperation::Minimum | BinaryOperation::Maximum => &mut counts.choices,
                 },
-                Node::LessThan { .. }
-                | Node::Always(_)
-                | Node::MaskBinary { .. }
-                | Node::MaskNot { .. }
-                | Node::Select { .. } => &mut counts.choices,
+                Node::LessThan { .. } | Node::Always(_) | Node::MaskNot { .. } | Node::Select { .. } => {
+                    &mut counts.choices
+                }
             };
             *count += 1;
         }

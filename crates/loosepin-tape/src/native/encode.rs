@@ -5,7 +5,7 @@
 
 use super::Level;
 use super::instruction::{Arithmetic, FusedForm, Instruction, Memory, Operand, Predicate};
-use super::node::{BinaryOperation, FusedSigns, MaskOperation};
+use super::node::{BinaryOperation, FusedSigns};
 
 /// General registers by their number in an instruction.
 const STACK_POINTER: u8 = 4;
@@ -42,7 +42,6 @@ const STORE: Opcode = double(0x11);
 const MOVE: Opcode = double(0x28);
 const SQUARE_ROOT: Opcode = double(0x51);
 const AND: Opcode = double(0x54);
-const OR: Opcode = double(0x56);
 const EXCLUSIVE_OR: Opcode = double(0x57);
 const ADD: Opcode = double(0x58);
 const MULTIPLY: Opcode = double(0x59);
@@ -58,10 +57,7 @@ const BLEND_BY_MASK: Opcode = Opcode { prefix: PREFIX_66, map: MAP_0F38, byte: 0
 /// VEX only: chooses by the sign bits of a vector.
 const BLEND_BY_SIGN: Opcode = Opcode { prefix: PREFIX_66, map: MAP_0F3A, byte: 0x4B, is_wide_vex: false };
 
-/// Mask registers, always VEX.
-const MASK_AND: Opcode = Opcode { prefix: PREFIX_NONE, map: MAP_0F, byte: 0x41, is_wide_vex: false };
 const MASK_NOT: Opcode = Opcode { prefix: PREFIX_NONE, map: MAP_0F, byte: 0x44, is_wide_vex: false };
-const MASK_OR: Opcode = Opcode { prefix: PREFIX_NONE, map: MAP_0F, byte: 0x45, is_wide_vex: false };
 const MASK_LOAD: Opcode = Opcode { prefix: PREFIX_NONE, map: MAP_0F, byte: 0x90, is_wide_vex: false };
 const MASK_STORE: Opcode = Opcode { prefix: PREFIX_NONE, map: MAP_0F, byte: 0x91, is_wide_vex: false };
 
@@ -185,12 +181,6 @@ impl Encoder {
             Instruction::Blend { to, mask, otherwise, chosen } => match self.level {
                 Level::Avx2 => self.vex(BLEND_BY_SIGN, to, otherwise, chosen, true, Some(mask << 4)),
                 Level::Avx512 => self.evex(BLEND_BY_MASK, to, otherwise, chosen, mask, true, None),
-            },
-            Instruction::MaskBinary { operation, to, left, right } => match (self.level, operation) {
-                (Level::Avx2, MaskOperation::And) => self.vex(AND, to, left, Register(right), true, None),
-                (Level::Avx2, MaskOperation::Or) => self.vex(OR, to, left, Register(right), true, None),
-                (Level::Avx512, MaskOperation::And) => self.vex(MASK_AND, to, left, Register(right), true, None),
-                (Level::Avx512, MaskOperation::Or) => self.vex(MASK_OR, to, left, Register(right), true, None),
             },
             Instruction::MaskNot { to, from } => self.vex(MASK_NOT, to, 0, Register(from), false, None),
             Instruction::MaskLoad { to, from } => self.vex(MASK_LOAD, to, 0, Operand::Memory(from), false, None),

@@ -1,7 +1,7 @@
 //! Running a program without machine code: each operation for several lanes, then the next one.
 
 use super::error::NativeError;
-use super::node::{BinaryOperation, FusedSigns, MaskOperation, Node, NodeIndex, Slot, UnaryOperation};
+use super::node::{BinaryOperation, FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 use super::program::Program;
 use loosepin_math::on_vectors;
 use std::cell::Cell;
@@ -209,13 +209,6 @@ fn operate<const W: usize, const C: usize>(node: Node, rows: &[Row<W, C>], resul
             }
         }
         Node::Always(answer) => fill(result, f64::from(u8::from(answer))),
-        Node::MaskBinary { operation, left, right } => {
-            let operands = [value(left), value(right)];
-            match operation {
-                MaskOperation::And => two(result, operands, |left, right| left * right),
-                MaskOperation::Or => two(result, operands, |left, right| if left > right { left } else { right }),
-            }
-        }
         Node::MaskNot { mask } => one(result, value(mask), |holds| 1.0 - holds),
         Node::Select { mask, chosen, otherwise } => {
             let operands = [value(mask), value(chosen), value(otherwise)];

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::node::{BinaryOperation, FusedSigns, MaskOperation, Node, NodeIndex, Slot, UnaryOperation};
+use super::node::{BinaryOperation, FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 
 /// A number of a [`Graph`]; belongs to the graph that gave it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -290,31 +290,6 @@ impl Graph {
 
     fn mask_node(&self, mask: Mask) -> Node {
         self.nodes[mask.0 as usize]
-    }
-
-    fn mask_binary(&mut self, operation: MaskOperation, left: Mask, right: Mask) -> Mask {
-        // The answer that decides alone: none for "and", all for "or".
-        let decides = operation == MaskOperation::Or;
-        for (constant, other) in [(left, right), (right, left)] {
-            if let Node::Always(answer) = self.mask_node(constant) {
-                return if answer == decides { constant } else { other };
-            }
-        }
-        if left == right {
-            return left;
-        }
-        let (left, right) = (left.0.min(right.0), left.0.max(right.0));
-        Mask(self.insert(Node::MaskBinary { operation, left, right }))
-    }
-
-    /// The lanes of both.
-    pub fn and(&mut self, left: Mask, right: Mask) -> Mask {
-        self.mask_binary(MaskOperation::And, left, right)
-    }
-
-    /// The lanes of one of the two or both.
-    pub fn or(&mut self, left: Mask, right: Mask) -> Mask {
-        self.mask_binary(MaskOperation::Or, left, right)
     }
 
     /// The other lanes.
@@ -697,7 +672,6 @@ mod tests {
                 let mut pick = || pool[random.below(pool.len())];
                 let ((a, an), (b, bn), (c, cn)) = (pick(), pick(), pick());
                 let (mask, holds) = masks[random.below(masks.len())];
-                let (other_mask, other_holds) = masks[random.below(masks.len())];
                 let made = match random.below(15) {
                     0 => (graph.add(a, b), an + bn),
                     1 => (graph.subtract(a, b), an - bn),
@@ -715,11 +689,7 @@ mod tests {
                         continue;
                     }
                     _ => {
-                        masks.push(match random.below(3) {
-                            0 => (graph.and(mask, other_mask), holds && other_holds),
-                            1 => (graph.or(mask, other_mask), holds || other_holds),
-                            _ => (graph.not(mask), !holds),
-                        });
+                        masks.push((graph.not(mask), !holds));
                         continue;
                     }
                 };

@@ -1,6 +1,6 @@
 //! Instructions on registers and memory, before they become bytes.
 
-use super::node::{BinaryOperation, FusedSigns, MaskOperation};
+use super::node::{BinaryOperation, FusedSigns};
 
 /// The number of a vector register: 0 to 15 for AVX2, 0 to 31 for AVX-512.
 pub(super) type VectorRegister = u8;
@@ -110,12 +110,6 @@ pub(super) enum Instruction {
         otherwise: VectorRegister,
         chosen: Operand,
     },
-    MaskBinary {
-        operation: MaskOperation,
-        to: MaskRegister,
-        left: MaskRegister,
-        right: MaskRegister,
-    },
     /// AVX-512 alone.
     MaskNot {
         to: MaskRegister,
@@ -144,7 +138,6 @@ impl Instruction {
             Self::Load { .. }
             | Self::Store { .. }
             | Self::Move { .. }
-            | Self::MaskBinary { .. }
             | Self::MaskNot { .. }
             | Self::MaskLoad { .. }
             | Self::MaskStore { .. } => return false,

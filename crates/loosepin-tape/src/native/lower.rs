@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Level;
 use super::instruction::{Arithmetic, Memory};
-use super::node::{FusedSigns, MaskOperation, Node, NodeIndex, Slot, UnaryOperation};
+use super::node::{FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 use super::program::Program;
 
 /// The position of a vector in [`Lowered::values`].
@@ -17,7 +17,6 @@ pub(super) enum UnitOperation {
     SquareRoot,
     MulAdd(FusedSigns),
     LessThan { is_negated: bool },
-    MaskBinary(MaskOperation),
     MaskNot,
     Select,
 }
@@ -49,7 +48,7 @@ pub(super) struct VectorSource {
 }
 
 /// A program ready for the allocation of registers.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Lowered {
     pub values: Vec<VectorSource>,
     pub units: Vec<Unit>,
@@ -66,18 +65,7 @@ const ALL_BITS: u64 = u64::MAX;
 
 /// Writes the operations of `program` in the given `order`, each for `parts` vectors of the `lanes`.
 pub(super) fn lower(program: &Program, order: &[NodeIndex], level: Level, lanes: usize, parts: usize) -> Lowered {
-    let mut lowering = Lowering {
-        level,
-        lanes,
-        lowered: Lowered {
-            values: Vec::new(),
-            units: Vec::new(),
-            early_stores: BTreeMap::new(),
-            late_stores: Vec::new(),
-            constants: Vec::new(),
-        },
-        constants: BTreeMap::new(),
-    };
+    let mut lowering = Lowering { level, lanes, lowered: Lowered::default(), constants: BTreeMap::new() };
     let nodes = program.nodes();
     let overwritten: BTreeSet<Slot> = program.outputs().iter().map(|&(slot, _)| slot).collect();
     let mut vectors: Vec<Vec<ValueIndex>> = Vec::with_capacity(nodes.len());
@@ -169,7 +157,6 @@ impl Lowering {
             Node::Binary { operation, .. } => UnitOperation::Arithmetic(Arithmetic::Binary(operation)),
             Node::MulAdd { signs, .. } => UnitOperation::MulAdd(signs),
             Node::LessThan { is_negated, .. } => UnitOperation::LessThan { is_negated },
-            Node::MaskBinary { operation, .. } => UnitOperation::MaskBinary(operation),
             Node::MaskNot { .. } if self.level == Level::Avx2 => {
                 operands[1] = Some(self.constant(ALL_BITS));
                 UnitOperation::Arithmetic(Arithmetic::ExclusiveOr)

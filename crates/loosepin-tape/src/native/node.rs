@@ -73,13 +73,6 @@ impl BinaryOperation {
     }
 }
 
-/// Operation on two masks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum MaskOperation {
-    And,
-    Or,
-}
-
 /// Signs inside a fused multiply-add: `±(a·b) ± c`, rounded once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub(super) struct FusedSigns {
@@ -124,11 +117,6 @@ pub(super) enum Node {
     },
     /// A constant answer for every lane; never reaches a program.
     Always(bool),
-    MaskBinary {
-        operation: MaskOperation,
-        left: NodeIndex,
-        right: NodeIndex,
-    },
     MaskNot {
         mask: NodeIndex,
     },
@@ -145,9 +133,7 @@ impl Node {
         let operands = match *self {
             Self::Input(_) | Self::Constant(_) | Self::Always(_) => [None, None, None],
             Self::Unary { operand, .. } | Self::MaskNot { mask: operand } => [Some(operand), None, None],
-            Self::Binary { left, right, .. }
-            | Self::LessThan { left, right, .. }
-            | Self::MaskBinary { left, right, .. } => [Some(left), Some(right), None],
+            Self::Binary { left, right, .. } | Self::LessThan { left, right, .. } => [Some(left), Some(right), None],
             Self::MulAdd { first, second, addend, .. } => [Some(first), Some(second), Some(addend)],
             Self::Select { mask, chosen, otherwise } => [Some(mask), Some(chosen), Some(otherwise)],
         };
@@ -166,9 +152,6 @@ impl Node {
             Self::LessThan { left, right, is_negated } => {
                 Self::LessThan { left: new(left), right: new(right), is_negated }
             }
-            Self::MaskBinary { operation, left, right } => {
-                Self::MaskBinary { operation, left: new(left), right: new(right) }
-            }
             Self::MaskNot { mask } => Self::MaskNot { mask: new(mask) },
             Self::Select { mask, chosen, otherwise } => {
                 Self::Select { mask: new(mask), chosen: new(chosen), otherwise: new(otherwise) }
@@ -183,6 +166,6 @@ impl Node {
 
     /// The node gives a mask and not a number.
     pub fn is_mask(&self) -> bool {
-        matches!(self, Self::LessThan { .. } | Self::Always(_) | Self::MaskBinary { .. } | Self::MaskNot { .. })
+        matches!(self, Self::LessThan { .. } | Self::Always(_) | Self::MaskNot { .. })
     }
 }

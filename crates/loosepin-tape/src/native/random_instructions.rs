@@ -4,7 +4,7 @@ use super::allocate::Allocated;
 use super::assemble::{Layout, assemble};
 use super::encode::{BLOCK_REGISTERS, Encoder};
 use super::instruction::{Arithmetic, FusedForm, Instruction, Memory, Operand, Predicate};
-use super::node::{BinaryOperation, FusedSigns, MaskOperation};
+use super::node::{BinaryOperation, FusedSigns};
 use super::random_programs::{Random, comparable};
 use super::translate::KernelSize;
 use super::{Kernel, Level, MAX_BLOCKS, NativeError};
@@ -125,22 +125,16 @@ impl Generator<'_> {
     }
 
     fn mask_instruction(&mut self) -> Instruction {
-        match (self.random.below(4), self.level) {
-            (0, _) => Instruction::MaskBinary {
-                operation: pick(self.random, &[MaskOperation::And, MaskOperation::Or]),
-                to: self.mask(),
-                left: self.mask(),
-                right: self.mask(),
-            },
-            (1, Level::Avx2) => Instruction::Arithmetic {
+        match (self.random.below(3), self.level) {
+            (0, Level::Avx2) => Instruction::Arithmetic {
                 operation: Arithmetic::ExclusiveOr,
                 to: self.mask(),
                 left: self.mask(),
                 right: Operand::Memory(Memory::Constant(2)),
             },
-            (1, Level::Avx512) => Instruction::MaskNot { to: self.mask(), from: self.mask() },
-            (2, Level::Avx2) => Instruction::Store { from: self.mask(), to: self.mask_place() },
-            (2, Level::Avx512) => Instruction::MaskStore { from: self.mask(), to: self.mask_place() },
+            (0, Level::Avx512) => Instruction::MaskNot { to: self.mask(), from: self.mask() },
+            (1, Level::Avx2) => Instruction::Store { from: self.mask(), to: self.mask_place() },
+            (1, Level::Avx512) => Instruction::MaskStore { from: self.mask(), to: self.mask_place() },
             (_, Level::Avx2) => Instruction::Load { to: self.mask(), from: self.mask_place() },
             (_, Level::Avx512) => Instruction::MaskLoad { to: self.mask(), from: self.mask_place() },
         }
@@ -239,14 +233,6 @@ impl Model {
             Instruction::Blend { to, mask, otherwise, chosen } => {
                 let chosen = self.operand(chosen, level);
                 (to, if self.mask(mask, level) { chosen } else { vector(otherwise) })
-            }
-            Instruction::MaskBinary { operation, to, left, right } => {
-                let (left, right) = (self.mask(left, level), self.mask(right, level));
-                let holds = match operation {
-                    MaskOperation::And => left && right,
-                    MaskOperation::Or => left || right,
-                };
-                return self.set_mask(to, level, holds);
             }
             Instruction::MaskNot { to, from } => return self.set_mask(to, level, !self.mask(from, level)),
             Instruction::MaskLoad { to, from } => {
@@ -423,15 +409,6 @@ fn assembler_text(instruction: Instruction, level: Level) -> String {
                 format!("vblendmpd {}{{{}}}, {}, {}", vector(to), mask(by), vector(otherwise), operand(chosen))
             }
         },
-        Instruction::MaskBinary { operation, to, left, right } => {
-            let name = match (level, operation) {
-                (Level::Avx2, MaskOperation::And) => "vandpd",
-                (Level::Avx2, MaskOperation::Or) => "vorpd",
-                (Level::Avx512, MaskOperation::And) => "kandw",
-                (Level::Avx512, MaskOperation::Or) => "korw",
-            };
-            format!("{name} {}, {}, {}", mask(to), mask(left), mask(right))
-        }
         Instruction::MaskNot { to, from } => format!("knotw {}, {}", mask(to), mask(from)),
         Instruction::MaskLoad { to, from } => format!("kmovw {}, word ptr {}", mask(to), address(from)),
         Instruction::MaskStore { from, to } => format!("kmovw word ptr {}, {}", address(to), mask(from)),

@@ -103,9 +103,8 @@ pub(super) fn random_graph(random: &mut Random, shape: &Shape) -> (Graph, Vec<(S
             _ => {
                 masks.push(graph.less_than(a, b));
                 if random.below(2) == 0 {
-                    let (one, other) = (masks[random.below(masks.len())], masks[random.below(masks.len())]);
-                    let joined = if random.below(2) == 0 { graph.and(one, other) } else { graph.or(one, other) };
-                    masks.push(if random.below(2) == 0 { graph.not(joined) } else { joined });
+                    let other = masks[random.below(masks.len())];
+                    masks.push(graph.not(other));
                 }
                 let oldest = masks.len().saturating_sub(shape.reach);
                 let mask = masks[oldest + random.below(masks.len() - oldest)];
@@ -224,8 +223,8 @@ fn identity_more_values_and_masks_alive_than_registers() {
         .map(|index| {
             let far = (index * 37 + 11) % products.len();
             let (mask, other) = (masks[(index * 53 + 5) % masks.len()], masks[far]);
-            let both = graph.and(mask, other);
-            let value = graph.select(both, products[index], products[far]);
+            let inner = graph.select(other, products[index], products[far]);
+            let value = graph.select(mask, inner, products[far]);
             (Slot { block: 1, index: index as u32 }, value)
         })
         .collect();

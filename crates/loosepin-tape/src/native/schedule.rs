@@ -16,7 +16,7 @@ fn latency_cycles(node: Node) -> u32 {
         Node::MulAdd { .. } | Node::LessThan { .. } => 4,
         Node::Binary { operation: BinaryOperation::Minimum | BinaryOperation::Maximum, .. } => 2,
         Node::Binary { .. } => 3,
-        Node::Unary { .. } | Node::MaskBinary { .. } | Node::MaskNot { .. } | Node::Select { .. } => 1,
+        Node::Unary { .. } | Node::MaskNot { .. } | Node::Select { .. } => 1,
     }
 }
 

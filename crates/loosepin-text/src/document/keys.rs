@@ -114,16 +114,6 @@ impl Keys {
         Keys { exactly_one, ..self }
     }
 
-    /// These keys, with others that a later version will know.
-    pub const fn with_planned(self, planned: &'static [(&'static str, &'static str)]) -> Keys {
-        Keys { planned, ..self }
-    }
-
-    /// These keys beside those that earlier versions knew.
-    pub const fn with_removed(self, removed: &'static [(&'static str, &'static str)]) -> Keys {
-        Keys { removed, ..self }
-    }
-
     /// The key called `name`.
     pub fn find(&self, name: &str) -> Option<&'static Key> {
         self.keys.iter().find(|key| key.name == name)

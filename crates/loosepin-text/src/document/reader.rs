@@ -398,11 +398,6 @@ impl Reader {
         self.refuse(&problem, entry.span)
     }
 
-    /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
-    pub fn count(&mut self, table: &Table<'_>, key: &str) -> Option<u64> {
-        self.count_of(&table.get(key)?)
-    }
-
     /// The whole number at an entry, within the limits of the table of keys.
     pub fn count_of(&mut self, entry: &Entry<'_>) -> Option<u64> {
         let (least, most) = entry.count_limits()?;

@@ -37,14 +37,6 @@ impl SiUnit {
     pub const MOMENT: SiUnit = SiUnit(Cow::Borrowed("N m"));
     /// Energy, J.
     pub const ENERGY: SiUnit = SiUnit(Cow::Borrowed("J"));
-    /// Mass, kg.
-    pub const MASS: SiUnit = SiUnit(Cow::Borrowed("kg"));
-    /// Moment of inertia, kg m^2.
-    pub const INERTIA: SiUnit = SiUnit(Cow::Borrowed("kg m^2"));
-    /// Pressure and elastic modulus, Pa.
-    pub const PRESSURE: SiUnit = SiUnit(Cow::Borrowed("Pa"));
-    /// Density, kg/m^3.
-    pub const DENSITY: SiUnit = SiUnit(Cow::Borrowed("kg/m^3"));
 
     /// The SI unit of `dimension`, `1` for a pure number.
     pub fn of_dimension(dimension: Dimension) -> SiUnit {

@@ -7,7 +7,6 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::{Error, Visitor};
-use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Values that can be written in this form: `f64`, and lists, arrays and options of such values.
@@ -108,11 +107,7 @@ impl<'de, T: Extended> Deserialize<'de> for OwnedElement<T> {
 }
 
 fn write_list<T: Extended, S: Serializer>(list: &[T], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut sequence = serializer.serialize_seq(Some(list.len()))?;
-    for element in list {
-        sequence.serialize_element(&Element(element))?;
-    }
-    sequence.end()
+    serializer.collect_seq(list.iter().map(Element))
 }
 
 struct ListVisitor<T>(PhantomData<T>);

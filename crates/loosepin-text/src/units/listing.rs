@@ -2,6 +2,17 @@
 
 use std::fmt::Display;
 
+/// Each of the values once, in the order in which they come first.
+pub fn distinct<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    for value in values {
+        if !found.contains(&value) {
+            found.push(value);
+        }
+    }
+    found
+}
+
 /// `a`, `a and b`, `a, b and c`.
 pub fn listed(items: &[String], conjunction: &str) -> String {
     match items {

@@ -34,7 +34,7 @@ pub use dimension::Dimension;
 pub use display::{DisplayUnit, DisplayUnits, SiUnit};
 pub use error::{ExpressionError, ExpressionProblem};
 pub use format::{ReadableUnit, format_apart, format_refused, format_value};
-pub use listing::{counted, counted_or_no, duration_words, listed, quoted};
+pub use listing::{counted, counted_or_no, distinct, duration_words, listed, quoted};
 pub use number::{decimal_exponent, format_number, power_of_ten};
 pub use parser::{Measured, parse_quantity, parse_unit};
 pub use parser::{Names, is_parameter_name, is_reserved_name, parse_expression, referenced_names};

@@ -94,11 +94,6 @@ impl GaussianCopula {
         Ok(Self { pairs, rows })
     }
 
-    /// The pairs that it was made from.
-    pub fn pairs(&self) -> &[Pair] {
-        &self.pairs
-    }
-
     /// How many random inputs it belongs to.
     pub fn inputs(&self) -> usize {
         self.rows.len()

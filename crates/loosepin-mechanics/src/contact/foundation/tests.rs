@@ -15,6 +15,21 @@ fn steel(sectors: usize, damping_factor: f64) -> Foundation {
     Foundation::unworn([RADIUS_M, CLEARANCE_M, LENGTH_M], stiffness_pa_m, damping_factor, FrictionLaw::None, sectors)
 }
 
+impl Foundation {
+    /// Resultant of the unworn joint at a penetration, without loss, N: the closed form over a continuous foundation.
+    fn unworn_force_n(&self, penetration_m: f64) -> f64 {
+        if !(penetration_m > 0.0) {
+            return 0.0;
+        }
+        let eccentricity_m = self.clearance_m + penetration_m;
+        let cosine = self.clearance_m / eccentricity_m;
+        let sine = (penetration_m * (eccentricity_m + self.clearance_m)).sqrt() / eccentricity_m;
+        let reach_rad = sine.atan2(cosine);
+        let depth_m = eccentricity_m * (reach_rad + sine * cosine) - 2.0 * self.clearance_m * sine;
+        self.stiffness_pa_m * self.bearing_radius_m * self.length_m * depth_m
+    }
+}
+
 /// At rest, the journal off by `eccentricity_m` in the direction `angle_rad`.
 fn at_rest(eccentricity_m: f64, angle_rad: f64) -> FoundationMotion {
     let (sine, cosine) = angle_rad.sin_cos();

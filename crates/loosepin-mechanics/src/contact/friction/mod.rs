@@ -135,11 +135,6 @@ friction_laws! {
 /// The keys of the numbers of all laws, each once.
 pub const FRICTION_KEYS: &[Key] = &keys::keys::<{ keys::count(LAWS) }>(LAWS);
 
-/// The friction law called `name` in model files.
-pub fn friction_law(name: &str) -> Option<&'static FrictionDescription> {
-    FRICTION_LAWS.iter().find(|law| law.name == name)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn identity_a_law_is_found_by_name_takes_its_numbers_and_shows_them_in_order() {
+    fn identity_a_law_takes_its_numbers_and_shows_them_in_order() {
         for description in FRICTION_LAWS {
             let numbers: Vec<f64> = (1..=description.numbers.len()).map(|k| 0.01 * k as f64).collect();
             let mut law = FrictionLaw::<f64>::broadcast(&description.law(&numbers));
@@ -165,7 +160,6 @@ mod tests {
             law.visit(&mut |number| shown.push(*number));
             assert_eq!(shown, numbers, "{}", description.name);
             assert!(law.acts());
-            assert_eq!(friction_law(description.name).map(|found| found.source), Some(description.source));
             let keys = description.numbers.iter().map(|number| number.name());
             assert!(description.below.into_iter().flatten().all(|key| keys.clone().any(|known| known == key)));
         }

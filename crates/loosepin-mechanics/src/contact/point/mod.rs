@@ -36,8 +36,3 @@ pub static POINT_LAWS: &[PointLaw] = &[
     carvalho_martins::CARVALHO_MARTINS,
     exact_restitution::EXACT_RESTITUTION,
 ];
-
-/// The law called `name` in model files.
-pub fn point_law(name: &str) -> Option<&'static PointLaw> {
-    POINT_LAWS.iter().find(|law| law.name == name)
-}

@@ -12,15 +12,23 @@
 use crate::contact::NormalForce;
 use crate::dynamics::play::contact::{Parts, Pressed, Touch};
 use crate::dynamics::play::contact_motion::{ContactMotion, GapMotion, Sliding};
-use crate::dynamics::play::motion::PlayMotion;
 use crate::dynamics::play::pin_on_wall::sliding_on_wall;
-use crate::mechanism::{CircularSlotShape, PlayGeometry};
+use crate::mechanism::CircularSlotShape;
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Parts<T> for CircularSlotShape<T> {
-    #[inline(always)]
-    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
-        contact(at.motion, at.play, self, at.place)
+    /// The normal force acts at the circle's centre on the slot's body, at the pin's on the other.
+    #[inline(never)]
+    fn contact(&self, Touch { motion, play, place }: Touch<'_, T>) -> ContactMotion<T> {
+        let sign = T::from_f64(if is_outer(place) { 1.0 } else { -1.0 });
+        let distance_m = motion.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
+        let normal = motion.eccentricity_m * (sign / distance_m);
+        ContactMotion {
+            normal,
+            penetration_m: sign * (distance_m - self.radius_m) - play.clearance_m,
+            penetration_rate_m_s: normal.dot(motion.eccentricity_rate_m_s),
+            reaches_m: [Vec2::zero(); 2],
+        }
     }
 
     #[inline(always)]
@@ -47,9 +55,14 @@ impl<T: Real> Parts<T> for CircularSlotShape<T> {
         sliding_on_wall(at.motion, self.half_width_m - at.play.clearance_m, [normal, tangent], penetration_m)
     }
 
-    #[inline(always)]
+    /// d²|e|/dt² = u·ë + (u×ė)²/|e|.
+    #[inline(never)]
     fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, _spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
-        gap(at.motion, at.play, self, at.place, acceleration_m_s2)
+        let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = self.contact(at);
+        let around_m_s = normal.cross(at.motion.eccentricity_rate_m_s);
+        // n·e is |e| at the outer flank and -|e| at the inner one.
+        let second_m_s2 = normal.dot(acceleration_m_s2) + around_m_s.squared() / normal.dot(at.motion.eccentricity_m);
+        GapMotion::without_slot([penetration_m, penetration_rate_m_s, second_m_s2], second_m_s2)
     }
 }
 
@@ -62,39 +75,4 @@ fn is_outer(place: usize) -> bool {
 #[inline(always)]
 fn share<T: Real>(slot: &CircularSlotShape<T>, place: usize) -> T {
     if is_outer(place) { T::one() } else { slot.inner_share }
-}
-
-/// Normal, penetration and its rate; the normal force acts at the circle's centre on the slot's body, at the pin's on the other.
-#[inline(never)]
-fn contact<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &CircularSlotShape<T>,
-    place: usize,
-) -> ContactMotion<T> {
-    let sign = T::from_f64(if is_outer(place) { 1.0 } else { -1.0 });
-    let distance_m = motion.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
-    let normal = motion.eccentricity_m * (sign / distance_m);
-    ContactMotion {
-        normal,
-        penetration_m: sign * (distance_m - slot.radius_m) - play.clearance_m,
-        penetration_rate_m_s: normal.dot(motion.eccentricity_rate_m_s),
-        reaches_m: [Vec2::zero(); 2],
-    }
-}
-
-/// δ and its derivatives; d²|e|/dt² = u·ë + (u×ė)²/|e|.
-#[inline(never)]
-fn gap<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &CircularSlotShape<T>,
-    place: usize,
-    acceleration_m_s2: Vec2<T>,
-) -> GapMotion<T> {
-    let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = contact(motion, play, slot, place);
-    let around_m_s = normal.cross(motion.eccentricity_rate_m_s);
-    // n·e is |e| at the outer flank and -|e| at the inner one.
-    let second_m_s2 = normal.dot(acceleration_m_s2) + around_m_s.squared() / normal.dot(motion.eccentricity_m);
-    GapMotion::without_slot([penetration_m, penetration_rate_m_s, second_m_s2], second_m_s2)
 }

@@ -18,18 +18,27 @@ use crate::contact::NormalForce;
 use crate::dynamics::play::contact::{Parts, Pressed, Touch};
 use crate::dynamics::play::contact_motion::{ContactForce, ContactMotion, GapMotion, Sliding};
 use crate::dynamics::play::motion::PlayMotion;
-use crate::mechanism::{PlayGeometry, SliderBlock, is_front_corner, is_upper_corner};
+use crate::mechanism::{SliderBlock, is_front_corner, is_upper_corner};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Parts<T> for SliderBlock<T> {
-    #[inline(always)]
-    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
-        contact(at.motion, at.play, self, at.place)
+    /// Beyond an end the normal is m.
+    #[inline(never)]
+    fn contact(&self, Touch { motion, play, place }: Touch<'_, T>) -> ContactMotion<T> {
+        let Corner { arm_m, reach_m, normal, push, velocity_m_s, .. } = corner(motion, self, place);
+        ContactMotion {
+            normal: push,
+            penetration_m: normal.dot(reach_m) - (self.half_height_m + play.clearance_m),
+            // Neither the guide's material at a corner nor the block's at an edge moves along m against its own face.
+            penetration_rate_m_s: push.dot(velocity_m_s),
+            reaches_m: [reach_m, arm_m],
+        }
     }
 
-    #[inline(always)]
-    fn penetration_m(&self, at: Touch<'_, T>) -> T {
-        penetration_m(at.motion, at.play, self, at.place)
+    #[inline(never)]
+    fn penetration_m(&self, Touch { motion, play, place }: Touch<'_, T>) -> T {
+        let corner = corner(motion, self, place);
+        corner.normal.dot(corner.reach_m) - (self.half_height_m + play.clearance_m)
     }
 
     /// Beyond an end of the guide the normal is not a unit vector.
@@ -50,9 +59,11 @@ impl<T: Real> Parts<T> for SliderBlock<T> {
         Pressed { share, normal_n: force.total_n * share, tangent, push_n: None }
     }
 
-    #[inline(always)]
+    /// Sliding of the slider's material on the guide's where they touch. Both forces act there, so friction has no arms of its own.
+    #[inline(never)]
     fn sliding(&self, at: Touch<'_, T>, _normal: Vec2<T>, tangent: Vec2<T>, _penetration_m: T) -> Sliding<T> {
-        sliding(at.motion, self, at.place, tangent)
+        let material_m_s = tangent.dot(corner(at.motion, self, at.place).velocity_m_s);
+        Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
     }
 
     #[inline(always)]
@@ -67,9 +78,43 @@ impl<T: Real> Parts<T> for SliderBlock<T> {
         force.moment_on_bearing_n_m = -contact.reaches_m[0].cross(force.on_journal_n);
     }
 
-    #[inline(always)]
-    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
-        gap(at.motion, at.play, self, at.place, acceleration_m_s2, spin_rates_rad_s2)
+    /// δ and its derivatives. With w the velocity of the slider's material at the corner on the guide's:
+    /// δ̇ = n·w and δ̈ = n·ẇ + ω_i t·w, since n turns with the guide.
+    ///
+    /// Beyond an end δ̇ = m·w and δ̈ = m·ẇ + ω_j m⊥·w + (ω_j - ω_i) tan θ δ̇, since m turns with the block and grows as 1/cos θ. The
+    /// point, at R from the guide's, stays at the end's abscissa: Ṙ = ω_i R⊥ + δ̇ n, and so moves on the block, A from its centre, with
+    /// Ȧ = Ṙ - ė.
+    #[inline(never)]
+    fn gap(
+        &self,
+        Touch { motion, play, place }: Touch<'_, T>,
+        acceleration_m_s2: Vec2<T>,
+        [spin_rate_i, spin_rate_j]: [T; 2],
+    ) -> GapMotion<T> {
+        let Corner { arm_m, reach_m, normal, push, velocity_m_s, ends } = corner(motion, self, place);
+        let [spin_i, spin_j] = motion.spins_rad_s;
+        let rate_m_s = push.dot(velocity_m_s);
+        let mut arm_rate_m_s = arm_m.turned() * spin_j;
+        let mut reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
+        let mut turning = spin_i * normal.turned().dot(velocity_m_s);
+        if let Some(Ends { is_past, slope }) = ends {
+            let held_m_s = (reach_m.turned() * spin_i).plus(normal, rate_m_s);
+            let chosen = |past: Vec2<T>, before: Vec2<T>| {
+                Vec2::new(T::select(is_past, past.x, before.x), T::select(is_past, past.y, before.y))
+            };
+            arm_rate_m_s = chosen(held_m_s - motion.eccentricity_rate_m_s, arm_rate_m_s);
+            reach_rate_m_s = chosen(held_m_s, reach_rate_m_s);
+            let growing = (spin_j - spin_i) * slope * rate_m_s;
+            turning = T::select(is_past, spin_j * push.turned().dot(velocity_m_s) + growing, turning);
+        }
+        let change_m_s2 = acceleration_m_s2
+            .plus(arm_m.turned(), spin_rate_j)
+            .plus(arm_rate_m_s.turned(), spin_j)
+            .plus(reach_m.turned(), -spin_rate_i)
+            .plus(reach_rate_m_s.turned(), -spin_i);
+        let second = turning + push.dot(change_m_s2);
+        let penetration_m = normal.dot(reach_m) - (self.half_height_m + play.clearance_m);
+        GapMotion::without_slot([penetration_m, rate_m_s, second], second)
     }
 }
 
@@ -149,78 +194,4 @@ fn along_m<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize
 fn stretch<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) -> T {
     let slope = corner(motion, block, place).ends.map_or(T::zero(), |ends| ends.slope);
     (T::one() + slope.squared()).sqrt()
-}
-
-/// δ at `place`, m.
-#[inline(never)]
-fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, block: &SliderBlock<T>, place: usize) -> T {
-    let corner = corner(motion, block, place);
-    corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
-}
-
-/// Normal, penetration and its rate; beyond an end the normal is m.
-#[inline(never)]
-fn contact<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    block: &SliderBlock<T>,
-    place: usize,
-) -> ContactMotion<T> {
-    let Corner { arm_m, reach_m, normal, push, velocity_m_s, .. } = corner(motion, block, place);
-    ContactMotion {
-        normal: push,
-        penetration_m: normal.dot(reach_m) - (block.half_height_m + play.clearance_m),
-        // Neither the guide's material at a corner nor the block's at an edge moves along m against its own face.
-        penetration_rate_m_s: push.dot(velocity_m_s),
-        reaches_m: [reach_m, arm_m],
-    }
-}
-
-/// Sliding of the slider's material on the guide's where they touch. Both forces act there, so friction has no arms of its own.
-#[inline(never)]
-fn sliding<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize, tangent: Vec2<T>) -> Sliding<T> {
-    let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
-    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
-}
-
-/// δ and its derivatives. With w the velocity of the slider's material at the corner on the guide's:
-/// δ̇ = n·w and δ̈ = n·ẇ + ω_i t·w, since n turns with the guide.
-///
-/// Beyond an end δ̇ = m·w and δ̈ = m·ẇ + ω_j m⊥·w + (ω_j - ω_i) tan θ δ̇, since m turns with the block and grows as 1/cos θ. The
-/// point, at R from the guide's, stays at the end's abscissa: Ṙ = ω_i R⊥ + δ̇ n, and so moves on the block, A from its centre, with
-/// Ȧ = Ṙ - ė.
-#[inline(never)]
-fn gap<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    block: &SliderBlock<T>,
-    place: usize,
-    acceleration_m_s2: Vec2<T>,
-    spin_rates_rad_s2: [T; 2],
-) -> GapMotion<T> {
-    let Corner { arm_m, reach_m, normal, push, velocity_m_s, ends } = corner(motion, block, place);
-    let [spin_i, spin_j] = motion.spins_rad_s;
-    let [spin_rate_i, spin_rate_j] = spin_rates_rad_s2;
-    let rate_m_s = push.dot(velocity_m_s);
-    let mut arm_rate_m_s = arm_m.turned() * spin_j;
-    let mut reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
-    let mut turning = spin_i * normal.turned().dot(velocity_m_s);
-    if let Some(Ends { is_past, slope }) = ends {
-        let held_m_s = (reach_m.turned() * spin_i).plus(normal, rate_m_s);
-        let chosen = |past: Vec2<T>, before: Vec2<T>| {
-            Vec2::new(T::select(is_past, past.x, before.x), T::select(is_past, past.y, before.y))
-        };
-        arm_rate_m_s = chosen(held_m_s - motion.eccentricity_rate_m_s, arm_rate_m_s);
-        reach_rate_m_s = chosen(held_m_s, reach_rate_m_s);
-        let growing = (spin_j - spin_i) * slope * rate_m_s;
-        turning = T::select(is_past, spin_j * push.turned().dot(velocity_m_s) + growing, turning);
-    }
-    let change_m_s2 = acceleration_m_s2
-        .plus(arm_m.turned(), spin_rate_j)
-        .plus(arm_rate_m_s.turned(), spin_j)
-        .plus(reach_m.turned(), -spin_rate_i)
-        .plus(reach_rate_m_s.turned(), -spin_i);
-    let second = turning + push.dot(change_m_s2);
-    let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
-    GapMotion::without_slot([penetration_m, rate_m_s, second], second)
 }

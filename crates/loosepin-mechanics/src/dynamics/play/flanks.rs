@@ -11,14 +11,19 @@
 
 use crate::dynamics::play::contact::{Parts, Touch};
 use crate::dynamics::play::contact_motion::{ContactMotion, GapMotion, Sliding};
-use crate::dynamics::play::motion::PlayMotion;
-use crate::mechanism::{Flanks, Kinematics, PlayGeometry};
+use crate::mechanism::{Flanks, Kinematics};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Parts<T> for Flanks<T> {
     #[inline(always)]
-    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
-        contact(at.motion, at.play, at.place)
+    fn contact(&self, Touch { motion, play, place }: Touch<'_, T>) -> ContactMotion<T> {
+        let sign = sign::<T>(place);
+        ContactMotion {
+            normal: Vec2::new(sign, T::zero()),
+            penetration_m: sign * motion.eccentricity_m.x - play.clearance_m,
+            penetration_rate_m_s: sign * motion.eccentricity_rate_m_s.x,
+            reaches_m: [Vec2::zero(); 2],
+        }
     }
 
     /// Its contact has no friction.
@@ -29,33 +34,15 @@ impl<T: Real> Parts<T> for Flanks<T> {
 
     #[inline(always)]
     fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, _spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
-        gap(at.motion, at.play, at.place, acceleration_m_s2.x)
+        let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = self.contact(at);
+        let bent_m_s2 = normal.x * acceleration_m_s2.x;
+        GapMotion::without_slot([penetration_m, penetration_rate_m_s, bent_m_s2], bent_m_s2)
     }
 }
 
 /// Direction of x in which the flank `place` is pressed: behind first, then ahead.
 fn sign<T: Real>(place: usize) -> T {
     if place == 0 { -T::one() } else { T::one() }
-}
-
-/// Normal, penetration and its rate.
-#[inline(always)]
-fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
-    let sign = sign::<T>(place);
-    ContactMotion {
-        normal: Vec2::new(sign, T::zero()),
-        penetration_m: sign * motion.eccentricity_m.x - play.clearance_m,
-        penetration_rate_m_s: sign * motion.eccentricity_rate_m_s.x,
-        reaches_m: [Vec2::zero(); 2],
-    }
-}
-
-/// δ and its derivatives where ẍ is `acceleration_m_s2`.
-#[inline(always)]
-fn gap<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize, acceleration_m_s2: T) -> GapMotion<T> {
-    let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = contact(motion, play, place);
-    let bent_m_s2 = normal.x * acceleration_m_s2;
-    GapMotion::without_slot([penetration_m, penetration_rate_m_s, bent_m_s2], bent_m_s2)
 }
 
 /// Torques or forces along the coordinates of both joints that a force of one newton along x is.

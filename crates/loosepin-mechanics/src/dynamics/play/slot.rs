@@ -18,18 +18,27 @@ use crate::dynamics::play::contact::{Parts, Pressed, Touch};
 use crate::dynamics::play::contact_motion::{ContactMotion, GapMotion, Sliding};
 use crate::dynamics::play::motion::PlayMotion;
 use crate::dynamics::play::pin_on_wall::sliding_on_wall;
-use crate::mechanism::{PlayGeometry, SlotShape};
+use crate::mechanism::SlotShape;
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Parts<T> for SlotShape<T> {
-    #[inline(always)]
+    /// The normal force acts at the pin's centre on both bodies.
+    #[inline(never)]
     fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
-        contact(at.motion, at.play, self)
+        let Place { normal, velocity_m_s, .. } = place(at.motion, self);
+        ContactMotion {
+            normal,
+            penetration_m: self.penetration_m(at),
+            penetration_rate_m_s: normal.dot(velocity_m_s),
+            reaches_m: [at.motion.eccentricity_m, Vec2::zero()],
+        }
     }
 
-    #[inline(always)]
-    fn penetration_m(&self, at: Touch<'_, T>) -> T {
-        penetration_m(at.motion, at.play, self)
+    /// δ = |w| - c, m, computed so that it keeps its digits near zero.
+    #[inline(never)]
+    fn penetration_m(&self, Touch { motion, play, .. }: Touch<'_, T>) -> T {
+        let Place { off_m, length_m, .. } = place(motion, self);
+        (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
     }
 
     #[inline(always)]
@@ -63,9 +72,29 @@ impl<T: Real> Parts<T> for SlotShape<T> {
         sliding_on_wall(at.motion, self.end_radius_m - at.play.clearance_m, [normal, tangent], penetration_m)
     }
 
-    #[inline(always)]
-    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
-        gap(at.motion, at.play, self, acceleration_m_s2, spin_rates_rad_s2[0])
+    /// g = |w|² - c² and its derivatives; δ̈ from d²|w|²/dt² = 2(δ̇² + |w| δ̈). With v the pin's velocity seen from the slot and ω, α
+    /// those of the slot's body, its acceleration seen from there is ë - α e⊥ + ω² e - 2 ω v⊥; g̈ jumps where faces and ends meet.
+    #[inline(never)]
+    fn gap(
+        &self,
+        Touch { motion, play, .. }: Touch<'_, T>,
+        acceleration_m_s2: Vec2<T>,
+        [spin_rate_rad_s2, _]: [T; 2],
+    ) -> GapMotion<T> {
+        let two = T::from_f64(2.0);
+        let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, self);
+        let (e, line, spin) = (motion.eccentricity_m, motion.directions[0], motion.spins_rad_s[0]);
+        let seen_m_s2 = acceleration_m_s2
+            .plus(e.turned(), -spin_rate_rad_s2)
+            .plus(e, spin.squared())
+            .plus(velocity_m_s.turned(), -(two * spin));
+        let along = off_rate_m_s.length_squared() + off_m.dot(seen_m_s2);
+        let speed = normal.dot(velocity_m_s);
+        GapMotion {
+            gap: [off_m.length_squared() - play.clearance_m.squared(), two * off_m.dot(velocity_m_s), two * along],
+            penetration_acceleration_m_s2: (along - speed * speed) / length_m,
+            along: [line.dot(e), line.dot(velocity_m_s), line.dot(seen_m_s2)],
+        }
     }
 }
 
@@ -103,25 +132,6 @@ fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Place<T> {
     }
 }
 
-/// δ = |w| - c, m, computed so that it keeps its digits near zero.
-#[inline(never)]
-fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> T {
-    let Place { off_m, length_m, .. } = place(motion, slot);
-    (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
-}
-
-/// Normal, penetration and its rate; the normal force acts at the pin's centre on both bodies.
-#[inline(never)]
-fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> ContactMotion<T> {
-    let Place { normal, velocity_m_s, .. } = place(motion, slot);
-    ContactMotion {
-        normal,
-        penetration_m: penetration_m(motion, play, slot),
-        penetration_rate_m_s: normal.dot(velocity_m_s),
-        reaches_m: [motion.eccentricity_m, Vec2::zero()],
-    }
-}
-
 /// The stiffness between faces and ends.
 #[derive(Debug, Clone, Copy)]
 struct Stiffening<T> {
@@ -142,30 +152,4 @@ fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffenin
     let share = (slot.end_stiffening * q * q).mul_add(T::from_f64(3.0) - (q + q), T::one());
     let slope = slot.end_stiffening * T::from_f64(48.0) * q * (T::one() - q);
     Stiffening { share, pull_1_m: slope * along * across / length_m }
-}
-
-/// g = |w|² - c² and its derivatives; δ̈ from d²|w|²/dt² = 2(δ̇² + |w| δ̈). With v the pin's velocity seen from the slot and ω, α
-/// those of the slot's body, its acceleration seen from there is ë - α e⊥ + ω² e - 2 ω v⊥; g̈ jumps where faces and ends meet.
-#[inline(never)]
-fn gap<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &SlotShape<T>,
-    acceleration_m_s2: Vec2<T>,
-    spin_rate_rad_s2: T,
-) -> GapMotion<T> {
-    let two = T::from_f64(2.0);
-    let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, slot);
-    let (e, line, spin) = (motion.eccentricity_m, motion.directions[0], motion.spins_rad_s[0]);
-    let seen_m_s2 = acceleration_m_s2
-        .plus(e.turned(), -spin_rate_rad_s2)
-        .plus(e, spin.squared())
-        .plus(velocity_m_s.turned(), -(two * spin));
-    let along = off_rate_m_s.length_squared() + off_m.dot(seen_m_s2);
-    let speed = normal.dot(velocity_m_s);
-    GapMotion {
-        gap: [off_m.length_squared() - play.clearance_m.squared(), two * off_m.dot(velocity_m_s), two * along],
-        penetration_acceleration_m_s2: (along - speed * speed) / length_m,
-        along: [line.dot(e), line.dot(velocity_m_s), line.dot(seen_m_s2)],
-    }
 }

@@ -51,12 +51,6 @@ impl<T: Real> JointGeometry<T> {
         line.dot(gap_rate) + spin_i * line.turned().dot(gap_m)
     }
 
-    /// The second derivative of the coordinate when the free coordinates have no acceleration. Needs the biases of `kinematics`.
-    #[inline(always)]
-    pub fn bias(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> T {
-        self.acceleration(place, kinematics, place.slots.map(|slot| kinematics.biases[slot]))
-    }
-
     /// The second derivative of the coordinate for the accelerations `changes` of the frames of its two bodies.
     ///
     /// s̈ = d·ë + 2 ω d⊥·ė + α d⊥·e - ω² d·e, ω and α of the guide.

@@ -164,7 +164,7 @@ pub type CouplingPlace = [JointPlace; 2];
 /// The spanning tree. Slot 0 is the ground, slot i + 1 is `links[i]`; a parent comes before its children.
 ///
 /// Coordinates are numbered `0..free` for the state and `free..free + drives.len()` for the driven ones.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Tree {
     /// Moving bodies, parents first.
     pub links: Vec<Link>,
@@ -273,16 +273,9 @@ impl Tree {
         }
 
         let mut tree = Self {
-            links: Vec::new(),
             slot_of_body: vec![usize::MAX; model.bodies.len()],
-            free: 0,
-            drives: Vec::new(),
-            cuts: Vec::new(),
-            couplings: Vec::new(),
             coupling_indices: (0..model.couplings.len()).filter(|&index| is_coupled(index)).collect(),
-            floating_roots: Vec::new(),
-            beams: Vec::new(),
-            nodal_beams: Vec::new(),
+            ..Self::default()
         };
         tree.slot_of_body[0] = 0;
         // Placeholders beyond every free coordinate mark driven ones until the number of free ones is known.

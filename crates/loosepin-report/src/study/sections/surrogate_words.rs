@@ -6,6 +6,7 @@ use crate::words::wording::{count, counted, deviation_words, listed, output_word
 use loosepin_result::study::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
 };
+use loosepin_text::units::distinct;
 
 /// Title of the section.
 pub(super) fn title(record: &SurrogateRecord) -> &'static str {
@@ -95,12 +96,7 @@ fn output_sentence(
 
 /// "polynomial chaos", or "4 modes by polynomial chaos and Kriging".
 fn kinds(output: &SurrogateOutput) -> String {
-    let mut different: Vec<String> = Vec::new();
-    for kind in &output.kinds {
-        if !different.contains(kind) {
-            different.push(kind.clone());
-        }
-    }
+    let different: Vec<String> = distinct(output.kinds.iter().cloned());
     match (output.at, output.kinds.len()) {
         (ResponsePoint::Whole, 0) => "the mean curve".to_owned(),
         (ResponsePoint::Whole, 1) => format!("1 mode by {}", listed(&different)),

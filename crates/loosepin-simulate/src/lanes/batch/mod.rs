@@ -24,7 +24,7 @@ use crate::lanes::memory::{LaneLayout, NextStepRule};
 use crate::lanes::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::lanes::reads::ReadLayout;
 use crate::observer::{DenseOutput, Source, Step};
-use crate::recording::report::{Counters, FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
+use crate::recording::report::{FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::{Settings, Window};
 use crate::start::resting;
 use crate::start::settle::settle;
@@ -35,6 +35,7 @@ use crate::stepping::projection::Projection;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
 use loosepin_mechanics::model::Reading;
+use loosepin_result::simulation::RunCounters;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -658,10 +659,11 @@ impl<'a> Batch<'a> {
         self.core.leave(lane);
     }
 
-    fn counters(&self, lane: usize, events: u64) -> Counters {
+    fn counters(&self, lane: usize, contact_changes: u64) -> RunCounters {
         let counted = [LaneLayout::STEPS, LaneLayout::REJECTIONS, LaneLayout::FACTORIZATIONS];
         let [steps, rejections, factorizations] = counted.map(|place| self.core.number(lane, place) as u64);
-        Counters { steps, rejections, evaluations: self.core.evaluations(lane), factorizations, events }
+        let evaluations = self.core.evaluations(lane);
+        RunCounters { steps, rejections, evaluations, factorizations, contact_changes }
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {

@@ -7,6 +7,7 @@ use crate::response::columns::ColumnPlan;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{PromisePlan, PromiseRequest, Request};
 use loosepin_result::study::Side;
+use loosepin_text::units::distinct;
 
 /// The plan of what `study` promises; `None` if it promises nothing.
 ///
@@ -33,11 +34,5 @@ fn promised_ends(plan: &ColumnPlan) -> Vec<PromiseRequest> {
         let request = move |&column: &usize| Request { column, statistic };
         required.columns.iter().map(move |column| PromiseRequest { request: request(column), side: Side::Upper })
     });
-    let mut ends: Vec<PromiseRequest> = Vec::new();
-    for end in of_asks.chain(of_requirements) {
-        if !ends.contains(&end) {
-            ends.push(end);
-        }
-    }
-    ends
+    distinct(of_asks.chain(of_requirements))
 }
