@@ -17,42 +17,42 @@ const MAX_POSE_ERROR_DEG: f64 = 5.0;
 const MIN_ESTIMATED: usize = 3;
 
 record! {
-    /// a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two settled
-    /// positions is read
+    /// a reading of a backlash test: with the drives locked, an output is pushed back and forth, and the dead travel (lost motion) between
+    /// the two positions at rest is read
     pub(crate) lenient struct ReadingTable for Reads, exactly one of [force, moment];
-    /// a position or an angle of the model: what is read
+    /// the output that is read: a position or an angle of the model
     required output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
-    /// of a path, and only there: the coordinate that is read
+    /// only for a path: the coordinate that is read
     optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
-    /// angle at which the drive that the cycle counts is locked
+    /// locked angle of the drive that counts the cycle
     required pose: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ crank = \"60 deg\" }";
-    /// largest error of that angle, of either sign; 0 if left out
+    /// largest error of this angle, of either sign; 0 if omitted
     optional pose_error: Entry<'t> = quantity(Dimension::ANGLE, Rule::NonNegative), "\"0.5 deg\"";
-    /// force of the push, the same to and fro
+    /// force of the push, the same in both directions
     optional force: Entry<'t> = quantity(Dimension::FORCE, Rule::Positive), "\"20 N\"";
-    /// in place of a force: the moment that turns the body whose angle is read
+    /// instead of a force: the moment on the body whose angle is read
     optional moment: Entry<'t> = quantity(Dimension::TORQUE, Rule::Positive), "\"0.5 N m\"";
-    /// the point that is pushed; the one whose coordinate is read if left out
+    /// the point that is pushed; if omitted, the point whose coordinate is read
     optional at: Entry<'t> = Kind::Point, "\"slider.pin\"";
-    /// direction of the push to, from the ground's x axis; along the coordinate that is read if left out
+    /// direction of the first push, as an angle from the ground's x axis; if omitted, along the coordinate that is read
     optional direction: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
-    /// travel between the two settled positions, under load: one value, or all repeats
+    /// travel between the two positions at rest, under load: one value, or all repeats
     required dead_travel: Entry<'t> =
         Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]),
         "[\"0.412 mm\", \"0.409 mm\", \"0.413 mm\"]";
-    /// beside one value: the number of readings whose mean it is; 1 if left out
+    /// with one value: the number of readings of which it is the mean; 1 if omitted
     optional repeats: Entry<'t> = count(1, 1_000_000), "5";
-    /// largest error that all readings of the instrument have in common, of either sign: repeats do not make it smaller; 0 if left out
+    /// largest common error of all readings of the instrument, of either sign; repeats do not reduce it; 0 if omitted
     optional error: Entry<'t> = Kind::AnyQuantity, "\"± 0.005 mm\"";
-    /// standard deviation of one reading: repeats make it smaller; from three or more repeats themselves if left out
+    /// standard deviation of one reading; repeats reduce the error of the mean; if omitted, calculated from three or more repeats
     optional scatter: Entry<'t> = Kind::AnyQuantity, "\"0.002 mm\"";
-    /// what has the error; one for each output if left out
+    /// the instrument that has the common error; one for each output if omitted
     optional instrument: String = Kind::Text, "\"dial gauge\"";
-    /// the mechanism that was measured: its lengths and plays are its own
+    /// name of the measured mechanism; each specimen has its own lengths and plays
     optional specimen: String = Kind::Text, "\"A\"";
-    /// largest coefficient of friction in the joints, anything from 0 to it; that of the contacts in the model if left out
+    /// largest coefficient of friction in the joints; every value from 0 to this is possible; if omitted, from the contacts in the model
     optional friction: f64 = Kind::Number { rule: Rule::NonNegative }, "0.15";
-    /// for messages; its place in the file if left out
+    /// name of the reading in messages; its position in the file if omitted
     optional name: String = Kind::Text, "\"tip, sideways\"";
 }
 

@@ -36,46 +36,46 @@ choices!(
 );
 
 record! {
-    /// a feature of a motion that was measured over the recorded turns: one number, or one for each repeat
+    /// a feature of a motion, measured over the recorded turns: one number, or one for each repeat
     pub(crate) lenient struct MotionTable for Reads;
-    /// that it is of a motion; left out for a backlash test
+    /// marks the table as a feature of a motion; omitted for a backlash test
     required kind: MeasuredKind = choice::<MeasuredKind>(), "\"motion\"";
-    /// an output of the model: what was measured
+    /// the measured output of the model
     optional output: Entry<'t> = Kind::Reference("output"), "\"slider_acceleration\"";
-    /// of a path, and only there: the coordinate that was measured
+    /// only for a path: the coordinate that was measured
     optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
-    /// a deviation in place of the value, where the feature is located between samples; "value" if left out
+    /// a deviation instead of the value, for a feature that is located between samples; "value" if omitted
     optional of: Entry<'t> = Kind::Choice(&words(&DEVIATIONS)), "\"total\"";
-    /// in place of an output: the joint whose impacts were counted
+    /// instead of an output: the joint whose impacts were counted
     optional joint: Entry<'t> = Kind::Reference("joint"), "\"gudgeon\"";
-    /// number that the motion of all recorded turns is reduced to
+    /// the number calculated from the motion of all recorded turns
     required feature: Entry<'t> = Kind::Choice(&words(&FEATURES)), "\"rms\"";
-    /// of the amplitude of an order: periods in a turn
+    /// for the amplitude of an order: periods per turn
     optional order: Entry<'t> = count(1, MAX_ORDER), "3";
-    /// of a dwell: distance from the largest value
+    /// for a dwell: distance from the largest value
     optional within: Entry<'t> = Kind::AnyQuantity, "\"0.1 mm\"";
-    /// low-pass filter: orders above are taken off the samples; measured and simulated samples alike
+    /// low-pass filter: removes higher orders from the measured and from the simulated samples
     optional highest_order: Entry<'t> = count(1, MAX_ORDER), "40";
-    /// whether extremes are located between samples, or are those of samples_per_turn of the study; samples where a curve, a filter or an
-    /// order is given
+    /// whether extremes are located between samples, or are those of the samples (samples_per_turn of the study); samples if a curve,
+    /// a filter or an order is given
     optional sampled: Entry<'t> = choice::<IsSampled>(), "\"samples\"";
-    /// the feature as it was measured: one value, or all repeats; left out for what could be measured
+    /// the measured feature: one value, or all repeats; omitted for a measurement that is only planned
     optional value: Entry<'t> =
         Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]), "[\"5210 m/s^2\", \"5340 m/s^2\"]";
-    /// in place of a value: a table with the time or the angle of the drive and a column of the output; as many repeats as it holds the
-    /// recorded turns
+    /// instead of a value: a table with the time or the drive angle and a column of the output; each group of recorded turns in it is
+    /// one repeat
     optional file: Entry<'t> = Kind::Text, "\"acceleration.csv\"";
-    /// beside one value: the number of repeats whose mean it is; 1 if left out
+    /// with one value: the number of repeats of which it is the mean; 1 if omitted
     optional repeats: Entry<'t> = count(1, MAX_STRETCHES), "5";
-    /// largest error that all values of the instrument have in common, of either sign, or its share of the true value; 0 if left out
+    /// largest common error of all values of the instrument, of either sign, or its share of the true value; 0 if omitted
     optional error: Entry<'t> = Kind::AnyQuantity, "\"± 5 %\"";
-    /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if left out
+    /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if omitted
     optional scatter: Entry<'t> = Kind::AnyQuantity, "\"2 %\"";
-    /// what has the common error; one for each output if left out
+    /// the instrument that has the common error; one for each output if omitted
     optional instrument: String = Kind::Text, "\"accelerometer\"";
-    /// the mechanism that was measured: its lengths and plays are its own
+    /// name of the measured mechanism; each specimen has its own lengths and plays
     optional specimen: String = Kind::Text, "\"A\"";
-    /// for messages; output and feature if left out
+    /// name of the feature in messages; output and feature if omitted
     optional name: String = Kind::Text, "\"peak\"";
 }
 
