@@ -48,7 +48,7 @@ pub(super) const JOINT: Key = optional(
     "joint",
     Kind::Reference("joint"),
     "\"main\"",
-    "the joint whose angle (or position) and speed the expression reads, or the table is over",
+    "the joint whose angle (or position) and speed are the variables of the expression or of the table",
 );
 
 /// The words for what a table is over.
