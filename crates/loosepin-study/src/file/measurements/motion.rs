@@ -85,33 +85,33 @@ problems! {
     pub enum MotionProblem {
         NoSubject { entry: String, key: &'static str, feature: String } => Code::AskNotPossible,
             says("{entry}: the feature '{feature}' needs '{key}'"),
-            hint("impacts are those of a joint, everything else is a feature of an output");
+            hint("impacts need a joint; every other feature needs an output");
         Beside { entry: String, feature: String } => Code::AskNotPossible,
-            says("{entry} says nothing of the feature '{feature}'"),
-            hint("leave it out");
+            says("{entry} has no effect on the feature '{feature}'"),
+            hint("remove it");
         SeveralValues { entry: String } => Code::AskNotPossible,
-            says("{entry} stands beside several values, each of which is one repeat"),
-            hint("leave it out, or write the mean of the repeats as one value");
+            says("{entry} cannot be used with several values, each of which is one repeat"),
+            hint("remove it, or write the mean of the repeats as one value");
         Between { entry: String } => Code::AskNotPossible,
-            says("{entry}: a file, 'highest_order', an order and a dwell are of samples; sampled = \"between\" looks between them"),
-            hint("leave out 'sampled'");
+            says("{entry}: a file, 'highest_order', an order and a dwell use samples, but sampled = \"between\" locates extremes between them"),
+            hint("remove 'sampled'");
         DeviationNotSampled { entry: String } => Code::AskNotPossible,
             says("{entry}: a deviation has no samples, only the output itself"),
-            hint("leave out 'of'; or leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
+            hint("remove 'of'; or remove 'file', 'highest_order' and sampled = \"samples\", and use neither an order nor a dwell");
         OutputNotSampled { entry: String } => Code::AskNotPossible,
             says("{entry}: this output has no samples"),
-            hint("leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
+            hint("remove 'file', 'highest_order' and sampled = \"samples\", and use neither an order nor a dwell");
         NoJointWithPlay { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
-            says("{entry}: no joint with play is called '{found}'"),
+            says("{entry}: there is no joint with play '{found}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(known, "and")),
+                None => format!("available: {}", listed(known, "and")),
             }));
         PartOfTurn { entry: String, turns: f64 } => Code::AskNotPossible,
             says("{entry}: samples are of whole turns, and {turns} turns are recorded"),
             hint("write a whole number of recorded_turns under [cycle] of the study");
         TooHigh { entry: String, order: usize, samples: usize } => Code::AskNotPossible,
-            says("{entry}: order {order} needs more than {} samples a turn; there are {samples}", 2 * order),
+            says("{entry}: order {order} needs more than {} samples per turn; there are {samples}", 2 * order),
             hint("write a larger samples_per_turn under [cycle] of the study");
         TooShort { entry: String, found: f64, due: f64, turns: f64, samples: usize } => Code::AskNotPossible,
             says(
@@ -122,27 +122,27 @@ problems! {
             hint("record fewer turns under [cycle] of the study, or measure longer");
         NoColumn { entry: String, output: String, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: the table has no column '{output}'"),
-            hint("there is {}", listed(known, "and"));
+            hint("available: {}", listed(known, "and"));
         ColumnDimension { entry: String, found: Dimension, due: Dimension } => Code::WrongDimension,
             says("{entry}: the column is {found}; the output is {due}");
         Gap { entry: String } => Code::AskNotPossible,
             says("{entry}: the column has empty cells"),
-            hint("cut the table to where everything was measured");
+            hint("shorten the table to the rows in which everything was measured");
         Twice { entry: String } => Code::AskNotPossible,
             says("{entry}: a value and a file are both given"),
-            hint("leave one of them out");
+            hint("remove one of them");
         TooManyStretches { entry: String, found: usize } => Code::TooMany,
             says("{entry}: {found} repeats; must be at most {MAX_STRETCHES}, each of which is simulated"),
             hint("record more turns in place of more repeats");
         WithoutError { entry: String } => Code::AskNotPossible,
             says("{entry} has no error"),
-            hint("write error = \"± 5 %\" beside it (calibration) or scatter = \"2 %\" (standard deviation)");
+            hint("also write error = \"± 5 %\" (calibration) or scatter = \"2 %\" (standard deviation)");
         ErrorTooLarge { entry: String } => Code::AskNotPossible,
             says("{entry} is a share of 100 % or more"),
             hint("write a share below 100 %");
         AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
-            says("{entry} is another common error than that of an earlier value of the instrument '{instrument}'"),
-            hint("write the same error, or instrument = \"another sensor\" beside it");
+            says("{entry} differs from the common error of an earlier value of the instrument '{instrument}'"),
+            hint("write the same error, or add instrument = \"another sensor\"");
         NotPositive { entry: String } => Code::AskNotPossible,
             says("{entry}: no value with this sign is possible for the feature"),
             hint("write its magnitude");
