@@ -41,8 +41,7 @@ fn a_press_names_the_law_of_its_force_and_what_a_line_contact_gives() {
         "Contact forces in ram_pin are those of lankarani-nikravesh (point contact, the bearing's length of 40 mm does not enter). The \
          stated restitution of 0.7 acts as 0.796 in a free impact; valid for impacts up to 0.052 m/s (18.2 % are faster). As a line \
          contact over 40 mm the same impact energy gives about 30 kN (johnson).",
-        "In ram_pin the parts penetrate each other by up to 15.6 % of the clearance, more than a tenth. Contact laws suppose a patch \
-         that is small beside the pin, so force and deviation depend on the law: compare another one.",
+        "In ram_pin the parts penetrate each other by up to 15.6 % of the clearance, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law.",
     ] {
         assert!(told.contains(sentence), "{told}");
     }

@@ -194,9 +194,9 @@ fn without_quantile_and_curve_a_statistic_answers() {
         "The mean of slider (x of slider.pin) (deviation, largest absolute value in the cycle) lies between",
     );
     result.bounds.clear();
-    assert_says(&result, "The study asks only whether the requirements are met.");
+    assert_says(&result, "The study has only requirements, no statistic.");
     result.requirements.clear();
-    assert_says(&result, "The study asks for no statistic.");
+    assert_says(&result, "The study has no statistic.");
 }
 
 #[test]
@@ -245,11 +245,10 @@ fn parts_that_pass_through_each_other_are_told() {
     result.impacts[0].largest_penetration_share = 0.143;
     assert_says(
         &result,
-        "In gudgeon the parts penetrate each other by up to 14.3 % of the clearance, more than a tenth. Contact laws suppose a patch \
-         that is small beside the pin, so force and deviation depend on the law: compare another one.",
+        "In gudgeon the parts penetrate each other by up to 14.3 % of the clearance, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law.",
     );
     result.impacts[0].laws[0].basis.shape = ContactShape::Given;
-    assert_says(&result, "more than a tenth: force and deviation depend on the stiffness that is given.");
+    assert_says(&result, "more than a tenth: force and deviation depend on the given stiffness.");
     result.impacts[0].largest_penetration_share = 1.3;
     assert_says(
         &result,
@@ -579,7 +578,7 @@ fn identity_runs_are_told_by_what_they_were_for() {
     result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
     result.counts.runs += 640 + 5120;
     let page = one_line(&study_page(&result));
-    let account = "23 296 = 64 values of the interval inputs × 256 random samples (8 independent replicates of 32) + 1024 of the \
+    let account = "23 296 = 64 values of the unknown inputs × 256 random samples (8 independent replicates of 32) + 1024 of the \
                    probability-only treatment + 128 of the interval-only treatment + 640 for sensitivities + 5120 for small probabilities";
     assert!(page.contains(account), "{page}");
     assert!(!page.contains("for the two other treatments"));
@@ -594,7 +593,7 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     result.counts.runs = 256;
     let text = one_line(&study_text(&result));
     assert!(text.contains("Bounds, numerical error included"), "{text}");
-    assert!(!text.contains("interval inputs"), "{text}");
+    assert!(!text.contains("unknown inputs"), "{text}");
     let page = one_line(&study_page(&result));
     assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
     assert!(page.contains("Shares of mechanisms, numerical error included."), "{page}");
