@@ -91,7 +91,7 @@ fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
             let about = if whole_s < 1.0 { "" } else { "about " };
             format!("At most {runs}{before}: {about}{time} on {threads}")
         }
-        None => format!("At most {runs}{before}; a short trial does not tell how long they take"),
+        None => format!("At most {runs}{before}; their time could not be estimated by a short test"),
     }
 }
 
@@ -156,7 +156,7 @@ fn inputs(study: &Study) -> Section {
 
 fn unknown_heading(study: &Study) -> String {
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
-    let intervals = counted_or_no(study.epistemic.len() - lists, "interval input", "unknown inputs");
+    let intervals = counted_or_no(study.epistemic.len() - lists, "interval input", "interval inputs");
     let of_lists = counted_or_no(lists, "input from a list", "inputs from lists");
     match (lists < study.epistemic.len(), lists > 0) {
         (true, true) => format!("{intervals}, {of_lists}"),

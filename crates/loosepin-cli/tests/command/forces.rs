@@ -28,8 +28,8 @@ fn a_press_names_the_law_of_its_force_and_what_a_line_contact_gives() {
     let of_points = desk.succeed(&["check", "model.toml"]).output;
     assert!(
         of_points.ends_with(&format!(
-            "\nThe force in ram_pin is by lankarani-nikravesh, a point contact: no bearing length enters.\n\
-             A long pin is a line contact, whose peak force may be twice as large. To have both in a study:\n  \
+            "\nThe force in ram_pin is by lankarani-nikravesh, a point contact: it uses no bearing length.\n\
+             A long pin is a line contact, whose peak force may be twice as large. To use both in a study:\n  \
              [joint.ram_pin] of the model: bearing_length = \"...\"\n  \
              [epistemic] of the study: {LIST}\n"
         )),

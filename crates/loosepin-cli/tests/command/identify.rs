@@ -119,9 +119,12 @@ fn a_page_is_written_once_and_again_from_its_record() {
         assert!(said.output.contains(words), "{words}\n{}", said.output);
     }
     let page = desk.read("identified/report.html");
-    for words in
-        ["Values consistent with the motion", "Measured and predicted", "What to measure next", "The study before and after"]
-    {
+    for words in [
+        "Values consistent with the motion",
+        "Measured and predicted",
+        "What to measure next",
+        "The study before and after",
+    ] {
         assert!(page.contains(words), "{words}");
     }
     for name in ["map.first", "features.0", "next.features"] {

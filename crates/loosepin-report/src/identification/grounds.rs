@@ -23,7 +23,9 @@ pub(super) fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec
     let inputs = counted(answer.random_inputs.len(), "random input");
     let mut words = vec![match (has_scatter, has_random) {
         (false, false) => "all bounds hold for every value within the stated errors".to_owned(),
-        (true, false) => format!("all bounds hold at the same time with {percent} confidence over the scatter of the readings"),
+        (true, false) => {
+            format!("all bounds hold at the same time with {percent} confidence over the scatter of the readings")
+        }
         (false, true) => format!("all bounds hold at the same time with {percent} confidence over the {inputs}"),
         (true, true) => format!(
             "all bounds hold at the same time with {percent} confidence over the scatter of the readings and the {inputs}; over everything else \

@@ -53,7 +53,9 @@ pub(super) fn push_runs(section: &mut Section, specimen: &MotionSpecimen, medium
         words.push(format!("{failed} failed: each counts as further away than the measurement"));
     }
     if specimen.is_coarse {
-        words.push("the search ended at the limit of points: more points (--points) can narrow the values further".to_owned());
+        words.push(
+            "the search ended at the limit of points: more points (--points) can narrow the values further".to_owned(),
+        );
     }
     let sentences: Vec<String> = words.iter().map(|words| format!("{}.", capitalised(words))).collect();
     section.push_on(Medium::Page, Content::Note(sentences.join(" ").into()));
@@ -177,9 +179,7 @@ fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &Numb
         })
         .collect();
     if misfit.culprits.is_empty() {
-        words.push(
-            "each feature alone agrees with some runs, but no values explain all features together".to_owned(),
-        );
+        words.push("each feature alone agrees with some runs, but no values explain all features together".to_owned());
     }
     words.push(format!(
         "at the tested values the measurement is at least {} times as far from the runs as the test allows",

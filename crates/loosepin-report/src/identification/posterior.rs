@@ -94,10 +94,13 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
     match refusal {
         PosteriorRefusal::Misfit => "no tested value is consistent with the motion".to_owned(),
         PosteriorRefusal::NothingScatters => {
-            "there is no scatter, so no value in the set is more probable than another; give the instrument its scatter".to_owned()
+            "there is no scatter, so no value in the set is more probable than another; give the instrument its scatter"
+                .to_owned()
         }
         PosteriorRefusal::FewRuns { runs, least } => {
-            format!("one of the values has {runs} finished runs, but this number of features needs {least}; a higher --confidence makes more")
+            format!(
+                "one of the values has {runs} finished runs, but this number of features needs {least}; a higher --confidence makes more"
+            )
         }
         PosteriorRefusal::Failed { share, most } => format!(
             "{} of the runs with weight failed; at most {} are permitted",

@@ -27,10 +27,11 @@ pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
 pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
     let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
     let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
-    let rests_on =
-        record.requirements.iter().any(|requirement| requirement.verdict == MotionVerdict::Met).then(|| {
-            "Elastic contacts and bending bodies add to this; only runs show how much.".to_owned()
-        });
+    let rests_on = record
+        .requirements
+        .iter()
+        .any(|requirement| requirement.verdict == MotionVerdict::Met)
+        .then(|| "Elastic contacts and bending bodies add to this; only runs show how much.".to_owned());
     requirements.chain(allowances).chain(rests_on).collect()
 }
 
@@ -119,15 +120,21 @@ fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) ->
     match (reason, loosest_si, fit) {
         (Some(reason), ..) => format!("{path} is not loosened here: {reason}."),
         (None, Some(_), Some(fit)) => {
-            format!("{path}: {fit} is the loosest fit with which the requirements are proven to be met without dynamics.")
+            format!(
+                "{path}: {fit} is the loosest fit with which the requirements are proven to be met without dynamics."
+            )
         }
         (None, Some(loosest_si), None) if loosest_si == up_to_si => {
-            format!("{path} may increase to {up_to}, the largest value to try; the requirements are proven to be met without dynamics.")
+            format!(
+                "{path} may increase to {up_to}, the largest value to try; the requirements are proven to be met without dynamics."
+            )
         }
         (None, Some(loosest_si), None) => format!(
             "{path} may increase to {} (of at most {up_to}): up to this value, the requirements are proven to be met without dynamics.",
             writer.about(&Tag::joint(path, "loosest", "")).rounded(*loosest_si, unit, 4, Rounding::Down)
         ),
-        (None, None, _) => format!("{path}: no value up to {up_to} is proven to meet the requirements without dynamics."),
+        (None, None, _) => {
+            format!("{path}: no value up to {up_to} is proven to meet the requirements without dynamics.")
+        }
     }
 }

@@ -40,11 +40,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let mut sentences = answers.iter().map(|summary| summary.sentence(result, writer));
     let headline = sentences.next().unwrap_or_else(|| {
         let empty = result.requirements.is_empty();
-        let said = if empty {
-            "The study has no statistic."
-        } else {
-            "The study has only requirements, no statistic."
-        };
+        let said = if empty { "The study has no statistic." } else { "The study has only requirements, no statistic." };
         said.to_owned()
     });
     let mut further: Vec<String> = sentences.collect();

@@ -140,9 +140,9 @@ pub fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Name of the epistemic inputs: "unknown inputs" where all are intervals, "unknown inputs" otherwise.
+/// Name of the unknown (epistemic) inputs: "interval inputs" if all are intervals, "unknown inputs" otherwise.
 pub(crate) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
-    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "unknown inputs" }
+    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
 }
 
 /// Whether anything is known as an interval, a list or so.

@@ -77,7 +77,7 @@ impl KindOfJoint for CircularSlot {
 
     fn words(&self, names: &dyn Names) -> String {
         format!(
-            "circular slot: {} runs and turns in a slot of radius {} about {}",
+            "circular slot: {} slides and turns in a slot of radius {} about {}",
             names.point(self.pin),
             names.length(self.radius_m),
             names.point(self.centre)
