@@ -127,7 +127,7 @@ def test_a_spring_and_a_load_are_seen_chosen_and_deleted(studio):  # noqa: F811
     time.sleep(1.2)
     model = studio.folder / "four-bar/model.toml"
     model.write_text(model.read_text() + SPRING)
-    studio.click("button", "Load what is on disk")
+    studio.click("button", "Load the version on disk")
     studio.wait("document.querySelectorAll('.drawing .force').length === 2")
     assert studio.browser.evaluate(PROBLEMS).find("error") == -1
     assert seen_by_axe(studio.browser, AXE.read_text()) == []

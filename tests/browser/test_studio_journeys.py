@@ -207,7 +207,7 @@ def test_a_file_that_changes_outside_is_loaded_or_written_over_as_the_person_say
     model.write_text(first.replace('crank_length = "80 mm"', 'crank_length = "90 mm"'))
     studio.wait(CHANGED)
     assert studio.number("crank_length") == "80 mm", "nothing is changed behind the person's back"
-    studio.click("button", "Load what is on disk")
+    studio.click("button", "Load the version on disk")
     studio.wait(f"({FIELD % repr('crank_length')})?.querySelector('input').value === '90 mm'")
     studio.wait(f"!({CHANGED})")
     studio.click("button", "Undo")
@@ -247,7 +247,7 @@ def test_two_tabs_see_the_same_files_and_runs(studio):
         second.wait(CHANGED)
         model = studio.folder / "slider-crank/model.toml"
         assert 'rod_length = "150 mm"' in model.read_text() and 'crank_length = "50 mm"' in model.read_text()
-        second.click("button", "Load what is on disk")
+        second.click("button", "Load the version on disk")
         second.wait(f"({FIELD % repr('rod_length')})?.querySelector('input').value === '150 mm'")
         for tab in (studio, second):
             tab.wait(DONE, 300)
@@ -273,7 +273,7 @@ def test_an_analysis_that_takes_too_long_is_cut_off_and_the_last_drawing_stays(s
     time.sleep(1.2)
     (studio.folder / "chain1/model.toml").write_text(texts[40])
     studio.wait(CHANGED)
-    studio.click("button", "Load what is on disk")
+    studio.click("button", "Load the version on disk")
     studio.wait("document.querySelector('.drawing .over')?.innerText.includes('took longer than 2 s and was stopped')", 30)
     assert "of the texts before" in studio.browser.evaluate("document.querySelector('.drawing .over').innerText")
     assert studio.browser.evaluate("document.querySelector('.drawing').classList.contains('stale')"), "it is seen to be of earlier texts"

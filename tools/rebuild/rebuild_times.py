@@ -80,7 +80,7 @@ def measure(crate: Path) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("crates", nargs="*", help="packages; all that the program needs if left out")
+    parser.add_argument("crates", nargs="*", help="packages; all that the program needs if omitted")
     wanted = parser.parse_args().crates
     built = subprocess.run(
         ["cargo", "tree", "--package", "loosepin-cli", "--edges", "normal", "--prefix", "none", "--format", "{p}"],

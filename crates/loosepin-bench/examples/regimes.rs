@@ -21,7 +21,7 @@ use loosepin::study::Study;
 use loosepin::study::result::{BoundEnd, BoundRecord, ResponsePoint, Statistic, StudyResult, SurrogateVerdict};
 use loosepin_bench::{case_file, largest, median, run};
 
-/// Repetitions of each study by surrogate, if left out; of them, the least number whose bounds agree: 29 of 30.
+/// Repetitions of each study by surrogate, if omitted; of them, the least number whose bounds agree: 29 of 30.
 const REPETITIONS: usize = 30;
 const MIN_AGREEING: f64 = 29.0 / 30.0;
 /// Values of the unknown inputs, and mechanisms at each, of the study; and how many times as many mechanisms the reference has.
@@ -33,7 +33,7 @@ const REFERENCE_SEED: u64 = 2016;
 /// Direct studies of the usual size, in the smooth regime, whose errors are held against those of a twentieth of the runs.
 const DIRECT_STUDIES: u64 = 3;
 
-/// The kind of surrogate, if left out, and how it is made: runs to learn from, and direct runs at each witness.
+/// The kind of surrogate, if omitted, and how it is made: runs to learn from, and direct runs at each witness.
 const KIND: &str = "kriging";
 const TRAINING: usize = 120;
 const CONFIRMING: usize = 48;

@@ -2,7 +2,7 @@
 //! values of the unknown inputs that no study has seen.
 //!
 //! `just campaign worn-pin [MECHANISMS] [--write PAGE]`. For each value u of 25, a low-discrepancy set inside the box, and for its
-//! corners (which the study has seen), N mechanisms with random numbers of their own (1,024 if left out); the share c inside a band
+//! corners (which the study has seen), N mechanisms with random numbers of their own (1,024 if omitted); the share c inside a band
 //! has the standard error `sqrt(c (1 - c)/N)` of independent ones.
 
 #![allow(clippy::disallowed_methods, reason = "a program of developers")]
@@ -18,7 +18,7 @@ use loosepin::study::{Ask, Deviation, Study, StudyRun, Where};
 use loosepin_bench::run;
 use loosepin_bench::worn_pin::{double_loop, inside_the_box, run_at, study, values_at};
 
-/// Values of u, and mechanisms at each if left out.
+/// Values of u, and mechanisms at each if omitted.
 const VALUES: u32 = 25;
 const MECHANISMS: usize = 1024;
 /// Seed of the values; those of their mechanisms count up from it. The study's own is 1.

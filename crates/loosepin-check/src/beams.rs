@@ -43,7 +43,7 @@ pub fn beams(mechanism: &Mechanism, values: &Values, turn_s: f64) -> Option<Sect
             let estimate = estimates.iter().find(|estimate| estimate.body == body);
             estimate.map_or_else(Vec::new, |estimate| bending_lines(model, estimate, mechanism.is_driven()))
         }
-        Err(failure) => vec![format!("its bending is not estimated: {failure}")],
+        Err(failure) => vec![format!("its bending could not be estimated: {failure}")],
     };
     let name = |body: BodyId| &model.bodies[body.0].name;
     let floating = real.beams.iter().enumerate().map(|(index, place)| {
@@ -95,7 +95,7 @@ fn floating_lines((mechanism, sample): (&Mechanism, &Sample<f64>), index: usize,
     }
     if let Some(Condensed { above_hz, were_hz }) = condensed.filter(|condensed| !condensed.were_hz.is_empty()) {
         lines.push(format!(
-            "{} above {} Hz condensed: static flexibility is kept, faster waves are not",
+            "{} above {} Hz condensed: static flexibility is kept, faster vibrations are not",
             counted(were_hz.len(), "shape"),
             format_value(*above_hz, Dimension::NUMBER),
         ));
@@ -104,7 +104,9 @@ fn floating_lines((mechanism, sample): (&Mechanism, &Sample<f64>), index: usize,
                 "warning: all its shapes are condensed: condense_above lies below the lowest of them, {} Hz",
                 format_value(lowest_hz, Dimension::NUMBER),
             ));
-            lines.push("hint: take condense_above above 3 over the duration of a contact, or leave it out".to_owned());
+            lines.push(
+                "hint: use condense_above greater than 3 divided by the duration of a contact, or omit it".to_owned(),
+            );
         }
     }
     if !lumps.is_empty() {
@@ -119,10 +121,9 @@ fn floating_lines((mechanism, sample): (&Mechanism, &Sample<f64>), index: usize,
     lines.push(format!("starts {}", start_of(mechanism, place.body)));
     let evaluations_1_s = evaluations_1_s(fastest_hz, beam.damping_ratio);
     if evaluations_1_s > MANY_EVALUATIONS_1_S {
-        lines
-            .push(format!("warning: its fastest shape takes {evaluations_1_s:.1e} evaluations for a second of motion"));
+        lines.push(format!("warning: its fastest shape needs {evaluations_1_s:.1e} evaluations per second of motion"));
         lines.push(format!(
-            "hint: take condense_above, fewer shapes, or a smaller damping_ratio{}",
+            "hint: use condense_above, fewer shapes, or a smaller damping_ratio{}",
             if held.is_empty() { "" } else { ", or static_shapes = \"none\"" }
         ));
     }
@@ -167,11 +168,11 @@ fn nodal_lines(
     ];
     if evaluations_1_s > MANY_EVALUATIONS_1_S {
         let floating = other_formulation(&mechanism.model, place.body).floating_frame();
-        let or_floating = floating
-            .map_or_else(String::new, |keys| format!(", or {keys} where its sections turn by less than 0.1 rad"));
-        lines.push(format!("warning: its mesh takes {evaluations_1_s:.1e} evaluations for a second of motion"));
+        let or_floating =
+            floating.map_or_else(String::new, |keys| format!(", or {keys} if its sections turn by less than 0.1 rad"));
+        lines.push(format!("warning: its mesh needs {evaluations_1_s:.1e} evaluations per second of motion"));
         lines.push(format!(
-            "hint: take fewer elements or a smaller retardation_time, simulate with --integrator implicit where contacts are rare{or_floating}"
+            "hint: use fewer elements, a smaller retardation_time, or --integrator implicit if contacts are rare{or_floating}"
         ));
     }
     lines.extend(contact_lines((mechanism, sample), place.body, beam.axial_stiffness_n_m));
@@ -231,7 +232,8 @@ mod tests {
         assert!(
             warned.contains(
                 "warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.19"
-            ) && warned.contains("hint: take condense_above above 3 over the duration of a contact, or leave it out"),
+            ) && warned
+                .contains("hint: use condense_above greater than 3 divided by the duration of a contact, or omit it"),
             "{warned}"
         );
         let kept = of(lowest_hz + 0.1);

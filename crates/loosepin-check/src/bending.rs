@@ -40,7 +40,7 @@ pub fn bending_lines(model: &Model, estimate: &BendingEstimate, is_driven: bool)
         force(estimate.largest_compression_n),
     )];
     if estimate.largest_angle_rad.is_nan() {
-        lines.push("both its ends are held: how far it bends is not estimated".to_owned());
+        lines.push("both its ends are held: its bending is not estimated".to_owned());
     }
     for (warning, hint) in warnings(beam, other_formulation(model, estimate.body), estimate, is_driven) {
         lines.extend([format!("warning: {warning}"), format!("hint: {hint}")]);
@@ -63,7 +63,7 @@ fn warnings(
         let found = other.floating_frame().filter(|_| is_needless).map(|keys| {
             let warning =
                 format!("absolute nodal coordinates are not needed: its loads turn sections by {angle} rad only");
-            (warning, format!("{keys} does up to 0.1 rad, with fewer coordinates and longer steps"))
+            (warning, format!("{keys} is valid up to 0.1 rad, with fewer coordinates and longer steps"))
         });
         return found.into_iter().collect();
     }
@@ -71,14 +71,14 @@ fn warnings(
     let mut found = Vec::new();
     if estimate.largest_angle_rad > MAX_ANGLE_RAD {
         found.push((
-            format!("its loads turn sections by {angle} rad, and a floating frame does up to 0.1 rad"),
+            format!("its loads turn sections by {angle} rad, but a floating frame is valid up to 0.1 rad"),
             take_nodal.to_owned(),
         ));
     }
     if estimate.largest_strain > MAX_STRAIN {
         let strain = format_number(two_digits(100.0 * estimate.largest_strain));
         found.push((
-            format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"),
+            format!("its loads stretch it by {strain} %, but a floating frame is valid up to 1 %"),
             take_nodal.to_owned(),
         ));
     }
@@ -91,7 +91,7 @@ fn warnings(
     if !beam.foreshortening && axial > MAX_LEFT_OUT {
         let percent = format_number(two_digits(100.0 * axial));
         let warning = format!(
-            "foreshortening = \"none\" leaves out that axial forces change its bending stiffness by about {percent} %"
+            "foreshortening = \"none\" neglects that axial forces change its bending stiffness by about {percent} %"
         );
         found.push((warning, "leave foreshortening out".to_owned()));
     }
@@ -105,11 +105,10 @@ fn towards_nodal(other: OtherFormulation) -> &'static str {
             "write formulation = \"absolute-nodal\""
         }
         OtherFormulation::RetardationTime => {
-            "write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"
+            "write formulation = \"absolute-nodal\", and retardation_time instead of damping_ratio"
         }
         OtherFormulation::EndsAlone => {
-            "absolute nodal coordinates would do, and take no lumps, no points between the ends and no damping_ratio: leave these out with \
-             formulation = \"absolute-nodal\", or take a stiffer section"
+            "use absolute nodal coordinates without lumps, points between the ends and damping_ratio: remove these and write formulation = \"absolute-nodal\", or use a stiffer section"
         }
     }
 }
@@ -187,8 +186,7 @@ mod tests {
         let hint = |to: &str| found(&model(shapes, to), &estimate(0.2345, 0.1, 1e-4), true).swap_remove(0);
         let damped = hint(&format!("{shapes}\ndamping_ratio = 0.01"));
         assert!(
-            damped
-                .ends_with("; write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"),
+            damped.ends_with("; write formulation = \"absolute-nodal\", and retardation_time instead of damping_ratio"),
             "{damped}"
         );
         model(shapes, "formulation = \"absolute-nodal\"\nretardation_time = \"1 us\"");
@@ -198,8 +196,7 @@ mod tests {
         for hint in [lumped, found(&with_point, &estimate(0.2345, 0.1, 1e-4), true).swap_remove(0)] {
             assert!(
                 hint.ends_with(
-                    "; absolute nodal coordinates would do, and take no lumps, no points between the ends and no damping_ratio: leave these out with \
-                     formulation = \"absolute-nodal\", or take a stiffer section"
+                    "; use absolute nodal coordinates without lumps, points between the ends and damping_ratio: remove these and write formulation = \"absolute-nodal\", or use a stiffer section"
                 ),
                 "{hint}"
             );
@@ -244,7 +241,7 @@ mod tests {
             bending_lines(&model, &estimate(f64::NAN, 0.01, 1e-4), true),
             [
                 "as a rigid link over a turn: its loads pull by 12 N, push by 10 N",
-                "both its ends are held: how far it bends is not estimated"
+                "both its ends are held: its bending is not estimated"
             ]
         );
     }

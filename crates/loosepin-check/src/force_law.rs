@@ -27,15 +27,15 @@ pub fn force_laws(
         let (name, law) = (&model.joints[joint.0].name, contact.law.name());
         let length = match clearance.bearing_length_m {
             Some(id) => {
-                format!("its bearing length of {} does not enter", format_value(values[id], Dimension::LENGTH))
+                format!("its bearing length of {} has no effect", format_value(values[id], Dimension::LENGTH))
             }
-            None => "no bearing length enters".to_owned(),
+            None => "it uses no bearing length".to_owned(),
         };
         let mut section = Section::of_sentences(
             "force-law",
             [
                 format!("The force in {name} is by {law}, a point contact: {length}."),
-                "A long pin is a line contact, whose peak force may be twice as large. To have both in a study:"
+                "A long pin is a line contact, whose peak force may be twice as large. To use both in a study:"
                     .to_owned(),
             ],
         );

@@ -39,7 +39,7 @@ fn joint_lines(
     lines.extend(joint.wear.as_ref().map(|wear| wear_words(model, wear, values)));
     let Some(JointPlay { contact, .. }) = joint.kind.play() else { return lines };
     let Some(play) = mechanism.plays.iter().position(|play| *play == PlayId::Joint(id)) else {
-        lines.push(format!("ideal, since its {} is 0 mm", joint.kind.clearance_key().replace('_', " ")));
+        lines.push(format!("ideal, because its {} is 0 mm", joint.kind.clearance_key().replace('_', " ")));
         return lines;
     };
     let numbers = sample.map(|sample| &sample.plays[play]);
@@ -57,7 +57,7 @@ pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>
     let lines = |(index, coupling): (usize, &Coupling)| {
         let Some(play) = coupling.play else { return Vec::new() };
         let Some(place) = mechanism.plays.iter().position(|play| *play == PlayId::Coupling(index)) else {
-            return vec!["ideal, since its backlash is 0 mm".to_owned()];
+            return vec!["ideal, because its backlash is 0 mm".to_owned()];
         };
         let words = play.words(&NamesOf { model, values });
         let numbers = sample.as_ref().map(|sample| &sample.plays[place]);
@@ -82,7 +82,7 @@ fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {
     let cycles = model.wear.map_or(1.0, |life| values[life.cycles]);
     let word = if cycles == 1.0 { "cycle" } else { "cycles" };
     format!(
-        "wear: {surfaces}, in {} sectors; stated after {} {word}",
+        "wear: {surfaces}, in {} sectors; shown after {} {word}",
         wear.sectors,
         format_value(cycles, Dimension::NUMBER)
     )
@@ -141,9 +141,9 @@ fn contact_lines(
         let about_m_s = numbers.zip(fastest_drive_rad_s(model, values)).map(|(own, rate)| rate * own.clearance_m);
         let expected = match about_m_s.filter(|speed| *speed > limit_m_s) {
             Some(speed) => {
-                format!("drive speed times clearance is {} already, so expect faster ones", rounded_speed(speed))
+                format!("drive speed times clearance is already {}, so faster impacts are likely", rounded_speed(speed))
             }
-            None => "a run gives the share of faster ones".to_owned(),
+            None => "a run shows the share of faster impacts".to_owned(),
         };
         lines.push(format!("the law is valid for impacts up to {}; {expected}", rounded_speed(limit_m_s)));
     }

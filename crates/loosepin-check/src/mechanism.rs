@@ -72,7 +72,7 @@ fn mobility(mechanism: &Mechanism) -> Section {
                 (_, 0) => format!("{loops} closed loops, all of them {opened}"),
                 (_, held) => {
                     let others = if loops - held == 1 { "the other is" } else { "the others are" };
-                    format!("{loops} closed loops; ideal joints alone hold {held} of them, {others} {opened}")
+                    format!("{loops} closed loops; {held} of them with ideal joints only, {others} {opened}")
                 }
             }
         }
@@ -89,11 +89,11 @@ fn mobility(mechanism: &Mechanism) -> Section {
     let of_beams: usize = of_floating.chain(real.nodal_beams.iter().map(|beam| beam.coordinates.len())).sum();
     let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom - of_beams;
     if !mechanism.plays.is_empty() {
-        lines.push(format!("{loose} more for the play, held by contact alone"));
+        lines.push(format!("{loose} more for the play, limited only by contact"));
     }
     lines.extend(mechanism.redundant.iter().map(|(owner, count)| {
         format!(
-            "{} repeats what the others impose already: {} of it {} redundant",
+            "{} repeats constraints of the others: {} of it {} redundant",
             owner.words(model),
             counted_or_no(*count, "constraint", "constraints"),
             if *count == 1 { "is" } else { "are" }
@@ -102,7 +102,7 @@ fn mobility(mechanism: &Mechanism) -> Section {
     // An ideal joint at a point inside a flexible body does not carry it, and is cut.
     let is_cut = |root: BodyId| real.cuts.iter().any(|cut| model.joints[cut.joint.0].kind.bodies().contains(&root));
     let held = real.floating_roots.iter().filter(|root| !mechanism.plays.is_empty() && !is_cut(**root));
-    lines.extend(held.map(|root| format!("body '{}' is held by joints with play alone", model.bodies[root.0].name)));
+    lines.extend(held.map(|root| format!("body '{}' is held only by joints with play", model.bodies[root.0].name)));
     Section::of_sentences("mobility", lines)
 }
 
@@ -114,7 +114,10 @@ fn offset_words(model: &Model, values: &Values) -> String {
             OffsetPlace::Resting => format!("'{name}', which a run starts resting"),
             OffsetPlace::Given { offset_m, .. } => {
                 let [x, y] = offset_m.map_or([0.0; 2], |ids| ids.map(|id| values[id]));
-                format!("'{name}', which a run starts {} off", format_value(x.hypot(y), Dimension::LENGTH))
+                format!(
+                    "'{name}', which a run starts with an offset of {}",
+                    format_value(x.hypot(y), Dimension::LENGTH)
+                )
             }
         }
     };
@@ -142,7 +145,7 @@ fn start(mechanism: &Mechanism, values: &Values, tried: &Trial) -> Section {
         return section;
     }
     let ways = if others.len() == 1 { "in one other way" } else { "in other ways" };
-    let choose = format!("The loops close at this start {ways} as well; to choose, write under [assembly]");
+    let choose = format!("The loops also close at this start {ways}; to choose, write under [assembly]");
     section.push_close(Content::sentences([choose]));
     let shown = others.iter().take(SHOWN_ASSEMBLIES).map(|other| guess_words(model, other, tried));
     let more = others.len().saturating_sub(SHOWN_ASSEMBLIES);
@@ -207,13 +210,15 @@ fn run(mechanism: &Mechanism, tried: &Trial) -> Section {
 /// What the first motion showed.
 fn ending_words(mechanism: &Mechanism, tried: &Trial) -> String {
     match (mechanism.is_driven(), tried.is_run) {
-        (true, true) => "The loops close all the way round, and the first steps of the run succeed.".to_owned(),
+        (true, true) => "The loops close over the whole cycle, and the first steps of the run succeed.".to_owned(),
         (false, true) => "The first steps of the run succeed.".to_owned(),
-        (_, false) if !mechanism.model.missing_for_runs.is_empty() => "The loops close all the way round.".to_owned(),
+        (_, false) if !mechanism.model.missing_for_runs.is_empty() => {
+            "The loops close over the whole cycle.".to_owned()
+        }
         (is_driven, false) => {
-            let closing = if is_driven { "The loops close all the way round. " } else { "" };
+            let closing = if is_driven { "The loops close over the whole cycle. " } else { "" };
             let size = mechanism.real.free;
-            format!("{closing}The run was not tried: its equations of motion for {size} coordinates take too long.")
+            format!("{closing}The run was not tested: its equations of motion for {size} coordinates take too long.")
         }
     }
 }
@@ -226,7 +231,7 @@ pub fn missing(model: &Model) -> Section {
         Fact::nameless(format!("{line}{}", missing.message))
     });
     let heading =
-        "Complete for its motion (loosepin motion, the band of the studio). A run (simulate, study) needs more:";
+        "Complete for its motion (loosepin motion, the band of the studio). A run (simulate, study) also needs:";
     Section::of_facts("missing", heading, lines)
 }
 

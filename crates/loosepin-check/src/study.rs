@@ -91,7 +91,7 @@ fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
             let about = if whole_s < 1.0 { "" } else { "about " };
             format!("At most {runs}{before}: {about}{time} on {threads}")
         }
-        None => format!("At most {runs}{before}; a short trial does not tell how long they take"),
+        None => format!("At most {runs}{before}; their time could not be estimated by a short test"),
     }
 }
 

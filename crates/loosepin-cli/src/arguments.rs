@@ -1,4 +1,4 @@
-//! Commands and flags. One line of help a flag, with unit and default.
+//! Commands and flags. One line of help per flag, with unit and default.
 
 use std::path::PathBuf;
 
@@ -23,8 +23,8 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
         loosepin check my_mechanism/model.toml\n  \
         loosepin simulate my_mechanism/model.toml\n  \
         loosepin study my_mechanism/study.toml\n\n\
-        Exit status: 0 success; 1 a requirement of the study is not met or is undecided, or no play explains the readings; 2 error; 3 merged, and the shards must run another \
-        round; 4 out of memory; 130 interrupted."
+        Exit status: 0 success; 1 a requirement of the study is not met or is undecided, or no play explains the readings; 2 error; 3 the \
+        shards are merged and must run another round; 4 out of memory; 130 interrupted."
 )]
 pub struct Arguments {
     /// Command.
@@ -89,7 +89,7 @@ pub struct ImportArguments {
     /// Unit of the drawing [default: from its header]
     #[arg(long)]
     pub unit: Option<String>,
-    /// Ends and centres closer than this distance coincide, with its unit
+    /// Distance, with its unit, below which ends and centres coincide
     #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
     pub tolerance: String,
 }
@@ -110,9 +110,9 @@ pub struct CheckArguments {
 /// Show the ideal motion and the quasi-static effect of play and tolerances
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Needs about a second. Shows the worst case of the play, found and proven, its standard deviation, and the contribution of \
-    each joint. For a study, it also shows the root sum of squares of the random inputs, and judges [[require]] and [allow] without \
-    dynamics. Writes summary.json and report.html.\n\n\
+    after_help = "Takes about a second. Shows the worst case of the play (the largest deviation found, and a proven limit), its standard \
+    deviation, and the contribution of each joint. For a study, it also shows the root sum of squares of the random inputs, and checks \
+    [[require]] and [allow] without dynamics. Writes summary.json and report.html.\n\n\
     Exit status 1: a requirement is not met in the worst case, or cannot be decided without dynamics.\n\n\
     Examples:\n  loosepin motion model.toml\n  loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
 )]
@@ -130,8 +130,8 @@ pub struct MotionArguments {
 /// Simulate one mechanism with play and impacts
 #[derive(Debug, Args)]
 #[command(after_help = "Writes history.csv, impacts.csv, spectrum.csv, summary.json and report.html.\n\n\
-    A second run with a tenth of the tolerance, by a method of another order, measures how long the positions can be trusted. It ends \
-    where the two runs part.\n\n\
+    A second run, with a tenth of the tolerance and a method of another order, shows how long the positions can be trusted. It stops \
+    where the two runs differ.\n\n\
     Examples:\n  \
     loosepin simulate model.toml\n  \
     loosepin simulate model.toml --set joint.gudgeon.radial_clearance=0.3mm --turns 3\n  \
@@ -143,7 +143,7 @@ pub struct SimulateArguments {
     /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Record position, velocity and acceleration of every body as well
+    /// Also record position, velocity and acceleration of every body
     #[arg(long)]
     pub states: bool,
     /// Turns to record [default: from the model]
@@ -158,14 +158,14 @@ pub struct SimulateArguments {
     /// Measure the largest Lyapunov exponent over N turns, 20 to 1000000
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
     pub lyapunov: Option<u32>,
-    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
+    /// Error tolerance of positions, with its unit. The error of one step is limited to 0.5 % of it; impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
-    /// Leave out the second run, which measures how long the positions can be trusted
+    /// Skip the second run, which shows how long the positions can be trusted
     #[arg(long)]
     pub no_second_run: bool,
-    /// Kind of steps: explicit, or implicit for flexible bodies in absolute nodal coordinates that move slowly against the frequencies of
-    /// their mesh
+    /// Integrator: explicit, or implicit for flexible bodies in absolute nodal coordinates whose motion is slow compared with the
+    /// frequencies of their mesh
     #[arg(long, value_name = "KIND", value_enum, hide_possible_values = true, default_value_t = IntegratorKind::Explicit)]
     pub integrator: IntegratorKind,
     /// Measured curves to compare with the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
@@ -175,21 +175,21 @@ pub struct SimulateArguments {
     pub output: OutputArguments,
 }
 
-/// Kinds of steps of a run.
+/// Integrators of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum IntegratorKind {
-    /// Fewest evaluations for rigid bodies, few shapes and contacts
+    /// Needs the fewest evaluations for rigid bodies, bodies with few mode shapes, and contacts
     Explicit,
-    /// Between contacts its steps are not limited by the frequencies of a mesh
+    /// Between contacts, the frequencies of a mesh do not limit its steps
     Implicit,
 }
 
 /// Simulate a cycle and show the wear of its joints
 #[derive(Debug, Clone, Args)]
 #[command(
-    after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of a cycle, and worn volumes and \
-    greatest depths after the cycles of [wear]: with the unworn geometry, or over the cycles where geometry = \"worn\". Makes the same \
-    run and files as loosepin simulate; wear.csv holds the depth of every sector.\n\n\
+    after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of one cycle, and the worn volumes and \
+    largest depths after the cycles of [wear]. The geometry stays unworn, or with geometry = \"worn\" it wears during the cycles. Makes \
+    the same run and files as loosepin simulate; wear.csv contains the depth of every sector.\n\n\
     Examples:\n  loosepin wear model.toml\n  loosepin wear model.toml --set wear.cycles=1e6 --turns 4"
 )]
 pub struct WearArguments {
@@ -199,13 +199,13 @@ pub struct WearArguments {
     /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Turns of a cycle [default: from the model]
+    /// Turns in one cycle [default: from the model]
     #[arg(long, value_name = "N", value_parser = recorded_turns, allow_negative_numbers = true)]
     pub turns: Option<f64>,
     /// Turns to run before the cycle [default: from the model]
     #[arg(long, value_name = "N", value_parser = transient_turns, allow_negative_numbers = true)]
     pub transient: Option<f64>,
-    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
+    /// Error tolerance of positions, with its unit. The error of one step is limited to 0.5 % of it; impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
     #[command(flatten)]
@@ -218,11 +218,11 @@ pub struct WearArguments {
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
     for any number of threads.\n\n\
     --resume continues after Ctrl-C, a crash or a power failure, with the same results. Finished runs are saved within a second. A \
-    time budget starts again.\n\n\
+    time budget starts again from zero.\n\n\
     --accuracy increases the samples, round by round, until the numerical error of the bounds is small enough. A value alone applies \
     to all bounds with this unit; OUTPUT=VALUE and OUTPUT.STATISTIC=VALUE apply to one output or statistic. If the budget ends first, the study shows the \
-    accuracy reached and the runs needed; this is no error.\n\n\
-    --shard 2/7 makes the second of seven parts of the present round, in the folder RESULTS.shard-2-of-7. loosepin merge joins the \
+    accuracy reached and the runs needed; this is not an error.\n\n\
+    --shard 2/7 runs the second of seven parts of the current round, in the folder RESULTS.shard-2-of-7. loosepin merge joins the \
     parts.\n\n\
     Exit status 1: the study is complete, and a requirement is not met or is undecided.\n\n\
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
@@ -234,16 +234,16 @@ pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
-    /// Continue a stopped study with its finished runs
+    /// Continue a stopped study and keep its finished runs
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
-    /// Make only the runs of shard I of N, in its own folder
+    /// Run only shard I of N, in its own folder
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
     /// Largest numerical error of the bounds, with its unit; may be repeated
     #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
     pub accuracy: Vec<String>,
-    /// Limit of runs, time or rounds [default with --accuracy: 100 times the runs without it, at most one gibibyte]
+    /// Limit of runs, time or rounds [default with --accuracy: 100 times the runs of a study without it, at most 1 GiB of results]
     #[arg(long, value_name = "RUNS|TIME|ROUNDS", allow_hyphen_values = true)]
     pub budget: Option<String>,
     /// Largest share of failed runs before the study ends with an error, above 0 and at most 1 [default: from the study]
@@ -259,7 +259,7 @@ pub struct StudyArguments {
 /// Join the shards of a study
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Takes the folders of all shards, RESULTS.shard-1-of-N to RESULTS.shard-N-of-N. Writes the same bytes into RESULTS as \
+    after_help = "Reads the folders of all shards, RESULTS.shard-1-of-N to RESULTS.shard-N-of-N. Writes the same bytes into RESULTS as \
     a study on one machine.\n\n\
     Exit status 3: the study needs another round. Run the shards again with --resume, then merge again.\n\n\
     Exit status 1: the study is complete, and a requirement is not met or is undecided.\n\n\
@@ -269,10 +269,10 @@ pub struct MergeArguments {
     /// Folders of all shards
     #[arg(required = true, value_name = "FOLDER")]
     pub folders: Vec<PathBuf>,
-    /// Study file [default: the one of the shards]
+    /// Study file [default: the study of the shards]
     #[arg(long, value_name = "STUDY")]
     pub study: Option<PathBuf>,
-    /// Make rounds of up to N runs here instead of in shards, at most 8192
+    /// Run rounds of up to N runs here instead of in shards; N is at most 8192
     #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(0..=8192))]
     pub small_round: u32,
     /// Largest share of failed runs before the study ends with an error, above 0 and at most 1 [default: from the study]
@@ -302,7 +302,7 @@ pub struct SweepArguments {
     /// Quantity of the model with its first and last value, with units
     #[arg(long, value_name = "PATH=FROM..TO")]
     pub over: String,
-    /// Number of values, ends included, 2 to 100000
+    /// Number of values, both ends included, 2 to 100000
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     pub points: u32,
     /// Change another quantity of the model, with its unit; may be repeated
@@ -314,7 +314,7 @@ pub struct SweepArguments {
     /// Turns to examine, 2 to 100000
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     pub turns: u32,
-    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
+    /// Error tolerance of positions, with its unit. The error of one step is limited to 0.5 % of it; impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-8 m", allow_hyphen_values = true)]
     pub tolerance: String,
     /// Number of threads, 1 to 1024 [default: all of the machine]
@@ -365,7 +365,7 @@ pub struct CasesRunArguments {
     /// Names of cases [default: all]
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
-    /// Write the numbers as a Markdown page as well
+    /// Also write the numbers as a Markdown page
     #[arg(long, value_name = "PAGE")]
     pub write: Option<PathBuf>,
     #[command(flatten)]
@@ -384,8 +384,8 @@ pub struct CasesFolder {
 #[derive(Debug, Args)]
 #[command(
     group = clap::ArgGroup::new("saved").multiple(true),
-    after_help = "Without options the page is written again. --figure saves one picture as SVG, in the colours of the page on white, and \
-    the numbers behind it as CSV, with units in the header.\n\nExamples:\n  loosepin report results/worn-pin/1a2b3c4d\n  \
+    after_help = "Without options, the command writes the page again. --figure selects one picture. --svg saves it in the colours of the \
+    page on white, --csv saves its numbers with units in the header.\n\nExamples:\n  loosepin report results/worn-pin/1a2b3c4d\n  \
     loosepin report results/worn-pin/1a2b3c4d --list\n  \
     loosepin report results/worn-pin/1a2b3c4d --figure deviation.slider --svg band.svg --csv band.csv --width 84mm"
 )]
@@ -396,13 +396,13 @@ pub struct ReportArguments {
     /// List the figures
     #[arg(long, conflicts_with_all = ["figure", "svg", "csv", "width"])]
     pub list: bool,
-    /// Figure to save, by its name in --list
+    /// Name of the figure to save, as shown by --list
     #[arg(long, value_name = "NAME", requires = "saved")]
     pub figure: Option<String>,
     /// Save the picture in this file
     #[arg(long, value_name = "FILE", requires = "figure", group = "saved")]
     pub svg: Option<PathBuf>,
-    /// Save its numbers in this file
+    /// Save the numbers of the picture in this file
     #[arg(long, value_name = "FILE", requires = "figure", group = "saved")]
     pub csv: Option<PathBuf>,
     /// Width of the picture, with its unit
@@ -414,8 +414,8 @@ pub struct ReportArguments {
 #[cfg(feature = "studio")]
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Serves a page to this machine alone until Ctrl-C. The address holds a secret: who has it can read and write the .toml \
-    files of the folder. Results are written to the folder results in it, as by `loosepin study`.\n\n\
+    after_help = "Serves a page to this machine only, until Ctrl-C. The address contains a secret: anyone who has it can read and write \
+    the .toml files of the folder. Results are written to its subfolder results, as by `loosepin study`.\n\n\
     Examples:\n  loosepin serve\n  loosepin serve my_mechanisms --no-open --port 8080"
 )]
 pub struct ServeArguments {
@@ -425,7 +425,7 @@ pub struct ServeArguments {
     /// Port on 127.0.0.1 [default: a free one]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub port: u16,
-    /// Print the address only, and open no browser
+    /// Print the address and do not open a browser
     #[arg(long)]
     pub no_open: bool,
 }
@@ -435,7 +435,7 @@ pub struct ServeArguments {
 #[command(
     after_help = "Writes one file for each number or curve. Its tensor \"inputs\" has one row for each mechanism, in SI units, in the \
     order of the metadata entry `inputs`; \"values\" is in SI units too. A row outside the training range gives NaN: there is no \
-    extrapolation. The metadata hold the held-out error. The standard deviation of the error and the remaining noise are not \
+    extrapolation. The metadata contain the error on held-out runs. The standard deviation of the error and the remaining noise are not \
     exported.\n\nExamples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider"
 )]
 pub struct ExportArguments {
@@ -456,12 +456,13 @@ pub struct ExportArguments {
 /// Bound the play in joints, or other unknowns, from readings of a rig
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The study has [[measured]] tables: with the drives locked an output is pushed to and fro, and its dead travel is read. \
-    Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most. \
-    Tables of kind = \"motion\" hold features of a motion: prints which values of all inputs under [epistemic] are consistent with them.\n\n\
-    Exit status: 0 readings and motion are explained; 1 no values of the plays, or of the unknowns, explain them; 2 error.\n\n\
-    --out also says which features of the motion tell most, and writes summary.json and report.html. --compare runs the study as it is and \
-    with the narrowed intervals, and shows what its bounds gain.\n\n\
+    after_help = "The study has [[measured]] tables. For a reading, the drives are locked, an output is pushed back and forth, and its \
+    dead travel (lost motion) is measured. The command prints the bounds of every play and of every sum of plays that the readings \
+    determine, and the next reading that would narrow them most. Tables of kind = \"motion\" contain features of a measured motion. For \
+    them, the command prints which values of the inputs under [epistemic] are consistent with the features.\n\n\
+    Exit status: 0 readings and motion are explained; 1 no values of the plays or of other unknowns explain them; 2 error.\n\n\
+    --out also shows which features of the motion narrow the unknowns most, and writes summary.json and report.html. --compare runs the \
+    study as it is and with the narrowed intervals, and compares the bounds.\n\n\
     Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml --compare\n  \
     loosepin identify study.toml --out identified\n  loosepin identify study.toml --plan"
 )]
@@ -469,7 +470,7 @@ pub struct IdentifyArguments {
     /// Study file with [[measured]] tables
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
-    /// Write the study with narrowed intervals, comments kept, beside the study
+    /// Write the study with narrowed intervals to FILE, in the folder of the study; comments are kept
     #[arg(long, value_name = "FILE")]
     pub write: Option<PathBuf>,
     /// Run the study as it is and with the narrowed intervals, and compare their bounds
@@ -481,22 +482,22 @@ pub struct IdentifyArguments {
     /// Run again and replace existing results
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Specimen whose readings and features count [default: all, each by itself]
+    /// Use only the readings and features of this specimen [default: all specimens, each separately]
     #[arg(long, value_name = "NAME")]
     pub specimen: Option<String>,
-    /// Probability with which all bounds of a specimen hold together
+    /// Probability that all bounds of a specimen hold at the same time
     #[arg(long, value_name = "SHARE", default_value = "0.99", value_parser = share)]
     pub confidence: f64,
-    /// Say what features of the motion would tell, before anything is measured
+    /// Before any measurement, show which features of the motion would narrow the unknowns
     #[arg(long, conflicts_with_all = ["write", "points"])]
     pub plan: bool,
-    /// Values of the unknowns at which a motion is tested, about at most
+    /// Approximate limit of the number of points (values of the unknowns) at which a motion is tested
     #[arg(long, value_name = "N", default_value = "400", value_parser = points)]
     pub points: usize,
-    /// Give a posterior distribution beside the values that are consistent with a motion, by the same runs
+    /// Also compute a posterior distribution of the unknowns, from the same runs
     #[arg(long, conflicts_with = "plan")]
     pub posterior: bool,
-    /// Draw mechanisms whose lengths agree with the motion, by what is left of the points; --write writes them beside the study, which uses them
+    /// Sample mechanisms whose lengths agree with the motion, with the remaining points; --write saves them next to the study, which uses them
     #[arg(long, conflicts_with = "plan")]
     pub lengths: bool,
     /// Number of threads for the runs of a motion, 1 to 1024 [default: all of the machine]
@@ -521,7 +522,7 @@ pub struct SchemaArguments {
 pub enum FileKind {
     /// A mechanism with its nominal values
     Model,
-    /// Uncertain inputs of a model, and the questions
+    /// The uncertain inputs of a model, and the questions
     Study,
 }
 
@@ -557,7 +558,7 @@ pub struct ManualArguments {
     pub command: Option<String>,
 }
 
-/// The templates by their names.
+/// A parser of template names.
 fn template() -> impl TypedValueParser<Value = &'static Template> {
     let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description()));
     PossibleValuesParser::new(names).try_map(|name| find_template(&name).ok_or("no such template"))

@@ -1,7 +1,7 @@
-//! Opening an address in the browser of the person.
+//! Opens an address in the user's browser.
 //!
-//! The address holds a secret, which must not stand on a command line: every user of the machine can read those. The browser is given
-//! a file that nobody else can read, and that leads to the address.
+//! The address contains a secret. It must not appear on a command line, because every user of the machine can read command lines. The
+//! browser opens a private file that redirects to the address.
 
 use std::env;
 use std::io;
@@ -9,10 +9,10 @@ use std::process::{Command, Stdio};
 
 use loosepin::files::{PrivateFile, create_private};
 
-/// Lets the system open `address`; gives the file that leads to it, which goes when it is dropped.
+/// Opens `address` in the browser. Returns the file that redirects to it; dropping it deletes the file.
 ///
 /// # Errors
-/// The file cannot be written; there is no desktop, or nothing that opens files on it.
+/// The file cannot be written; there is no desktop, or it has no program that opens files.
 pub fn open(address: &str) -> io::Result<PrivateFile> {
     let opener = opener().ok_or_else(|| io::Error::other("there is no desktop"))?;
     let page = format!(
@@ -26,7 +26,7 @@ pub fn open(address: &str) -> io::Result<PrivateFile> {
     Ok(page)
 }
 
-/// What opens files on this desktop; `None` if there is none.
+/// The program that opens files on this desktop; `None` if there is none.
 fn opener() -> Option<&'static [&'static str]> {
     if cfg!(target_os = "macos") {
         Some(&["open"])

@@ -9,10 +9,10 @@ use loosepin::report::TERMINAL_COLUMNS;
 use crate::ending::Failure;
 use crate::standard_output;
 
-/// Writes data. Whoever closes the pipe has read enough: `loosepin ... | head` is no error, and ends as it would have without.
+/// Writes data. A closed pipe is not an error: `loosepin ... | head` has the same exit status as without `head`.
 ///
 /// # Errors
-/// Standard output is full, or was closed from the beginning.
+/// Standard output is full, or was closed at the start.
 pub fn print(text: &str) -> Result<(), Failure> {
     standard_output::check().map_err(Failure::Output)?;
     let mut output = io::stdout().lock();
@@ -22,17 +22,17 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a line for people. Where nobody can be told, nothing is lost that matters.
+/// Writes a message to standard error. A failure to write it is ignored.
 pub fn message(text: &str) {
     coloured(&visible(text));
 }
 
-/// Writes a line for people that may have colours.
+/// Writes a message that may have colours to standard error.
 fn coloured(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
-/// Says what is wrong: with the lines of the files on a terminal, otherwise one line each for programs.
+/// Writes diagnostics: with the lines of the files on a terminal, otherwise one line each, for programs.
 pub fn complain(complaints: &Complaints) {
     if !io::stderr().is_terminal() {
         message(&complaints.to_string());
@@ -51,12 +51,12 @@ fn colour() -> Colour {
     if is_plain { Colour::Never } else { Colour::Always }
 }
 
-/// A paragraph in lines that a terminal holds.
+/// A paragraph, wrapped to the width of a terminal.
 pub fn wrapped(paragraph: &str) -> String {
     textwrap::fill(paragraph, usize::from(TERMINAL_COLUMNS))
 }
 
-/// A paragraph in lines that a terminal holds, each two columns in.
+/// A paragraph, wrapped to the width of a terminal and indented by two columns.
 pub fn indented(paragraph: &str) -> String {
     let options = textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent("  ").subsequent_indent("  ");
     textwrap::fill(paragraph, options)

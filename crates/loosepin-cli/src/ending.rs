@@ -5,27 +5,27 @@ use std::io;
 use loosepin::diagnostics::{Complaint, Complaints, Problem};
 use loosepin::results::ResultsError;
 
-/// How a command ended that came to its end.
+/// Outcome of a command that finished or was interrupted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Done {
-    /// As asked.
+    /// Success.
     Well,
-    /// As asked, and a requirement of the study, or a number of a reference case, is not shown to be met.
+    /// Finished, but a requirement of the study is not met or undecided, or a number of a reference case is outside its tolerance.
     RequirementNotMet,
-    /// To the end, and no values explain what was measured.
+    /// Finished, but no values explain the measurements.
     Misfit,
-    /// To the end, and its result is that of a run that failed: its page says why.
+    /// Finished, but the stored run failed; its page gives the reason.
     RunFailed,
-    /// As asked, and shards of a study have a further round to run.
+    /// Finished, but the shards of the study must run another round.
     RoundOpen,
-    /// Ended by a signal, with what was finished kept.
+    /// Ended by a signal; finished runs are kept.
     Interrupted,
 }
 
-/// Why a command did not come to its end.
+/// Why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// Something is wrong with what was given.
+    /// Errors in the input.
     Complaints(Complaints),
     /// Standard output cannot be written.
     Output(io::Error),
@@ -35,7 +35,7 @@ pub enum Failure {
 pub type Ending = Result<Done, Failure>;
 
 impl Failure {
-    /// A failure that no place in a file is to blame for.
+    /// A failure without a position in a file.
     pub fn of(problem: &dyn Problem) -> Failure {
         Failure::Complaints(Complaints::one(problem, None))
     }

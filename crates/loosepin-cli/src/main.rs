@@ -1,8 +1,8 @@
 //! The `loosepin` command: parse arguments, call the library, print.
 //!
-//! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
-//! of the study is not met, or a number of a reference case, or no play explains readings; 2 an error; 3 merged, and the shards have a further round to run;
-//! 4 an allocation of memory failed; 130 interrupted.
+//! Data goes to standard output, messages and progress to standard error. Exit status: 0 success; 1 a requirement of the study is not
+//! met or is undecided, a number of a reference case is outside its tolerance, or no play explains the readings; 2 error; 3 the shards
+//! are merged and must run another round; 4 out of memory; 130 interrupted.
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 
@@ -66,7 +66,7 @@ fn told(message: &clap::Error) -> ExitCode {
     }
 }
 
-/// Says why a command failed, and gives its exit status.
+/// Writes why a command failed, and returns its exit status.
 fn exit_code(ending: Ending) -> ExitCode {
     match ending {
         Ok(Done::Well) => ExitCode::SUCCESS,
@@ -89,7 +89,7 @@ fn exit_code(ending: Ending) -> ExitCode {
     }
 }
 
-/// Whether memory was refused to a part of the program that tells it as an error.
+/// Whether one of the errors is that memory ran out.
 fn is_out_of_memory(complaints: &Complaints) -> bool {
     complaints.sorted().iter().any(|complaint| complaint.code == Code::OutOfMemory)
 }

@@ -1,4 +1,4 @@
-//! How far a study or an identification is, on a terminal.
+//! Progress of a study or an identification, on a terminal.
 
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
@@ -13,30 +13,30 @@ use loosepin::units::duration_words;
 
 use crate::console::message;
 
-/// How often the remaining time is shown anew.
+/// Interval between updates of the remaining time.
 const TICK: Duration = Duration::from_millis(500);
 
-/// A bar with the remaining time on standard error; nothing where that is no terminal.
+/// A progress bar with the remaining time on standard error; nothing if that is not a terminal.
 pub struct Bar {
     bar: ProgressBar,
     pace: Arc<Mutex<Pace>>,
 }
 
-/// When so many runs were finished. Runs are reported in batches, so that a rate between reports would swing.
+/// Number of finished runs over time. Runs are reported in batches, so a rate between two reports would fluctuate.
 struct Pace {
     began: Instant,
-    /// Runs that were there before: they have taken no time.
+    /// Runs of an earlier call; they took no time in this one.
     kept: usize,
     last: Option<(Instant, usize, usize)>,
 }
 
 impl Pace {
-    /// Runs that were made.
+    /// Runs finished in this call.
     fn made(&self) -> usize {
         self.last.map_or(0, |(_, finished, _)| finished.saturating_sub(self.kept))
     }
 
-    /// Time that is left at the mean rate up to the last report; nothing before the first runs are done.
+    /// Remaining time at the mean rate up to the last report; `None` before the first runs are finished.
     fn remaining_s(&self) -> Option<f64> {
         let (reported, finished, most) = self.last.filter(|_| self.made() > 0)?;
         let seconds_a_run = (reported - self.began).as_secs_f64() / self.made() as f64;
@@ -45,7 +45,7 @@ impl Pace {
 }
 
 impl Bar {
-    /// A bar that shows nothing before it hears of runs.
+    /// A bar that is empty until the first report.
     pub fn new() -> Bar {
         Bar::going_on(0)
     }
@@ -55,12 +55,12 @@ impl Bar {
         Bar::of("runs", kept)
     }
 
-    /// A bar of values of the unknowns, each of which has many runs.
+    /// A bar that counts values of the unknowns; each value has many runs.
     pub fn of_values() -> Bar {
         Bar::of("values", 0)
     }
 
-    /// A bar of what is counted, `kept` of it from before.
+    /// A bar that counts `counted` and begins with `kept` of them.
     fn of(counted: &str, kept: usize) -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), kept, last: None }));
@@ -87,8 +87,8 @@ impl Bar {
     }
 }
 
-/// Shows the remaining time anew until the bar is gone. (A bar that ticks by itself panics where the system gives no thread; without one it
-/// is shown anew when runs are reported.)
+/// Updates the remaining time until the bar is removed. If the system provides no thread, the time is updated when runs are reported.
+/// (The bar's own ticking would panic in this case.)
 fn tick(bar: WeakProgressBar) {
     let ticks = move || {
         while let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) {
@@ -137,7 +137,7 @@ mod tests {
         let began = Instant::now();
         let reported = began + Duration::from_secs(3600);
         let pace = |kept, finished, most| Pace { began, kept, last: Some((reported, finished, most)) };
-        // Of 400 runs 300 were there: 100 in an hour, so that 200 more take two.
+        // 300 of 400 runs are from an earlier call: 100 runs took one hour, so 200 more take two.
         let remaining_s = pace(300, 400, 600).remaining_s().unwrap();
         assert_eq!(remaining_s, 7200.0, "the report is not yet behind");
         assert_eq!(pace(300, 400, 600).made(), 100);

@@ -1,7 +1,7 @@
-//! Whether somebody can read what is printed.
+//! Detects a closed standard output.
 //!
-//! Where a program is started without standard output (`loosepin ... >&-`), Rust opens `/dev/null` in its place before `main`, and
-//! whatever is printed is lost without an error. Only a function that the loader calls before that sees how it was.
+//! If a program is started without standard output (`loosepin ... >&-`), Rust opens `/dev/null` in its place before `main`, and
+//! printed text is lost without an error. Only a function that the loader calls earlier can detect this.
 #![allow(unsafe_code, reason = "an entry in the list of functions that the loader calls before `main`")]
 
 use std::io;
@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// What duplicating a descriptor that is not open gives.
+/// Error number when a descriptor that is not open is duplicated.
 #[cfg(any(target_os = "linux", target_os = "macos"))]
 const NOT_OPEN: i32 = 9; // EBADF
 
@@ -28,7 +28,7 @@ extern "C" fn look() {
     WAS_CLOSED.store(copy.is_err_and(|error| error.raw_os_error() == Some(NOT_OPEN)), Ordering::Relaxed);
 }
 
-/// Whether anything that is printed goes somewhere.
+/// Checks that standard output was open at the start.
 ///
 /// # Errors
 /// The program was started without standard output.

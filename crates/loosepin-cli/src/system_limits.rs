@@ -1,7 +1,7 @@
-//! Limits that the operating system sets for the process: of its memory, and of the size of its files.
+//! Limits of the operating system for the process: its memory, and the size of its files.
 //!
-//! Where a limit is reached the program says so and ends with a status of its own. Without this file Rust aborts where memory runs out,
-//! and the system kills the process where a file grows too large.
+//! When a limit is reached, the program prints a message and ends with a defined exit status. Without this file, Rust would abort when
+//! memory runs out, and the system would kill the process when a file grows too large.
 #![allow(
     unsafe_code,
     reason = "an allocator, a signal and an option of the C library are set by functions that nothing checks"
@@ -11,10 +11,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Exit status where an allocation has failed.
+/// Exit status after a failed allocation.
 pub const OUT_OF_MEMORY_STATUS: u8 = 4;
 
-/// What is said where an allocation has failed, before and after what was refused.
+/// The message after a failed allocation: the text before and after the amount refused.
 const MESSAGE: [&[u8]; 2] = [
     b"error: out of memory: the system refused ",
     b"\n\
@@ -27,7 +27,7 @@ const MAX_DIGITS: usize = 20;
 #[global_allocator]
 static ALLOCATOR: EndingAllocator = EndingAllocator;
 
-/// The allocator of the system. Where that has no memory left, the process ends.
+/// The allocator of the system. If it fails, the process ends.
 struct EndingAllocator;
 
 // SAFETY: each function is that of `System`, with the same arguments, and gives what that gives; `end_without_memory` does not return,
@@ -72,8 +72,8 @@ fn end_without_memory(bytes: usize) -> ! {
     end([decimal(bytes, &mut [0; MAX_DIGITS]), b" bytes"])
 }
 
-/// Says what was refused, and ends the process. Nothing is allocated, unwound or flushed: finished runs are in the store, and a result that
-/// is not finished is marked so.
+/// Prints the amount refused, and ends the process. Nothing is allocated, unwound or flushed: finished runs are in the store, and an
+/// unfinished result is marked as unfinished.
 fn end(refused: [&[u8]; 2]) -> ! {
     static IS_ENDING: AtomicBool = AtomicBool::new(false);
     if IS_ENDING.swap(true, Ordering::Relaxed) {
@@ -85,14 +85,14 @@ fn end(refused: [&[u8]; 2]) -> ! {
     system::end([MESSAGE[0], refused[0], refused[1], MESSAGE[1]], OUT_OF_MEMORY_STATUS)
 }
 
-/// Whether a panic is that of a new thread for which the standard library finds no memory. It aborts the process, and nobody who starts a
-/// thread can prevent it: the thread itself is there already.
+/// Whether a panic means that the standard library found no memory for a new thread. This panic aborts the process. The caller that
+/// starts the thread cannot prevent it, because the thread already exists.
 fn is_about_memory_of_a_thread(panic: &str) -> bool {
     panic.starts_with("failed to allocate an alternative stack")
         || panic.starts_with("failed to set up alternative stack guard page")
 }
 
-/// Ends the process in words where a new thread finds no memory; any other panic is reported as before.
+/// Ends the process with a message if a new thread finds no memory; any other panic is reported as usual.
 fn tell_threads_without_memory() {
     let otherwise = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -128,18 +128,18 @@ mod system {
     pub fn end(parts: [&[u8]; 4], status: u8) -> ! {
         // SAFETY: it takes a number and gives one.
         let is_terminal = unsafe { libc::isatty(libc::STDERR_FILENO) } == 1;
-        // There a bar of progress may stand on the line.
+        // A progress bar may be on the current line of the terminal.
         let begin: &[u8] = if is_terminal { b"\n" } else { b"" };
         for part in std::iter::once(begin).chain(parts) {
-            // SAFETY: the pointer and the length are those of a slice. What is not written cannot be told to anybody.
+            // SAFETY: the pointer and the length are those of a slice. A failed write is ignored.
             let _ = unsafe { libc::write(libc::STDERR_FILENO, part.as_ptr().cast(), part.len()) };
         }
         // SAFETY: it ends the process at once and runs nothing of ours.
         unsafe { libc::_exit(i32::from(status)) }
     }
 
-    /// Has a write beyond the limit of the size of a file (`ulimit -f`) fail like one to a full disk, and bounds the address space that
-    /// the C library reserves.
+    /// Makes a write beyond the file size limit (`ulimit -f`) fail like a write to a full disk, and limits the address space that the C
+    /// library reserves.
     pub fn prepare() {
         // SAFETY: no function of ours is set as a handler, and no other thread sets this one.
         unsafe { libc::signal(libc::SIGXFSZ, libc::SIG_IGN) };
@@ -147,7 +147,7 @@ mod system {
         bound_arenas();
     }
 
-    /// Where the address space is limited, glibc reserves a part of it for threads, and no more.
+    /// If the address space is limited, lets glibc reserve only a part of it for threads.
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     fn bound_arenas() {
         use loosepin::study::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS};
@@ -173,7 +173,7 @@ mod system {
         std::process::exit(i32::from(status))
     }
 
-    /// Nothing: other systems have no such limits.
+    /// Does nothing: other systems have no such limits.
     pub fn prepare() {}
 }
 
@@ -188,7 +188,7 @@ mod tests {
         }
     }
 
-    /// The words of the standard library: where it changes them, such a thread aborts the process again.
+    /// The messages of the standard library. If it changes them, such a thread aborts the process again.
     #[test]
     fn a_thread_without_memory_is_told_from_other_panics() {
         let words = "failed to allocate an alternative stack: Cannot allocate memory (os error 12)";

@@ -29,79 +29,80 @@ problems! {
     pub enum IdentifyProblem {
         NoReadings => Code::NothingAsked,
             says("the study has no readings"),
-            hint("add [[measured]] with output, pose, force, dead_travel and its error");
+            hint("add [[measured]] with output, pose, force, dead_travel and the error of the reading");
         NoPlay => Code::NothingUncertain,
-            says("no input of the study is the play of a joint: there is nothing to identify"),
-            hint("name one under [epistemic], for example \"joint.pin.radial_clearance\" = {{ interval = [\"0.01 mm\", \"0.5 mm\"] }}");
+            says("no input of the study is the play of a joint, so there is nothing to identify"),
+            hint("add one under [epistemic], for example \"joint.pin.radial_clearance\" = {{ interval = [\"0.01 mm\", \"0.5 mm\"] }}");
         Flexible { body: String } => Code::NoQuasiStaticAnswer,
-            says("body '{body}' bends under a push, which is not computed yet"),
-            hint("give it a mass and an inertia in place of its beam, and take off the readings what it bends");
+            says("body '{body}' bends under a push; the identification does not model this yet"),
+            hint("give it a mass and an inertia instead of its beam, and subtract its bending from the readings");
         PlayMovesGeometry { path: String } => Code::AskNotPossible,
-            says("'{path}' is a play and a dimension at once: it moves the mechanism, and not only its journals"),
-            hint("give the clearance a parameter of its own");
+            says("'{path}' is both a play and a dimension: it moves the mechanism, not only its journals"),
+            hint("give the clearance its own parameter");
         PlayNotLinear { path: String } => Code::AskNotPossible,
-            says("the clearances do not follow '{path}' in a straight line"),
-            hint("name the clearance of the joint itself under [epistemic]");
+            says("the clearances are not linear in '{path}'"),
+            hint("use the clearance of the joint itself under [epistemic]");
         Conditioned => Code::AskNotPossible,
-            says("the lengths of this study are those of a measured specimen already ([specimen]): the measurement would count twice"),
-            hint("identify the study that it was written from");
+            says("this study already has the lengths of a measured specimen ([specimen]), so the measurement would count twice"),
+            hint("identify the original study, from which this one was written");
         NoMotion => Code::AskNotPossible,
-            says("only features of a motion say something of lengths (kind = \"motion\"); dead travels hold for all lengths within their intervals"),
-            hint("leave --lengths out, or add features of a motion");
+            says("only features of a motion (kind = \"motion\") depend on the lengths; readings of dead travel are used for all lengths within \
+                  their intervals"),
+            hint("omit --lengths, or add features of a motion");
         NoLengths { reason: String } => Code::AskNotPossible,
             says("no mechanisms are written: {reason}");
         UnknownSpecimen { name: String, known: Vec<String> } => Code::UnknownReference,
-            says("nothing was measured at a specimen '{name}'"),
+            says("there are no measurements of a specimen '{name}'"),
             hint_of(Some(if known.is_empty() {
-                "nothing measured names a specimen: leave --specimen out".to_owned()
+                "no measurement names a specimen: omit --specimen".to_owned()
             } else {
-                format!("there is {}", listed(known, "and"))
+                format!("available: {}", listed(known, "and"))
             }));
         SeveralSpecimens { found: usize } => Code::AskNotPossible,
-            says("the readings are of {found} specimens; a study is narrowed to one of them"),
-            hint("name it: --specimen NAME");
+            says("the readings are from {found} specimens; a study can be narrowed to only one of them"),
+            hint("choose one: --specimen NAME");
         Unexplained { specimen: Option<String> } => Code::AskNotPossible,
             says("no values explain {}", match specimen {
-                Some(name) => format!("what was measured at specimen '{name}'"),
-                None => "what was measured".to_owned(),
+                Some(name) => format!("the measurements of specimen '{name}'"),
+                None => "the measurements".to_owned(),
             }),
-            hint("no study is narrowed by what nothing explains");
+            hint("check the readings, their errors and the intervals; the study is not narrowed");
         Contradiction { path: String } => Code::AskNotPossible,
-            says("the dead travels and the motion leave no value of '{path}' in common"),
-            hint("no study is narrowed by what contradicts itself");
+            says("no value of '{path}' agrees with both the dead travels and the motion"),
+            hint("check the readings and the features; the study is not narrowed");
         NoJson { reason: String } => Code::ResultNotStorable,
-            says("the result has no form in JSON: {reason}");
+            says("the result cannot be written as JSON: {reason}");
         LiftOff { play: String } => Code::NoQuasiStaticAnswer,
-            says("{play} may lift off its cam, and goes then as far as it is pushed"),
-            hint("hold the follower with a groove, which has backlash");
+            says("{play} can lift off its cam, so a push moves it without limit"),
+            hint("guide the follower in a groove with backlash");
         Unknowns { found: usize, most: usize } => Code::NothingUncertain,
             says("the study has {found} inputs under [epistemic]; an identification from motion needs 1 to {most}"),
-            hint("name what is to be identified, with its interval; give everything else a value or a distribution");
+            hint("keep only the inputs to be identified under [epistemic]; give all others a value or a distribution");
         NotMeasured { feature: String } => Code::AskNotPossible,
             says("'{feature}' has no value"),
-            hint("write value = ... or file = ..., or ask with --plan what it would tell");
+            hint("write value = ... or file = ..., or use --plan to see how much it would narrow the unknowns");
         NothingImagined { runs: usize } => Code::AllRunsFailed,
-            says("all {runs} runs of measurements that were to be imagined failed: nothing can be said of what features would tell"),
-            hint("`loosepin check` runs the study once and says why it fails");
+            says("all {runs} runs of simulated measurements failed, so the features cannot be compared"),
+            hint("`loosepin check` makes one run of the study and shows why it fails");
         MotionConfidence { found: f64 } => Code::BadProbability,
-            says("the confidence is {found}; must be between 0.5 and 0.99998: of a higher one more than 100000 runs at each value would be needed");
+            says("the confidence is {found}; must be between 0.5 and 0.99998: a higher one needs more than 100000 runs at each value");
         Confidence { found: f64 } => Code::BadProbability,
             says("the confidence is {found}; must be from 0.5 to {MAX_CONFIDENCE}");
         Locked { reading: String, error: AccuracyError } => error.code(),
             says("{reading}: {error}"),
             hint_of(error.hint());
         TooLoaded { reading: String, joint: String } => Code::NoQuasiStaticAnswer,
-            says("{reading}: the push loads '{joint}' by more than its contact law carries"),
-            hint("push with less, or give the contact a law that reaches deeper");
+            says("{reading}: the push loads '{joint}' with a larger force than its contact law can give"),
+            hint("use a smaller push, or a contact law with a larger range");
         DoesNotMove { reading: String } => Code::AskNotPossible,
-            says("{reading}: no play gives way to this push, so that its dead travel says nothing"),
-            hint("push a point that moves with the drive locked, in a direction that it can go");
+            says("{reading}: this push moves no play, so its dead travel contains no information"),
+            hint("push a point that can move while the drive is locked, in a direction in which it can move");
         Values { error: QuantityError } => error.code(),
             says("{error}"),
             hint_of(error.hint());
         NotBeside { file: String, folder: String } => Code::FolderNotUsable,
-            says("{file} is not in {folder}, the folder of the study, from which it names its model"),
-            hint("write it beside the study");
+            says("{file} is not in {folder}, the folder of the study; the path of its model is relative to this folder"),
+            hint("write it into the folder of the study");
         Exists { file: String } => Code::FileExists,
             says("{file} exists already; nothing is overwritten"),
             hint("choose another name, or remove it");

@@ -49,7 +49,7 @@ impl SpecimenStudy {
                 }
                 let _ = write!(
                     text,
-                    "\n# {} that agree with what was measured: they take the place of the distributions under [random].\n\
+                    "\n# {} that agree with the measurements: they replace the distributions under [random].\n\
                      [specimen]\nmechanisms = \"{quoted}\"\n",
                     counted(rows.rows_si.len(), "mechanism")
                 );

@@ -101,8 +101,8 @@ pub(super) fn model(name: &str, sketch: &Sketch, links: &Links) -> String {
     let frames: Vec<Frame> = links.links.iter().map(|link| Frame::of(link, sketch)).collect();
     let joints = joints(links);
     let mut text = format!(
-        "# Read from a drawing: lines are links, circles are joints. Every \"?\" is a number that no drawing tells; fill it in.\n\
-         # `loosepin check model.toml` names those that are left.\n\
+        "# Read from a drawing: lines are links, circles are joints. Every \"?\" is a number that a drawing does not contain; fill it in.\n\
+         # `loosepin check model.toml` lists the remaining ones.\n\
          name = {}\n\
          gravity = \"?\"                                       # along -y; \"0 m/s^2\" for none\n\n",
         quoted(name)
@@ -213,7 +213,7 @@ pub(super) fn notes(sketch: &Sketch, links: &Links) -> Vec<String> {
     )];
     if sketch.ignored > 0 {
         notes.push(format!(
-            "{} neither line nor polyline nor circle and left out",
+            "{} neither line nor polyline nor circle, and ignored",
             counted(sketch.ignored, "thing is", "things are")
         ));
     }

@@ -103,11 +103,7 @@ impl Sketch {
         let in_drawing = |vertex: &Vertex| {
             entity.in_drawing(*vertex).ok_or_else(|| {
                 let place = self.place([vertex[0], vertex[1]]);
-                ImportError::NotPlanar {
-                    what,
-                    place,
-                    why: "lies in a plane that is tilted against that of the drawing",
-                }
+                ImportError::NotPlanar { what, place, why: "lies in a plane that is inclined to that of the drawing" }
             })
         };
         vertices.iter().map(in_drawing).collect()
@@ -142,11 +138,11 @@ impl Sketch {
         let [x, y, z] = vertex;
         let place = || self.place([x, y]);
         if !vertex.iter().all(|coordinate| coordinate.is_finite()) {
-            return Err(ImportError::NotPlanar { what, place: place(), why: "has a coordinate that is no number" });
+            return Err(ImportError::NotPlanar { what, place: place(), why: "has a coordinate that is not a number" });
         }
         let level = *height.get_or_insert(z);
         if (z - level).abs() > self.tolerance {
-            let why = "does not lie in the plane of the others: its z is another";
+            let why = "does not lie in the plane of the others: its z differs";
             return Err(ImportError::NotPlanar { what, place: place(), why });
         }
         Ok([x, y])

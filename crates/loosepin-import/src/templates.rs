@@ -74,7 +74,7 @@ problems! {
     #[derive(Debug)]
     pub enum TemplateError {
         Exists { path: PathBuf } => Code::FileExists,
-            says("{} is there already; it is not overwritten", path.display()),
+            says("{} already exists; it is not overwritten", path.display()),
             hint("give another folder, for example: loosepin new TEMPLATE my_mechanism");
         Write { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
             says("cannot write {}: {}", path.display(), io_error_words(source));

@@ -93,7 +93,7 @@ impl Inputs {
         }
         let place = |name: &str| {
             let found = self.random_names.iter().position(|known| known == name);
-            found.ok_or_else(|| PyValueError::new_err(format!("correlation of '{name}', which is no random input")))
+            found.ok_or_else(|| PyValueError::new_err(format!("correlation of '{name}', which is not a random input")))
         };
         let pair = |(first, second, rank): &(String, String, f64)| {
             Ok(Pair { first: place(first)?, second: place(second)?, normal: normal_of_rank(*rank) })
@@ -171,8 +171,7 @@ fn distribution(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Distribution> 
         }
         other => {
             return Err(PyTypeError::new_err(format!(
-                "input '{name}' is a {other}; must be a distribution such as loosepin.Normal, or an epistemic input such as \
-                 loosepin.Interval"
+                "input '{name}' is a {other}; must be a distribution such as loosepin.Normal, or an unknown (epistemic) input such as loosepin.Interval"
             )));
         }
     })

@@ -74,7 +74,9 @@ pub fn run_in_folder(
         Concluded::Finished { run, .. } => Ok(Ended::Finished(run)),
         Concluded::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
-            Ok(Ended::Interrupted(format!("{words}; they are kept in {path}: the same call with resume=True goes on")))
+            Ok(Ended::Interrupted(format!(
+                "{words}; they are kept in {path}: the same call with resume=True continues"
+            )))
         }
     }
 }

@@ -49,7 +49,7 @@ def test_readings_give_the_answer_of_the_command(rig):
     command("identify", "study.toml", "--write", "narrowed.toml", cwd=rig)
     assert found.narrowed().text == (rig / "narrowed.toml").read_text(encoding="utf-8")
     found.report(rig / "page.html")
-    assert "What the readings leave" in (rig / "page.html").read_text(encoding="utf-8")
+    assert "Values consistent with the readings" in (rig / "page.html").read_text(encoding="utf-8")
 
 
 def test_a_motion_narrows_its_unknown_and_a_misfit_is_none(tmp_path):

@@ -47,10 +47,7 @@ pub fn cases_text(records: &[CaseRecord]) -> String {
 pub fn cases_page(records: &[CaseRecord]) -> String {
     let mut text = String::from(
         "# Validation\n\n\
-         Written by `loosepin cases run --write docs/validation.md`; a test fails where this page is out of date or a number is \
-         outside\nof its tolerance. The numbers, their sources and the reasons of their tolerances stand in \
-         `cases/NAME/expected.toml`\n([what its keys mean](../cases/README.md)). Obtained numbers and differences are rounded to what \
-         the tolerance can tell; the\nlargest of many differences to the power of ten above it.\n\n",
+         Written by `loosepin cases run --write docs/validation.md`; a test fails if this page is out of date or a number is outside\nits tolerance. `cases/NAME/expected.toml` has the numbers, their sources and the reasons for their tolerances\n([its keys](../cases/README.md)). Obtained numbers and differences are rounded to the digits that the tolerance justifies; the\nlargest of many differences is rounded up to a power of ten.\n\n",
     );
     text.push_str(&verdict(records));
     for record in records {

@@ -233,15 +233,14 @@ impl fmt::Display for LengthsRefusal {
             Self::NothingRandom => write!(formatter, "the study has no random inputs"),
             Self::UncertainParameter { path } => write!(
                 formatter,
-                "the distribution of '{path}' has uncertain parameters, of which rows would leave nothing; write one number for each, or the \
-                 input under [epistemic]"
+                "the distribution of '{path}' has uncertain parameters, which rows cannot represent; write one number for each, or the input under [epistemic]"
             ),
             Self::NotScattered { features } => {
                 let quoted: Vec<String> = features.iter().map(|name| format!("'{name}'")).collect();
                 let each = if features.len() == 1 { "it" } else { "each" };
                 write!(
                     formatter,
-                    "a mechanism would have to meet {} exactly; give {each} a scatter, the standard deviation of its independent error",
+                    "a mechanism would have to agree with {} exactly; give {each} a scatter, the standard deviation of its independent error",
                     listed(&quoted, "and")
                 )
             }
@@ -250,8 +249,7 @@ impl fmt::Display for LengthsRefusal {
             }
             Self::FewMechanisms { effective, runs, least } => write!(
                 formatter,
-                "the {runs} that were run say as much as {} equally probable ones, and {least:.0} are needed; more runs \
-                 (--points) or a larger scatter of the features give more",
+                "the {runs} runs are equivalent to {} equally probable mechanisms, but {least:.0} are needed; use more runs (--points) or a larger scatter of the features",
                 effective.floor()
             ),
         }

@@ -14,16 +14,16 @@ problems! {
     pub enum RunFailure | Sample(SampleError) {
         /// The model says enough for its motion, and not for a run.
         NoDynamics { missing: String, others: usize } => Code::NoDynamics,
-            says("a run needs more than the motion: {missing}{}", match others {
+            says("the model lacks values that a run needs: {missing}{}", match others {
                 0 => String::new(),
                 others => format!(", and {}", if *others == 1 { "one further entry".to_owned() } else { format!("{others} further entries") }),
             }),
             hint("`loosepin motion` needs neither masses nor contacts; `loosepin check` lists what a run needs");
         /// The step became too small.
         StepTooSmall { time_s: f64, step_s: f64, smallest_s: f64 } => Code::StepTooSmall,
-            says("at {} the step fell to {step_s:.1e} s, below the smallest of {smallest_s:.1e} s", time(*time_s)),
+            says("at {} the step decreased to {step_s:.1e} s, below the smallest permitted step of {smallest_s:.1e} s", time(*time_s)),
             hint("{}", if *smallest_s > COARSE_S {
-                "the drive is so slow that contacts, which take microseconds, are below 1e-14 of a turn: run it faster, or ask \
+                "the drive is so slow that contacts, which last microseconds, are shorter than 1e-14 of a turn: use a higher speed, or \
                  `loosepin motion`, which needs no dynamics"
             } else {
                 "look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off"
@@ -37,7 +37,7 @@ problems! {
             says("at {} {} is not a finite number", time(*time_s), match element {
                 Some(path) => match of_beam(path) {
                     Some(body) => {
-                        format!("the beam of {} swings faster than the smallest step: a position or velocity", describe_path(body))
+                        format!("the beam of {} vibrates faster than the smallest step can resolve: a position or velocity", describe_path(body))
                     }
                     None => describe_path(path),
                 },
@@ -48,7 +48,7 @@ problems! {
                     "look for a modulus, a density or a section far from those of a real part"
                 }
                 Some(_) => {
-                    "its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside, for example \
+                    "its expression leaves the domain of log, sqrt, ^ or /: keep their arguments inside, for example \
                      log(max(x, 1e-6))"
                 }
                 None => {
@@ -57,8 +57,8 @@ problems! {
             });
         /// The drive whose turns are counted does not turn.
         StandsStill { drive: String } => Code::DriveStandsStill,
-            says("drive '{drive}' stands still: its turns cannot be counted"),
-            hint("give it a speed, or let [cycle] name another drive");
+            says("drive '{drive}' has speed zero, so its turns cannot be counted"),
+            hint("give it a speed, or use another drive in [cycle]");
         /// The penetration is so deep that the pin's centre leaves the hole: no contact law means anything there.
         LeavesBearing { joint: String, penetration_m: f64, bearing_radius_m: f64, time_s: f64 } =>
             Code::PinLeavesBearing,
@@ -90,35 +90,35 @@ problems! {
             time_s: f64,
         } => Code::SliderBeyondGuide,
             says(
-                "at {} the slider is out of its guide: its corner {contact} is at {}, and the faces reach from {} to {}",
+                "at {} the slider has left its guide: its corner {contact} is at {}, and the faces reach from {} to {}",
                 time(*time_s),
                 length(*along_m),
                 length(ends_m[0]),
                 length(ends_m[1])
             ),
-            hint("give the guide other ends, or none: nothing holds a slider that has left its faces");
+            hint("give the guide other ends, or none: nothing supports a slider that has left its faces");
         /// The penetration is deeper than the contact law can tell a force for.
         BeyondLaw { joint: String, law: &'static str, penetration_m: f64, limit_m: f64, time_s: f64 } =>
             Code::BeyondContactLaw,
             says(
-                "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' has a force up to {}",
+                "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' gives a force only up to {}",
                 time(*time_s),
                 length(*penetration_m),
                 length(*limit_m)
             ),
-            hint("take a law without such a limit, liu or bai-zhao");
+            hint("use a law without such a limit: liu or bai-zhao");
         /// The limit of evaluations is reached.
         TooManyEvaluations { time_s: f64, limit: u64 } => Code::RunTooLong,
             says("at {} the limit of {limit} evaluations was reached", time(*time_s)),
-            hint("ask for fewer turns or a looser tolerance");
+            hint("use fewer turns or a larger tolerance");
         /// The energy account does not close.
         EnergyNotBalanced { residual_j: f64, exchange_j: f64 } => Code::EnergyNotBalanced,
             says(
-                "the energy balance is off by {:.1e} of the energy exchanged ({residual_j:.3e} J of {exchange_j:.3e} J); at most \
+                "the energy balance has an error of {:.1e} of the energy exchanged ({residual_j:.3e} J of {exchange_j:.3e} J); at most \
                  {MAX_ENERGY_RESIDUAL:.0e} is accepted",
                 residual_j / exchange_j
             ),
-            hint("ask for a smaller --tolerance, or tolerance under [sampling] of a study: see `loosepin explain E0820`");
+            hint("use a smaller --tolerance, or in a study a smaller tolerance under [sampling]: see `loosepin explain E0820`");
         /// A law that can only take energy gave some.
         LawGainsEnergy {
             /// Which law.
@@ -129,11 +129,11 @@ problems! {
             exchange_j: f64,
         } => Code::LawGainsEnergy,
             says(
-                "{law}{} gave {gained_j:.3e} J more than it took, {:.1e} of the energy exchanged: a passive law only takes",
+                "{law}{} released {gained_j:.3e} J more than it absorbed, {:.1e} of the energy exchanged: a passive law only absorbs",
                 joint.as_ref().map_or(String::new(), |joint| format!(" in joint '{joint}'")),
                 gained_j / exchange_j
             ),
-            hint("look at the coefficients of the law: see `loosepin explain E0821`");
+            hint("check the coefficients of the law: see `loosepin explain E0821`");
         /// More turns than the evaluations suffice for.
         TooManyTurns {
             turns: f64,
@@ -142,7 +142,7 @@ problems! {
             limit: u64,
         } => Code::RunTooLong,
             says("{turns} turns take at least {least:.2e} evaluations; must be at most {:.2e}", *limit as f64),
-            hint("ask for fewer turns");
+            hint("use fewer turns");
         /// More numbers than a history can hold.
         TooManyNumbers {
             rows: f64,
@@ -151,7 +151,7 @@ problems! {
             most: usize,
         } => Code::BadCount,
             says("{rows} rows of {numbers} numbers each would be recorded; must be at most {most} numbers"),
-            hint("ask for fewer turns, fewer samples a turn or fewer outputs, or leave --states out");
+            hint("use fewer turns, fewer samples per turn or fewer outputs, or omit --states");
         /// More rows than a history can hold.
         TooManyRows {
             /// Turns times rows a turn.
@@ -159,37 +159,37 @@ problems! {
             most: usize,
         } => Code::BadCount,
             says("{rows} rows would be recorded; must be at most {most}"),
-            hint("ask for fewer turns or fewer samples a turn");
+            hint("use fewer turns or fewer samples per turn");
         /// Friction in an ideal joint has no solution.
         Jams { joint: String, time_s: f64 } => Code::Jams,
-            says("at {} joint '{joint}' jams: no friction force fits what it carries", time(*time_s)),
-            hint("less friction, a longer guide or a smaller pin; rigid bodies have no motion here");
+            says("at {} joint '{joint}' jams: no friction force agrees with its load", time(*time_s)),
+            hint("use less friction, a longer guide or a smaller pin; the equations of rigid bodies have no solution here");
         /// A joint without play has no worn shape that could act back.
         WornWithoutPlay { joint: String } => Code::ConflictingKeys,
             says("joint '{joint}' has no play: with geometry = \"worn\" the shape of its surfaces needs a clearance"),
             hint("give it a radial_clearance above zero, or write geometry = \"fixed\"");
         /// More jumps over the cycles than are made.
         TooManyJumps { reached: f64, cycles: f64, most: usize } => Code::RunTooLong,
-            says("{most} jumps, the most that are made, reached only {reached:.4e} of {cycles:.4e} cycles of wear"),
-            hint("ask for a larger tolerance or fewer cycles in [wear]");
+            says("the largest number of jumps, {most}, reached only {reached:.4e} of {cycles:.4e} cycles of wear"),
+            hint("use a larger tolerance or fewer cycles in [wear]");
         /// Jumps no longer than N_s, which do not reach all cycles.
         JumpsTooShort { cycles: f64, stable_cycles: f64, most: usize } => Code::RunTooLong,
             says(
-                "{cycles:.4e} cycles of wear take more than {most} jumps: a jump must be at most {stable_cycles:.4e} cycles \
-                 long here"
+                "{cycles:.4e} cycles of wear need more than {most} jumps: a jump may have at most {stable_cycles:.4e} cycles \
+                 here"
             ),
-            hint("ask for fewer cycles in [wear], or look at the wear coefficients: longer jumps make shapes saw-toothed");
+            hint("use fewer cycles in [wear], or check the wear coefficients: longer jumps make the worn shapes saw-toothed");
         /// Wear beyond all numbers.
         WearNotFinite { joint: String } => Code::RunNotFinite,
             says("the wear of joint '{joint}' is not a finite number"),
-            hint("look at its coefficients, and at the cycles of [wear]: dry steel has some 1e-13 m^2/N");
+            hint("check its coefficients, and the cycles in [wear]: dry steel has about 1e-13 m^2/N");
         /// Whoever looked at the run has stopped it.
         Stopped { time_s: f64 } => Code::Interrupted,
             says("stopped at {} of its time", time(*time_s));
         /// Flexible bodies that are to start settled have no stable static shape.
         NotSettled => Code::StartNotPossible,
             says("a flexible body with start = \"settled\" has no stable static shape under the forces at the start"),
-            hint("it buckles or bends too far there: look at its section, or leave start out");
+            hint("it buckles or bends too far there: check its section, or omit start");
         /// Flexible bodies that are to start settled leave loops of ideal joints open.
         SettledOpen {
             /// Path of the joint or coupling that stays open.
@@ -199,28 +199,27 @@ problems! {
                 "a flexible body with start = \"settled\" bends or stretches there, and the links cannot close at {}",
                 describe_path(path)
             ),
-            hint("nothing else gives way in that loop: leave start out, or give one of its joints play");
+            hint("all other parts of this loop are rigid: omit start, or give one of its joints play");
         /// Nothing presses a journal that is to rest at the start.
         NothingPresses { joint: String } => Code::StartNotPossible,
-            says("joint '{joint}' carries no force at the start: its journal rests nowhere"),
-            hint("give it an offset, or none: it is centred then");
+            says("joint '{joint}' carries no force at the start, so its journal does not rest on any side"),
+            hint("give an offset instead of start; without one, the journal is centred");
         /// The side on which a journal is to rest is not found.
         NotResting { joint: String } => Code::StartNotPossible,
-            says("joint '{joint}': the side on which its journal rests at the start is not found"),
-            hint("the clearance is large beside the links there: give an offset");
+            says("joint '{joint}': the side on which its journal rests at the start was not found"),
+            hint("the clearance is large compared with the links there: give an offset");
         /// A spring along a line whose ends meet.
         SpringWithoutDirection { spring: String, time_s: f64 } => Code::RunNotFinite,
-            says("at {} spring '{spring}' is pressed to length zero: its force has no direction there", time(*time_s)),
-            hint("no spring is shorter than its wire: give it a stop, more stiffness at the end of a table of its force, or points that \
-                  stay apart");
+            says("at {} spring '{spring}' is compressed to length zero: its force has no direction there", time(*time_s)),
+            hint("give it a stop (more stiffness at the end of a table of its force), or points that stay apart");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
-            says("implicit steps are for mechanisms with a flexible body in absolute nodal coordinates, and this one has none"),
-            hint("leave --integrator out: explicit steps cost less here");
+            says("implicit steps need a flexible body in absolute nodal coordinates, and this mechanism has none"),
+            hint("omit --integrator: explicit steps are faster here");
         /// The drives leave nothing free that a neighbouring motion could differ in.
         NothingIsFree => Code::NothingIsFree,
-            says("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent"),
-            hint("leave --lyapunov out, or give a joint some play");
+            says("the drives alone determine the motion: no neighbouring motion exists, so there is no Lyapunov exponent"),
+            hint("omit --lyapunov, or give a joint some play");
     }
 }
 

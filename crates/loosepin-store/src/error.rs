@@ -13,36 +13,36 @@ problems! {
     pub enum StoreError {
         /// Another process has it open.
         InUse { path: PathBuf } => Code::FolderInUse,
-            says("{} is in use by another loosepin", path.display()),
-            hint("wait for it to end, or give another folder by --out");
+            says("{} is in use by another loosepin process", path.display()),
+            hint("wait until it ends, or give another folder with --out");
         /// It holds runs of this very study, and nobody said what is to become of them.
         HoldsRuns { path: PathBuf, runs: u64 } => Code::StudyStarted,
-            says("{} holds {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" }),
-            hint("--resume goes on with them, --force begins anew");
+            says("{} contains {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" }),
+            hint("--resume continues with them, --force starts again");
         /// It holds runs of something else: of another `study`, `version` or `format`.
         OfOther { path: PathBuf, what: &'static str, found: String, expected: String } => Code::StoreOfOther,
-            says("{} holds runs of another {what} ({found}; this one is {expected})", path.display()),
-            hint("give another folder by --out; --force begins anew and drops these runs");
+            says("{} contains runs of another {what} ({found}; this one is {expected})", path.display()),
+            hint("give another folder with --out; --force starts again and deletes these runs");
         /// Its content is not what was written.
         Damaged { path: PathBuf, reason: String } => Code::StoreDamaged,
             says("{} is damaged: {reason}", path.display()),
-            hint("restore it from a copy; --force begins anew");
+            hint("restore it from a copy; --force starts again");
         /// The file system refused.
         NotUsable { path: PathBuf, reason: String } => Code::FolderNotUsable,
             says("cannot use {}: {reason}", path.display()),
-            hint("make the folder usable, or give another one by --out");
+            hint("make the folder usable, or give another one with --out");
         /// SQLite was refused memory for the file at `path`.
         OutOfMemory { path: PathBuf } => Code::OutOfMemory,
             says("out of memory while {} was in use", path.display()),
-            hint("raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; \
-                saved runs are kept: --resume goes on with them");
+            hint("raise the memory limit (ulimit -v, ulimit -d, or that of the container), or use fewer --threads or samples; \
+                saved runs are kept: --resume continues with them");
         /// The file system took no further runs; `kept` of them are in it.
         NotSaved { path: PathBuf, reason: String, kept: u64 } => Code::FolderNotUsable,
             says("cannot write to {}: {reason}", path.display()),
             hint_of(Some(match kept {
-                0 => "no run could be kept: begin again when there is room".to_owned(),
-                1 => "1 run is kept: when there is room again, --resume goes on with it".to_owned(),
-                _ => format!("{kept} runs are kept: when there is room again, --resume goes on with them"),
+                0 => "no run could be saved: start again when there is free space".to_owned(),
+                1 => "1 run is saved: when there is free space again, --resume continues with it".to_owned(),
+                _ => format!("{kept} runs are saved: when there is free space again, --resume continues with them"),
             }));
     }
 }
@@ -77,10 +77,10 @@ impl StoreError {
             Some(ErrorCode::DiskFull) => Self::NotUsable { path, reason: "the disk is full".to_owned() },
             // The file may be written, and says that a later version has written it.
             Some(ErrorCode::ReadOnly) if extended == Some(ffi::SQLITE_READONLY) && may_write(&path) => {
-                Self::Damaged { path, reason: "its header is of another version of SQLite".to_owned() }
+                Self::Damaged { path, reason: "its header is from another version of SQLite".to_owned() }
             }
             Some(ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
-                Self::NotUsable { path, reason: "it is not permitted to write".to_owned() }
+                Self::NotUsable { path, reason: "there is no permission to write".to_owned() }
             }
             Some(_) => Self::NotUsable { path, reason: error.to_string() },
             // Numbers and texts where others are due.

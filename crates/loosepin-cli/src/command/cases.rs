@@ -51,7 +51,7 @@ fn run_cases(arguments: &CasesRunArguments) -> Ending {
     Ok(if is_within { Done::Well } else { Done::RequirementNotMet })
 }
 
-/// Reads cases; what is wrong with any of them is told together.
+/// Reads cases; the errors of all of them are reported together.
 fn read(folder: &Path, names: &[String]) -> Result<Vec<Case>, Complaints> {
     let mut cases = Vec::new();
     let mut complaints = Complaints::new();

@@ -12,7 +12,7 @@ use crate::arguments::CheckArguments;
 use crate::console;
 use crate::ending::{Done, Ending};
 
-/// Says what each file is; a file that is wrong does not keep the others from being looked at.
+/// Describes each file; the remaining files are checked even if one has errors.
 pub fn run(arguments: &CheckArguments) -> Ending {
     let mut complaints = Complaints::new();
     // A study repeats what its model says, which may be one of the files.

@@ -22,7 +22,7 @@ use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 use std::path::PathBuf;
 
-/// Shows what the readings of a study say of its plays; writes the narrowed study, and a page, where that is asked for.
+/// Shows the bounds of the plays from the readings of a study; writes the narrowed study and a page if requested.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
     let study = read_study(&arguments.study)?;
     if arguments.plan {
@@ -84,7 +84,7 @@ fn motion_values(arguments: &IdentifyArguments) -> MotionValues {
     MotionValues { confidence, points, threads, with_posterior, with_lengths }
 }
 
-/// What the readings and the motion say, and what the study gains by it where that is asked for.
+/// The results of the readings and the motion, and the comparison of the study's bounds if requested.
 fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification, Failure> {
     let options = Options {
         confidence: arguments.confidence,
@@ -102,7 +102,7 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
         } else {
             match SpecimenStudy::new(study, &answer, &study_path(arguments)) {
                 Ok(after) => answer.gain = Some(gain(study, &after.study, options.threads)?),
-                // What was found is shown all the same.
+                // The identification is shown even so.
                 Err(complaints) => console::complain(&complaints),
             }
         }
@@ -115,12 +115,12 @@ fn is_misfit(answer: &Identification) -> bool {
         || answer.motion.iter().any(|specimen| specimen.misfit.is_some())
 }
 
-/// The file that a narrowed study is written to, or would be.
+/// The file of the narrowed study, whether or not it is written.
 fn study_path(arguments: &IdentifyArguments) -> PathBuf {
     arguments.write.clone().unwrap_or_else(|| arguments.study.with_file_name("narrowed.toml"))
 }
 
-/// The bounds of the study as it is and with what is known after.
+/// The bounds of the study as it is and with the narrowed intervals.
 fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
     let stop = stop_on_signals("Ctrl-C ends the study at once");
     let run = |study: &Study| -> Result<StudyResult, Failure> {
@@ -133,7 +133,7 @@ fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
     Ok(identification_gain(&run(study)?, &run(after)?))
 }
 
-/// What `work` gives, which takes a while, with a bar on a terminal.
+/// The result of `work`, a long computation, with a progress bar on a terminal.
 fn with_bar<T>(work: impl FnOnce(ProgressCallback<'_>) -> T) -> T {
     let bar = Bar::of_values();
     let heard = |finished: usize, most: usize| {
@@ -145,7 +145,7 @@ fn with_bar<T>(work: impl FnOnce(ProgressCallback<'_>) -> T) -> T {
     done
 }
 
-/// The options that decide on the result.
+/// The options that affect the result.
 fn stated(arguments: &IdentifyArguments) -> Vec<String> {
     let mut stated = vec!["--confidence".to_owned(), arguments.confidence.to_string()];
     stated.extend(["--points".to_owned(), arguments.points.to_string()]);
@@ -171,17 +171,17 @@ fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
     to_json(answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))
 }
 
-/// Writes the narrowed study where that is asked for.
+/// Writes the narrowed study if requested.
 fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArguments) -> Ending {
     let done = answer.done();
     let Some(path) = &arguments.write else { return Ok(done) };
     if done == Done::Misfit {
-        // What is not explained is no ground for narrowing.
+        // Measurements that no values explain cannot narrow an interval.
         console::message(&format!("{} is not written: no values explain what was measured", path.display()));
         return Ok(done);
     }
     let SpecimenStudy { text, narrowed: changes, mechanisms, .. } = SpecimenStudy::new(study, answer, path)?;
-    // What the study names comes with it: no study is left that cannot be read.
+    // The files that the study names are written with it, so that the written study can be read.
     let rows = mechanisms.as_ref().map(|[name, rows]| (path.with_file_name(name), rows));
     let named = rows.iter().map(|(file, rows)| (file.as_path(), rows.as_str()));
     write_narrowed(study, &named.chain([(path.as_path(), text.as_str())]).collect::<Vec<_>>())?;

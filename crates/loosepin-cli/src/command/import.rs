@@ -15,7 +15,7 @@ use crate::ending::{Done, Ending, Failure};
 pub fn run(arguments: &ImportArguments) -> Ending {
     let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
     let options = ImportOptions { unit: arguments.unit.clone(), tolerance_m };
-    // The places of a drawing are its coordinates, not lines of its file.
+    // A position in a drawing is given by coordinates, not by a line of its file.
     let complain = |error: &ImportError| {
         let mut complaint = Complaint::error(error, None);
         complaint.message = format!("{}: {}", arguments.drawing.display(), complaint.message);

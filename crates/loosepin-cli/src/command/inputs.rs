@@ -1,4 +1,4 @@
-//! Reading what a command is given.
+//! Reads the input files of a command.
 
 use std::path::Path;
 
@@ -11,10 +11,10 @@ pub use loosepin::study::{add_model, add_study};
 use crate::console;
 use crate::ending::Failure;
 
-/// Reads a model file that is to be run, and says what looks like an oversight in it.
+/// Reads a model file that is to be run, and shows its warnings.
 ///
 /// # Errors
-/// Everything that is wrong with it, or missing for a run; a study file.
+/// All errors in the file, and values that a run needs and that are missing; a study file.
 pub fn read_model(path: &Path) -> Result<Model, Failure> {
     let model = InputFile::from_path(path)?.into_model()?;
     warn(&model.warnings);
@@ -22,10 +22,10 @@ pub fn read_model(path: &Path) -> Result<Model, Failure> {
     Ok(model)
 }
 
-/// Reads a study file and its model, which is to be run, and says what looks like an oversight in them.
+/// Reads a study file and its model, which is to be run, and shows their warnings.
 ///
 /// # Errors
-/// Everything that is wrong with them, or missing for a run; a model file.
+/// All errors in the files, and values that a run needs and that are missing; a model file.
 pub fn read_study(path: &Path) -> Result<Study, Failure> {
     let study = InputFile::from_path(path)?.into_study()?;
     warn(&study.warnings);
@@ -33,10 +33,10 @@ pub fn read_study(path: &Path) -> Result<Study, Failure> {
     Ok(study)
 }
 
-/// Holds the tolerance of `--tolerance` against the smallest clearance, and says where it is coarse.
+/// Compares the tolerance of `--tolerance` with the smallest clearance, and warns if it is coarse.
 ///
 /// # Errors
-/// It is larger than the clearance.
+/// The tolerance is larger than the clearance.
 pub fn check_tolerance(tolerance_m: f64, smallest: Option<SmallestClearance>) -> Result<(), Failure> {
     let Some(smallest) = smallest else { return Ok(()) };
     if let Some(warning) = smallest.check(tolerance_m).map_err(|error| Failure::of(&error))? {

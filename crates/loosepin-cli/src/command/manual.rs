@@ -25,7 +25,7 @@ pub fn run(arguments: &ManualArguments) -> Ending {
     Ok(Done::Well)
 }
 
-/// The complaint about a command that there is not, as every other wrong argument has it.
+/// The error for an unknown command, in the form of every other wrong argument.
 fn unknown(program: &clap::Command, name: &str) -> Error {
     let names = program.get_subcommands().map(|command| command.get_name().to_owned()).collect();
     let mut error = Error::new(ErrorKind::InvalidValue).with_cmd(program);

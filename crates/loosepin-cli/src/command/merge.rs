@@ -24,7 +24,7 @@ use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
-/// Joins the shards, and writes the results or opens the next round.
+/// Joins the shards, then writes the results or starts the next round.
 pub fn run(arguments: &MergeArguments) -> Ending {
     let shards = ShardFolders::read(&arguments.folders).map_err(|error| Failure::of(&error))?;
     let record = &shards.record;
@@ -82,7 +82,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     tell_concluded(concluded, "continue with the same command")
 }
 
-/// Where the results go: where those of a study in one piece would.
+/// The folder of the results, the same as for a study on one machine.
 fn results(arguments: &MergeArguments, shards: &ShardFolders) -> Result<PathBuf, Failure> {
     if let Some(folder) = &arguments.output.folder {
         return Ok(folder.clone());
@@ -93,7 +93,7 @@ fn results(arguments: &MergeArguments, shards: &ShardFolders) -> Result<PathBuf,
     results.ok_or_else(|| Failure::of(&ShardsError::Renamed { folder: folder.clone(), shard: 1, of }))
 }
 
-/// Says what the shards are to run.
+/// Shows the runs that the shards still have to make.
 fn tell_open(open: &OpenRound, of: u32) {
     let missing = open.missing_runs();
     if missing < open.runs {
@@ -103,7 +103,7 @@ fn tell_open(open: &OpenRound, of: u32) {
             .map(|(shard, runs)| format!("{shard}/{of} ({})", units::counted(*runs, "run")))
             .collect();
         console::message(&format!(
-            "the present round of {} is not complete: missing are those of shard {}\n\
+            "the current round of {} is not complete: runs of these shards are missing: {}\n\
              hint: run these shards again with --resume, then merge again",
             units::counted(open.runs, "run"),
             units::listed(&shards, "and")

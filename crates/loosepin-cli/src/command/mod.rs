@@ -1,5 +1,5 @@
 //! One module for each command.
-//! Each parses its arguments, calls the library and prints. What is computed or worded stands in the library.
+//! Each parses its arguments, calls the library and prints. Computations and texts are in the library.
 
 pub mod cases;
 pub mod check;

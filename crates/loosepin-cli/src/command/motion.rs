@@ -16,7 +16,7 @@ use crate::ending::{Done, Ending};
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
 
-/// Shows the ideal motion and what play and scatter do to it without dynamics.
+/// Shows the ideal motion, and the quasi-static effect of play and of random inputs on it.
 pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     let model = file.model();
@@ -44,7 +44,7 @@ impl StoredResult for MotionRecord {
     }
 }
 
-/// How the result is made again.
+/// The command that makes the result again.
 fn repeat(file: &InputFile, set: &[String]) -> Repeat {
     let arguments: Vec<String> = set.iter().flat_map(|set| ["--set".to_owned(), set.clone()]).collect();
     match file {

@@ -21,7 +21,7 @@ pub fn run(arguments: &NewArguments) -> Ending {
     Ok(Done::Well)
 }
 
-/// A template in the list: its name and what it is, then what to look at.
+/// A template in the list: its name and description, then what to look at.
 fn described(template: &Template) -> String {
     format!(
         "{}\n{}\n",

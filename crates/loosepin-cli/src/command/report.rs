@@ -89,7 +89,7 @@ fn save(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page of a finished result, made anew: figures are saved as this version draws them.
+/// The page of a finished result, written again, so that figures are saved as this version draws them.
 fn page(folder: &Path) -> Result<String, Failure> {
     let folder = ResultsFolder::reopen(folder)?;
     match folder.kind() {

@@ -11,7 +11,7 @@ use crate::ending::{Done, Ending, Failure};
 /// Serves the studio until Ctrl-C.
 pub fn run(arguments: &ServeArguments) -> Ending {
     let stop = stop_on_signals("Ctrl-C ends the studio at once; a study that runs keeps the runs that are saved");
-    // Kept until the end: the browser reads it in its own time.
+    // Kept until the end, because the browser may read it late.
     let mut page = None;
     let mut printed = Ok(());
     let served = serve(&arguments.folder, arguments.port, &stop, |serving| {

@@ -20,12 +20,12 @@ use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
-/// Makes the runs of `shard` in the present round of the study that `whole` claims a folder for.
+/// Makes the runs of `shard` in the current round of the study whose folder `whole` claims.
 pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim) -> Ending {
     let results = whole.path();
     if whole.is_finished()? {
         console::message(&format!(
-            "{} already holds this study: nothing is left for shard {shard} (--force runs it again)",
+            "{} already holds this study: shard {shard} has nothing to run (--force runs it again)",
             results.display()
         ));
         return Ok(Done::Well);
@@ -52,7 +52,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         return Ok(Done::Well);
     };
     let text = to_json(&record).map_err(|error| folder.foreign_file(SHARD_FILE, error))?;
-    // Not among the files of the result, which go when it is begun again.
+    // Not one of the files of the result, which are deleted when it starts again.
     folder.write_beside(SHARD_FILE, text.as_bytes())?;
     tell_going_on(&store);
     let stop = stop_on_signals("Ctrl-C ends the shard at once; saved runs are kept");
@@ -65,18 +65,18 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     match outcome {
         Ok(_) => {
             console::message(&format!(
-                "shard {shard}: every run of the study is made\nhint: {merge} writes the results"
+                "shard {shard}: all runs of the study are finished\nhint: {merge} writes the results"
             ));
             Ok(Done::Well)
         }
         Err(StudyError::RoundOpen(open)) => {
             let made = match open.made {
-                0 => "has no run to make".to_owned(),
-                1 => "has made its run".to_owned(),
-                made => format!("has made its {made} runs"),
+                0 => "has nothing to run".to_owned(),
+                1 => "has finished its run".to_owned(),
+                made => format!("has finished its {made} runs"),
             };
             console::message(&format!(
-                "shard {shard} {made} in the present round of {}\nhint: {merge} goes on when all shards have made theirs",
+                "shard {shard} {made} in the current round of {}\nhint: when all shards have finished, continue with {merge}",
                 counted(open.runs, "run")
             ));
             Ok(Done::Well)
@@ -89,7 +89,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
             ));
             Ok(Done::Interrupted)
         }
-        // What is finished stays, whatever is wrong.
+        // Finished runs are kept after any error.
         Err(error) => Err(error.complaint(study).into()),
     }
 }

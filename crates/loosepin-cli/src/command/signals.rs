@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::console;
 
-/// Set by the first Ctrl-C; the second ends the program at once. `without` says what happens where that cannot be arranged.
+/// A flag set by the first Ctrl-C; the second ends the program at once. `without` is the warning if no handler can be installed.
 pub fn stop_on_signals(without: &str) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&stop);

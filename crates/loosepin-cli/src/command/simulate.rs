@@ -17,12 +17,12 @@ use super::stored::{StoredResult, claim, run_and_write, show_found, tell};
 use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
 
-/// Runs the model, or shows the run that is there.
+/// Runs the model, or shows the stored run.
 pub fn run(arguments: &SimulateArguments) -> Ending {
     run_shown::<SimulationRecord>(arguments)
 }
 
-/// Runs the model, or takes the run that is there, and shows it as `R` does.
+/// Runs the model or reads the stored run, and shows it as an `R`.
 pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
@@ -35,7 +35,7 @@ pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateA
         run_inputs(&model, &arguments.set, &plan, &measured),
         &arguments.output,
     );
-    // Compiled first, so that a model that cannot run leaves no folder behind.
+    // Compiled first, so that no folder is created for a model that cannot run.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
     let outputs = columns(&mechanism.model);
     let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
@@ -50,7 +50,7 @@ pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateA
         let never = AtomicBool::new(false);
         let finished = run_into(folder, (&mechanism, &set), &plan, &measured, &simulation_page, &never)?;
         let done = tell(&R::from(finished.record), folder)?;
-        // The files stay: they show what went wrong.
+        // The files are kept to show the cause.
         finished.failure.map_or(Ok(done), |failure| Err(failure.into()))
     })
 }

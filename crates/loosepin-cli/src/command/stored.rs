@@ -11,17 +11,17 @@ use crate::arguments::OutputArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
-/// Folder below the present one in which results get a folder of their own.
+/// Subfolder of the current folder in which each result gets its own folder.
 const RESULTS_ROOT: &str = "results";
 
-/// The folder that results of `inputs` ask for.
+/// The folder for the results of `inputs`.
 pub fn claim(kind: ResultKind, name: &str, inputs: InputsHash, output: &OutputArguments) -> Claim {
     let below = || Place::Below(PathBuf::from(RESULTS_ROOT));
     let place = output.folder.clone().map_or_else(below, Place::Folder);
     Claim { kind, name: name.to_owned(), inputs, place, with_force: output.force }
 }
 
-/// Says that finished runs are taken over.
+/// Shows how many finished runs are reused.
 pub fn tell_going_on(store: &RunStore) {
     if store.runs_at_start() > 0 {
         let runs = counted_or_no(store.runs_at_start() as usize, "finished run", "finished runs");
@@ -29,10 +29,10 @@ pub fn tell_going_on(store: &RunStore) {
     }
 }
 
-/// Lets `write` make a result in `folder`, and gives the folder back as it was where that does not come to its end.
+/// Lets `write` make a result in `folder`, and restores the folder if `write` fails.
 ///
 /// # Errors
-/// That of `write`; what the file system refuses.
+/// The error of `write`, or an error of the file system.
 pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsFolder) -> Ending) -> Ending {
     let ending = write(&mut folder);
     if ending.is_err() && !folder.is_finished() {
@@ -43,31 +43,31 @@ pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsF
 
 /// A result that is stored as `summary.json` and shown from it.
 pub trait StoredResult: Stored {
-    /// Its page.
+    /// The page of the result.
     const PAGE: fn(&Self) -> String;
 
-    /// Its tables for a terminal.
+    /// The tables of the result for a terminal.
     const TEXT: fn(&Self) -> String;
 
-    /// Reads it.
+    /// Reads the result.
     ///
     /// # Errors
-    /// A file that is not there, or that another version wrote.
+    /// The file does not exist, or another version wrote it.
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
         let text = folder.read_text(SUMMARY_FILE)?;
         Self::from_json(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
     }
 
-    /// How a command that shows it ends.
+    /// The outcome of a command that shows the result.
     fn done(&self) -> Done {
         Done::Well
     }
 }
 
-/// Writes the record and its page, the last files of a result, and shows it.
+/// Writes the record and the page, the last files of a result, and shows the result.
 ///
 /// # Errors
-/// A value that has no form in JSON; what the file system refuses.
+/// A value that JSON cannot represent, or an error of the file system.
 pub fn write_and_tell<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
     let text = record.to_json().map_err(|error| folder.foreign_file(SUMMARY_FILE, error))?;
     folder.write(SUMMARY_FILE, text.as_bytes())?;
@@ -76,7 +76,7 @@ pub fn write_and_tell<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -
     tell(record, folder)
 }
 
-/// Says that a result is there already, and shows it.
+/// Reports that the result already exists, and shows it.
 pub fn show_found<R: StoredResult>(mut folder: ResultsFolder) -> Ending {
     console::message(&format!(
         "{} already holds this {}: the report is written again (--force runs it again)",
@@ -93,7 +93,7 @@ pub fn show_again<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
     tell(&result, folder)
 }
 
-/// Prints the tables, and says where the page is.
+/// Prints the tables and the path of the page.
 pub fn tell<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
     console::print(&R::TEXT(result))?;
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));

@@ -22,10 +22,10 @@ use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
-/// Runs the study, or shows the one that is there.
+/// Runs the study, or shows the stored one.
 pub fn run(arguments: &StudyArguments) -> Ending {
     let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
-    // No input of the results: it says only when the study is given up.
+    // Not an input of the results: it only decides when the study ends with an error.
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
     }
@@ -33,7 +33,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     if let Some(shard) = arguments.shard {
         return shard::run(arguments, shard, &study, claim);
     }
-    // Planned first, so that a study that cannot begin leaves no folder behind.
+    // Planned first, so that no folder is created for a study that cannot start.
     if !claim.is_finished()? {
         loosepin::study::plan_runs_on(&study, threads(arguments.threads)).map_err(|error| error.complaint(&study))?;
     }
@@ -55,10 +55,10 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     tell_concluded(concluded, "continue with the same command and --resume")
 }
 
-/// Reads a study with what the command line states beside the file; also gives the hash of all inputs.
+/// Reads a study file and the options of the command line that change it; also returns the hash of all inputs.
 ///
 /// # Errors
-/// Everything that is wrong with them.
+/// All errors in the file and in the options.
 pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Result<(Study, InputsHash), Failure> {
     let mut study = read_study(path)?;
     for accuracy in accuracy {
@@ -71,10 +71,10 @@ pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Re
     Ok((study, inputs))
 }
 
-/// Says what became of a study; `hint` is how an interrupted one goes on.
+/// Shows the outcome of a study; `hint` describes how to continue an interrupted one.
 ///
 /// # Errors
-/// Its page cannot be told of.
+/// Standard output cannot be written.
 pub fn tell_concluded(concluded: Concluded, hint: &str) -> Ending {
     match concluded {
         Concluded::Finished { run, folder } => tell(&run.result, &folder),

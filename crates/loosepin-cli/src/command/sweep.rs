@@ -21,14 +21,14 @@ use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
-/// Runs the sweep, or shows the one that is there.
+/// Runs the sweep, or shows the stored one.
 pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model, &set)?;
     check_tolerance(plan.settings.tolerance_m, plan.smallest_clearance(&set))?;
     let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
-    // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
+    // Compiled at the middle of the range: a clearance that begins at zero then has play, as for most values.
     let middle = middle_values(&model, &set, &plan)?;
     let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.complaint(&model))?;
     let folder = claim.take()?;
@@ -85,7 +85,7 @@ fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<Set
     Ok(SetValues { model: set.model.clone(), settings: set.settings.clone(), values })
 }
 
-/// How the sweep is made again.
+/// The command that makes the sweep again.
 fn repeat(model: &Model, arguments: &SweepArguments) -> Repeat {
     let mut stated: Vec<String> = Vec::new();
     for [name, value] in arguments.set.iter().map(|set| ["--set", set]).chain([["--over", &arguments.over]]) {

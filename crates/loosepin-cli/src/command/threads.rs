@@ -2,7 +2,7 @@
 
 use loosepin::study::default_threads;
 
-/// As many as asked for, otherwise as many as the machine has.
+/// The requested number of threads, otherwise one per hardware thread.
 pub fn threads(asked: Option<u32>) -> usize {
     asked.map_or_else(default_threads, |threads| threads as usize)
 }

@@ -12,7 +12,7 @@ use super::stored::StoredResult;
 use crate::arguments::{IntegratorKind, SimulateArguments, WearArguments};
 use crate::ending::{Done, Ending};
 
-/// Simulates a cycle, or takes the simulation that is there, and shows the wear of its joints.
+/// Simulates a cycle or reads the stored simulation, and shows the wear of its joints.
 pub fn run(arguments: &WearArguments) -> Ending {
     let WearArguments { model, set, turns, transient, tolerance, output } = arguments.clone();
     let read = read_model(&model)?;
@@ -39,7 +39,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
     run_shown::<ShownWear>(&simulation)
 }
 
-/// A simulation of which the wear is shown.
+/// A simulation whose wear is shown.
 struct ShownWear(SimulationRecord);
 
 impl From<SimulationRecord> for ShownWear {

@@ -331,7 +331,7 @@ fn a_drive_that_stands_still() {
     let desk = Desk::new();
     let text = case_text("slider_crank_5000", "model.toml");
     desk.write("model.toml", &text.replace("speed = \"5000 rpm\"", "speed = \"0 rpm\""));
-    let hint = "hint: give it a speed, or let [cycle] name another drive";
+    let hint = "hint: give it a speed, or use another drive in [cycle]";
     for (command, what) in [
         ("check", "its turns cannot be counted"),
         ("simulate", "its turns cannot be counted"),

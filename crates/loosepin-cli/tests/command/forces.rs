@@ -28,8 +28,8 @@ fn a_press_names_the_law_of_its_force_and_what_a_line_contact_gives() {
     let of_points = desk.succeed(&["check", "model.toml"]).output;
     assert!(
         of_points.ends_with(&format!(
-            "\nThe force in ram_pin is by lankarani-nikravesh, a point contact: no bearing length enters.\n\
-             A long pin is a line contact, whose peak force may be twice as large. To have both in a study:\n  \
+            "\nThe force in ram_pin is by lankarani-nikravesh, a point contact: it uses no bearing length.\n\
+             A long pin is a line contact, whose peak force may be twice as large. To use both in a study:\n  \
              [joint.ram_pin] of the model: bearing_length = \"...\"\n  \
              [epistemic] of the study: {LIST}\n"
         )),
@@ -41,8 +41,7 @@ fn a_press_names_the_law_of_its_force_and_what_a_line_contact_gives() {
         "Contact forces in ram_pin are those of lankarani-nikravesh (point contact, the bearing's length of 40 mm does not enter). The \
          stated restitution of 0.7 acts as 0.796 in a free impact; valid for impacts up to 0.052 m/s (18.2 % are faster). As a line \
          contact over 40 mm the same impact energy gives about 30 kN (johnson).",
-        "In ram_pin the parts penetrate each other by up to 15.6 % of the clearance, more than a tenth. Contact laws suppose a patch \
-         that is small beside the pin, so force and deviation depend on the law: compare another one.",
+        "In ram_pin the parts penetrate each other by up to 15.6 % of the clearance, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law.",
     ] {
         assert!(told.contains(sentence), "{told}");
     }

@@ -119,9 +119,12 @@ fn a_page_is_written_once_and_again_from_its_record() {
         assert!(said.output.contains(words), "{words}\n{}", said.output);
     }
     let page = desk.read("identified/report.html");
-    for words in
-        ["What the motion leaves", "Measured and predicted", "What to measure next", "The study before and after"]
-    {
+    for words in [
+        "Values consistent with the motion",
+        "Measured and predicted",
+        "What to measure next",
+        "The study before and after",
+    ] {
         assert!(page.contains(words), "{words}");
     }
     for name in ["map.first", "features.0", "next.features"] {
@@ -147,7 +150,7 @@ fn a_posterior_distribution_is_printed_and_drawn_where_it_is_asked_for() {
     }
     let page = desk.read("identified/report.html");
     assert!(page.contains("data-figure=\"posterior.0.0\""), "the density is drawn");
-    assert!(page.contains("How probable the values are"));
+    assert!(page.contains("Probability of the values"));
     // Without it, the same folder is asked for something else.
     let other = desk.run(&[&asked[..], &["--out", "identified"]].concat());
     assert_ne!(other.status, 0, "{}", other.output);

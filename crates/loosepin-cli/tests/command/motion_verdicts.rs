@@ -57,7 +57,7 @@ fn a_limit_that_the_worst_case_breaks_is_not_met() {
     assert_eq!(said.status, 1, "{output}");
     assert!(output.contains("Not all requirements are met in the worst case without dynamics."), "{output}");
     assert!(output.contains("Not met in the worst case: deviation of slider within ±0.6 mm"), "{output}");
-    assert!(output.contains("with play and parts at their worst. How often, loosepin study tells."), "{output}");
+    assert!(output.contains("in the worst case of play and parts. `loosepin study` computes how often."), "{output}");
 }
 
 #[test]

@@ -242,7 +242,9 @@ fn identity_a_killed_shard_goes_on_and_nothing_differs() {
     let early = merge(&desk, "cut", 3);
     assert_eq!(early.status, 3);
     assert!(
-        early.messages.contains("the present round of 1168 runs is not complete: missing are those of shard 2/3 ("),
+        early
+            .messages
+            .contains("the current round of 1168 runs is not complete: runs of these shards are missing: 2/3 ("),
         "{}",
         early.messages
     );

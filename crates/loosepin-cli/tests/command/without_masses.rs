@@ -65,7 +65,7 @@ fn a_model_without_masses_is_checked_for_its_motion_and_says_what_a_run_needs() 
     assert!(said.contains("\n  gravity not given\n") && said.contains("             no contact is named\n"), "{said}");
     let (_, missing) = said
         .split_once(
-            "The loops close all the way round.\n\nComplete for its motion (loosepin motion, the band of the studio). ",
+            "The loops close over the whole cycle.\n\nComplete for its motion (loosepin motion, the band of the studio). ",
         )
         .unwrap_or_else(|| panic!("{said}"));
     let lines: Vec<&str> = missing.lines().collect();

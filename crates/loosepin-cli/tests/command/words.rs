@@ -247,8 +247,8 @@ fn a_mechanism_that_forces_move_is_simulated_and_has_no_ideal_motion() {
     desk.write("model.toml", include_str!("../../../loosepin-simulate/tests/files/pendulum_on_a_spring.toml"));
     desk.fail(
         &["motion", "model.toml"],
-        "model.toml:45:2: error[E0701]: the drives do not move the mechanism alone: without its forces it has no ideal motion\n\
-         hint: use loosepin simulate: it follows the forces in time",
+        "model.toml:45:2: error[E0701]: the drives alone do not determine the motion: without forces, there is no ideal motion\n\
+         hint: use `loosepin simulate`, which computes the motion from the forces",
     );
     let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]);
     assert!(said.output.contains("energy balance"), "{}", said.output);

@@ -22,8 +22,8 @@ problems! {
                 counted(*drives, "drive"),
                 undetermined_words(undetermined)
             ),
-            hint("add a drive, or a joint that holds what can still move; what only forces move needs its start under \
-                  [initial]");
+            hint("add a drive, or a joint that stops the free motion; a motion that only forces determine needs its start \
+                  under [initial]");
         TooManyDrives {
             /// Degrees of freedom with all clearances at zero.
             mobility: usize,
@@ -33,23 +33,23 @@ problems! {
                 "the mechanism has {} of freedom and {}: {}",
                 counted(*mobility, "degree"),
                 counted(*drives, "drive"),
-                if *drives == 1 { "nothing can move" } else { "they work against each other" }
+                if *drives == 1 { "nothing can move" } else { "the drives contradict each other" }
             ),
             hint("remove a {}", if *mobility == 0 { "joint" } else { "drive" });
         DrivenLoop { joint: String } => Code::DrivenLoop,
             says("joint '{joint}' closes a loop in which every joint is driven"),
             hint("remove one of the drives of this loop");
         BeamHangs { body: String } => Code::BeamNotPossible,
-            says("body '{body}' has a tangent frame, and what moves it comes to it through its other end"),
-            hint("exchange from and to in [body.{body}.beam], or take frame = \"secant\" there and in its joint no drive");
+            says("body '{body}' has a tangent frame at from, but the joints that move the body are at its other end"),
+            hint("exchange from and to in [body.{body}.beam], or use frame = \"secant\" and no drive in its joint");
         BeyondBeam { body: String, point: String } => Code::BeamNotPossible,
             says("point '{point}' of body '{body}' lies beyond the ends of its beam"),
             hint("points of a flexible body lie between from and to, on the axis or beside it");
         /// A joint with friction in a mechanism whose constraint forces are not determined.
         CarriedNotDetermined { joint: String } => Code::FrictionNotPossible,
-            says("joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints \
-                  repeat each other"),
-            hint("remove what holds the mechanism twice, or the friction");
+            says("joint '{joint}' has friction, but its force is not determined: constraints of ideal joints are \
+                  redundant"),
+            hint("remove the redundant constraint, or the friction");
         CannotClose {
             open: Opening,
             at: Option<Box<DrivePlace>>,
@@ -67,7 +67,7 @@ problems! {
             hint("{}", if guesses.is_empty() {
                 "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the true one"
             } else {
-                "check the lengths and the start angle; if the loop does close, a guess may lead away from it: correct it, or leave it out"
+                "check the lengths and the start angle; if the loop does close, a guess may be wrong: correct it, or remove it"
             });
         /// A line that closes only the other way round.
         ClosesTurned { path: String, bodies: [String; 2] } => Code::CannotClose,
@@ -77,10 +77,10 @@ problems! {
                 bodies[1],
                 describe_path(path)
             ),
-            hint("its line points the other way: change the angle of its guide or slider by 180 deg");
+            hint("its line points in the opposite direction: change the angle of its guide or slider by 180 deg");
         CannotCloseAsGiven { open: Opening } => Code::StartNotPossible,
             says("the links cannot close at the start that [initial] gives: {open} at best"),
-            hint("leave out what follows from the other values under [initial]");
+            hint("remove the values under [initial] that follow from the others");
         StartNotDetermined {
             /// Whether rates are missing, not positions.
             is_rate: bool,
@@ -96,11 +96,11 @@ problems! {
                 if *is_rate { "angular velocity or velocity" } else { "angle or position" }
             );
         StartNotNeeded => Code::StartNotPossible,
-            says("the drives determine the motion; the initial state under [initial] has nothing to say"),
+            says("the drives determine the motion, so there is no initial state to give under [initial]"),
             hint("remove [initial], or a drive");
         /// A velocity or rest in the bearing where forces move the mechanism.
         OffsetOfFreeMotion { path: String } => Code::StartNotPossible,
-            says("{} can be given only where the drives determine the motion", describe_path(path)),
+            says("{} can be given only if the drives determine the motion", describe_path(path)),
             hint("give the offset alone, or add a drive");
         PitchCirclesApart {
             path: String,
@@ -110,19 +110,19 @@ problems! {
             due: String,
         } => Code::TeethNotPossible,
             says(
-                "{}: the centres of the gears are {distance} apart; with 'pressure_angle' must be {due}, which the pitch radii give, \
-                 to 1 %",
+                "{}: the centres of the gears are {distance} apart; with 'pressure_angle' this must be {due}, from the pitch radii, \
+                 within 1 %",
                 describe_path(path)
             ),
-            hint("radii are those of the pitch circles in mesh: their sum is the distance, of an internal mesh their \
+            hint("radii are those of the pitch circles in mesh: the distance is their sum, or for an internal mesh their \
                   difference");
         NothingToControl { control: String } => Code::ControlNotPossible,
-            says("control '{control}' has nothing to move: the drives determine the motion"),
-            hint("remove the drive of what the control is to move, or the control");
+            says("control '{control}' cannot move anything: the drives determine the motion"),
+            hint("remove the drive of the motion to be controlled, or the control");
         NoInverseDynamics { control: String, reason: &'static str } => Code::ControlNotPossible,
             says("control '{control}' cannot feed inverse dynamics forward: {reason}"),
-            hint("it is worked out for open chains on the ground whose every joint is driven or controlled; feed \
-                  forward an expression over time instead, or nothing");
+            hint("inverse dynamics is available for open chains on the ground in which every joint is driven or controlled; \
+                  use an expression over time as feed_forward, or none");
         StartContradicts {
             path: String,
             given_si: f64,
@@ -131,15 +131,15 @@ problems! {
             dimension: Dimension,
         } => Code::StartNotPossible,
             says(
-                "{} cannot be {} at the start; the links and what else is given come no closer than {}",
+                "{} cannot be {} at the start; the nearest value that the links and the other given values permit is {}",
                 describe_path(path),
                 format_value(*given_si, *dimension),
                 format_value(*found_si, *dimension)
             ),
-            hint("leave it out: it follows from the others; or change those");
+            hint("remove it, because it follows from the others, or change the others");
         SingularStart { bodies: Vec<String> } => Code::SingularPosition,
             says(
-                "the mechanism starts in a singular position: {} can move although every drive stands still",
+                "the mechanism starts in a singular position: {} can move although every drive is locked",
                 if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
             ),
             hint("start the drive a few degrees away");
@@ -240,7 +240,7 @@ problems! {
                 let [clearance, from, to] = format_apart([*clearance_m, fitted_m[0], fitted_m[1]], Dimension::LENGTH);
                 format!("joint '{joint}' has a radial clearance of {clearance}; '{law}' was fitted to clearances from {from} to {to}")
             }),
-            hint("take another law for this clearance");
+            hint("use another law for this clearance");
         PointOffSection {
             body: String,
             point: String,
@@ -249,12 +249,12 @@ problems! {
             largest: f64,
         } => Code::BeamNotPossible,
             says(
-                "point '{point}' of body '{body}' lies {:.1} % of the length of its beam off the section that was chosen for it; at most \
-                 {:.0} % are allowed",
+                "point '{point}' of body '{body}' is {:.1} % of the length of its beam away from the section chosen for it; at most \
+                 {:.0} % is permitted",
                 100.0 * share.abs(),
                 100.0 * largest
             ),
-            hint("place the point in the model there, so that its shapes are made for that place");
+            hint("move the point in the model to this place, so that the shapes are computed for it");
         RoughnessOutsideFilm {
             joint: String,
             law: &'static str,
@@ -267,12 +267,12 @@ problems! {
                 let [roughness, least, most] =
                     format_apart([*roughness_m, allowed_m[0], allowed_m[1]], Dimension::LENGTH);
                 format!(
-                    "joint '{joint}' has a film by {law} with a roughness of {roughness} at a radial clearance of {}; must lie \
+                    "joint '{joint}' has a film by {law} with a roughness of {roughness} at a radial clearance of {}; must be \
                      between {least} and {most}",
                     format_value(*clearance_m, Dimension::LENGTH)
                 )
             }),
-            hint("the roughness is the thickness below which the film no longer stiffens");
+            hint("the roughness is the thickness below which the film does not become stiffer");
         LengthOutsideFilm {
             joint: String,
             law: &'static str,
@@ -281,19 +281,19 @@ problems! {
             longest: f64,
         } => Code::LengthOutsideFilm,
             says(
-                "joint '{joint}' has a film by {law} with a bearing of {} times its diameter; at most {longest} times are possible",
+                "joint '{joint}' has a film by {law} with a bearing {} times as long as its diameter; at most {longest} times are possible",
                 (1000.0 * length_ratio).round() / 1000.0
             ),
-            hint("take the film \"finite-length\" or \"pinkus-sternlicht\" for so long a bearing");
+            hint("use the film \"finite-length\" or \"pinkus-sternlicht\" for such a long bearing");
         CannotClose { open: Opening, time_s: f64, at: Option<Box<DrivePlace>> } => Code::CannotClose,
             says("the links cannot close at {}{}: {open}", format_value(*time_s, Dimension::TIME), at_words(at.as_deref())),
-            hint("the lengths do not allow the whole turn; check them, or drive another joint");
+            hint("the lengths do not permit a whole turn; check them, or drive another joint");
         StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,
             says("{}", {
                 let [given, found] = format_apart([*given_si, *found_si], *dimension);
-                format!("{} is {given}; the links and what else is given make it {found}", describe_path(path))
+                format!("{} is {given}; from the links and the other given values it is {found}", describe_path(path))
             }),
-            hint("leave it out: it follows from the others; or change those");
+            hint("remove it, because it follows from the others, or change the others");
         /// A journal that starts outside of its play.
         OffsetBeyondPlay { path: String, offset_m: f64, clearance_m: f64 } => Code::StartNotPossible,
             says("{}", {
@@ -306,13 +306,13 @@ problems! {
                 "at {} the motion of drive '{drive}' is not a finite number, or its speed or acceleration is not",
                 format_value(*time_s, Dimension::TIME)
             ),
-            hint("its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside");
+            hint("its expression leaves the domain of log, sqrt, ^ or /: keep their arguments inside");
         Singular { time_s: f64, at: Option<Box<DrivePlace>> } => Code::SingularPosition,
             says(
                 "singular position at {}{}: the drives no longer determine the motion",
                 format_value(*time_s, Dimension::TIME),
                 at_words(at.as_deref())
             ),
-            hint("two ways of assembling the links meet there: change a length, keep the drive away from this position, or drive another joint");
+            hint("the links can be assembled in two ways there: change a length, keep the drive away from this position, or drive another joint");
     }
 }

@@ -35,14 +35,14 @@ problems! {
     #[derive(Debug, Clone, PartialEq)]
     pub enum HardlyPossible {
         Unusual { entry: String, found: String, usual: &'static str, slip: Option<String> } => Code::HardlyPossible,
-            says("{entry} {found}; usual is {usual}"),
+            says("{entry} {found}; usual values are {usual}"),
             hint_of(Some(or_meant(slip)));
         Upwards { found: String, turned: String } => Code::HardlyPossible,
-            says("gravity {found} acts upwards: it is the acceleration along -y"),
+            says("gravity {found} acts upwards: gravity is the acceleration along -y"),
             hint("did you mean \"{turned}\"?");
         BelowAbsoluteZero { entry: String, found: String } => Code::HardlyPossible,
-            says("{entry} {found}; from 20 °C that is below absolute zero"),
-            hint("it is the difference from the temperature of the drawing, in K");
+            says("{entry} {found}; from 20 °C this is below absolute zero"),
+            hint("give the difference from the temperature of the drawing, in K");
         NegativeLength { entry: String, found: String, turned: String } => Code::HardlyPossible,
             says("{entry} is {found}; a length is usually above 0"),
             hint("did you mean \"{turned}\"?");
@@ -67,19 +67,19 @@ problems! {
             }));
         CentreOfMass { entry: String, distance: String, extent: String } => Code::HardlyPossible,
             says("{entry} lies {distance} from the points of the body, which are {extent} apart"),
-            hint("it is stated in the frame of the body, as its points are");
+            hint("give it in the frame of the body, like the points");
         Clearance { entry: String, found: String, radius: String } => Code::HardlyPossible,
-            says("{entry} {found}; usual is up to a tenth of the radius, {radius}"),
+            says("{entry} {found}; usual values are up to a tenth of the radius, {radius}"),
             hint("the clearance is radius of the hole minus radius of the pin, not the radius of the pin");
         Restitution { entry: String, found: String, law: &'static str, delivered: String } => Code::HardlyPossible,
             says("{entry} {found}; with the law {law} impacts have {delivered}"),
-            hint("that law is for nearly elastic impacts; flores and exact-restitution deliver what is stated");
+            hint("this law is for nearly elastic impacts; flores and exact-restitution deliver the given restitution");
     }
 }
 
 /// The likely meaning, or that the number may stay.
 fn or_meant(slip: &Option<String>) -> String {
-    slip.clone().unwrap_or_else(|| "correct it, or ignore this if it is meant".to_owned())
+    slip.clone().unwrap_or_else(|| "correct it, or ignore this warning if the value is intended".to_owned())
 }
 
 impl Model {
@@ -146,7 +146,7 @@ impl Model {
             let meant = format!("{number}{meant}");
             let measured = parse_quantity(&meant).ok()?;
             (measured.dimension == quantity.dimension && is_plausible(measured.value_si))
-                .then(|| format!("did you mean \"{meant}\" in place of \"{text}\"?"))
+                .then(|| format!("did you mean \"{meant}\" instead of \"{text}\"?"))
         })
     }
 

@@ -37,7 +37,7 @@ problems! {
             says("{entry}: there is no {what} '{name}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None if !known.is_empty() => format!("there is {}", listed(known, "and")),
+                None if !known.is_empty() => format!("available: {}", listed(known, "and")),
                 None if *what == "point" => {
                     format!("body '{}' has no points", name.split_once('.').map_or("", |(body, _)| body))
                 }
@@ -67,14 +67,14 @@ problems! {
             /// The drive or control as it is written.
             text: String,
         } => Code::ConflictingKeys,
-            says("{entry}: {actuator} {} joint '{joint}'; it has a {}",
+            says("{entry}: {actuator} {} joint '{joint}', so it has a {}",
                 if *turns { "turns" } else { "pushes along" }, if *turns { "torque, not a force" } else { "force, not a torque" }),
             hint("write {} = \"{text}\"", if *turns { "torque_of" } else { "force_of" });
         SameBody { entry: String, body: String } => Code::SameBody,
             says("{entry} connects body '{body}' to itself");
         StiffnessTwice { entry: String, material: &'static str, given: &'static str } => Code::ConflictingKeys,
-            says("{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes from materials or \
-                  is given");
+            says("{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes either from \
+                  materials or from '{given}'");
         NoStiffness { entry: String } => Code::MissingKey,
             says("{entry}: the stiffness is missing"),
             hint("give youngs_modulus and poisson_ratio, or stiffness and exponent");
@@ -84,7 +84,7 @@ problems! {
         NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> } => Code::ConflictingKeys,
             says("{entry}: '{key}' needs {}", quoted(needs)),
             hint_of(match *key {
-                "thermal_expansion" => Some("state it here, or at the top of the file for all parts"),
+                "thermal_expansion" => Some("give it here, or at the top of the file for all parts"),
                 "contact" if needs.contains(&"bearing_length") => {
                     Some("the contact has a line-contact law, whose force is proportional to the length")
                 }
@@ -92,10 +92,10 @@ problems! {
                     Some("the stiffness of the contact comes from the materials: a sphere of that radius on a plane")
                 }
                 _ if needs.contains(&"radial_clearance") => {
-                    Some("or 'diametral_clearance', which is twice the radial one")
+                    Some("or give 'diametral_clearance', which is twice the radial clearance")
                 }
                 "radial_clearance" | "diametral_clearance" | "clearance" => {
-                    Some("a joint without play is written without a clearance, or with \"0 mm\"")
+                    Some("a joint without play has no clearance, or a clearance of \"0 mm\"")
                 }
                 _ => None,
             }
@@ -108,26 +108,26 @@ problems! {
             hint("for example bearing = {{ coefficient = \"1e-15 m^2/N\" }}");
         WearByLiteral { entry: String, contact: String } => Code::ConflictingKeys,
             says("{entry} cannot be used with contact '{contact}', whose sliding_velocity is \"literal\""),
-            hint("wear goes by the sliding of the materials: write sliding_velocity = \"material\"");
+            hint("wear depends on the sliding of the materials: write sliding_velocity = \"material\"");
         WearNeedsMaterials { entry: String, contact: String } => Code::ConflictingKeys,
-            says("{entry}: Hertz's pressure needs the materials of contact '{contact}', whose stiffness is given"),
-            hint("give youngs_modulus and poisson_ratio in place of the stiffness, or write pressure = \"concentrated\"");
+            says("{entry}: Hertzian pressure needs the materials of contact '{contact}', but its stiffness is given"),
+            hint("give youngs_modulus and poisson_ratio instead of the stiffness, or write pressure = \"concentrated\"");
         /// A contact whose worn shape cannot act back.
         WornContact { entry: String, joint: String, contact: String, what: &'static str } => Code::ConflictingKeys,
             says("{entry}: geometry = \"worn\" cannot be used with joint '{joint}': its contact '{contact}' {what}"),
-            hint("the worn shape acts back through an elastic foundation; geometry = \"fixed\" keeps the unworn one");
+            hint("the worn shape changes the forces through an elastic foundation; geometry = \"fixed\" keeps the unworn shape");
         /// A key of worn geometry beside a fixed one.
         OnlyWorn { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' needs geometry = \"worn\""),
-            hint("with the unworn geometry wear grows evenly with the cycles, and outputs do not change");
+            hint("with the unworn geometry, wear is proportional to the cycles, and outputs do not change");
         /// A key of fixed geometry beside a worn one.
         OnlyFixed { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' cannot be used with geometry = \"worn\""),
-            hint("leave it out: the elastic foundation distributes the pressure");
+            hint("remove it: the elastic foundation distributes the pressure");
         /// The output of a limit.
         NoLimitedOutput { entry: String, output: String } => Code::UnknownReference,
-            says("{entry}: there is no output '{output}' with a history of its own"),
-            hint("name an output of a motion, force or torque; of a path name the coordinates");
+            says("{entry}: there is no output '{output}' with its own history"),
+            hint("use an output of a motion, force or torque; for a path, use its coordinates");
         /// A measure of wear that a fixed geometry does not have.
         MeasureOfWornGeometry { output: String, measure: &'static str, needs: &'static str } => Code::ConflictingKeys,
             says("output.{output}: component = \"{measure}\" needs {needs} in [wear]");
@@ -142,39 +142,39 @@ problems! {
             says("{entry}: '{key}' cannot be used with '{beside}'");
         RelativeToItself { entry: String, body: String } => Code::ConflictingKeys,
             says("{entry}: body '{body}' does not move relative to itself"),
-            hint("name another body, or leave relative_to out to measure from the ground");
+            hint("use another body, or omit relative_to to measure from the ground");
         NoBodies { entry: String } => Code::MissingKey,
             says("{entry}: the two bodies are missing"),
-            hint("name a revolute joint as joint, or two bodies as first and second");
+            hint("give a revolute joint as joint, or two bodies as first and second");
         DoesNotTurn { entry: String, joint: String } => Code::UnknownReference,
-            says("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint"),
-            hint("name a revolute joint, or two bodies as first and second");
+            says("{entry}: joint '{joint}' does not turn; a torsional spring needs a revolute joint"),
+            hint("give a revolute joint, or two bodies as first and second");
         /// A number under [parameter] that is used where something is measured.
         ParameterWithoutUnit { name: String, value: f64, entry: String, due: Dimension } => Code::MissingUnit,
-            says("parameter '{name}' is {} without a unit; {entry} makes it {due}", format_number(*value)),
+            says("parameter '{name}' is {} without a unit; {entry} uses it as {due}", format_number(*value)),
             hint("write its unit, for example {name} = \"{} {}\"", format_number(*value), ReadableUnit::default_for(*due).text);
         /// A clearance on the radius and one on the diameter.
         ClearanceTwice { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'radial_clearance' and 'diametral_clearance' cannot be used together"),
-            hint("keep one of the two; the diametral clearance is twice the radial one");
+            hint("keep one of the two; the diametral clearance is twice the radial clearance");
         LoadOnGround { entry: String } => Code::UnknownReference,
             says("{entry} acts on the ground, which does not move");
         DoesNotMove { entry: String, joint: String, why: &'static str } => Code::UnknownReference,
-            says("{entry}: joint '{joint}' {why}; it has neither angle nor position");
+            says("{entry}: joint '{joint}' {why}, so it has neither angle nor position");
         JointNotRead { entry: String, key: &'static str } => Code::ConflictingKeys,
-            says("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed");
+            says("{entry}: 'joint' has no effect here; '{key}' is not an expression of its angle, position or speed");
         NotOfJoint { entry: String, word: &'static str, names: Vec<&'static str> } => Code::ConflictingKeys,
             says("{entry} is '{word}'; must be {}", listed(&names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>(), "or")),
             hint("{}", match names.len() {
-                1 => "angle, position and speed are those of a joint, which joint = \"...\" names",
+                1 => "angle, position and speed need a joint: add joint = \"...\"",
                 _ => "a revolute joint has angle and speed, a prismatic joint or a slot position and speed",
             });
         NameTaken { entry: String, name: &'static str } => Code::BadName,
-            says("{entry}: '{name}' is a parameter of this file and a variable of this expression"),
+            says("{entry}: '{name}' is both a parameter of this file and a variable of this expression"),
             hint("give the parameter another name, for example {name}_value");
         InverseFunction { entry: String } => Code::FunctionNotPossible,
-            says("{entry}: inverse trigonometric functions cannot be used together with what changes in time"),
-            hint("give what does not change a name under [parameter] and use that");
+            says("{entry}: inverse trigonometric functions cannot be used with values that change in time"),
+            hint("define the constant part under [parameter], and use its name");
         NotForPlanes {
             entry: String,
             contact: String,
@@ -183,7 +183,7 @@ problems! {
             what_touches: &'static str,
         } => Code::ConflictingKeys,
             says("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}"),
-            hint("take a point-contact or a linear law without a film, and the material sliding velocity");
+            hint("use a point-contact or linear law without a film, and the material sliding velocity");
         NotDrivable { entry: String, joint: String, why: &'static str, hint: &'static str } => Code::DriveNotPossible,
             says("{entry}: joint '{joint}' {why} and cannot be driven"),
             hint("{hint}");
@@ -207,13 +207,13 @@ problems! {
             says("the header is '{text}'; must be a name with a unit in brackets"),
             hint("for example: time [s], angle [deg]");
         CsvDimension { text: String, due: Dimension } => Code::TableNotReadable,
-            says("the column '{text}' must hold {due}");
+            says("the column '{text}' must contain {due}");
         CsvNumber { text: String } => Code::TableNotReadable,
             says("'{text}' is not a number"),
             hint("{}", if text.contains(';') {
                 "columns are separated by commas, and numbers have a decimal point"
             } else {
-                "with a point and no thousands separator, for example 0.25 or 1e-3"
+                "write numbers with a decimal point and no thousands separator, for example 0.25 or 1e-3"
             });
         SameJoint { entry: String, joint: String } => Code::SameBody,
             says("{entry} couples joint '{joint}' to itself");
@@ -226,22 +226,22 @@ problems! {
                   couples any two joints");
         BacklashNeedsRadii { entry: String } => Code::PlayOfCoupling,
             says("{entry}: 'backlash' cannot be used with 'teeth'; it is a length on the pitch circles"),
-            hint("give the pitch radii as radii in place of teeth");
+            hint("give the pitch radii as radii instead of teeth");
         ForceNeedsRadii { entry: String } => Code::TeethNotPossible,
             says("{entry}: 'pressure_angle' cannot be used with 'teeth'; the force of teeth is a torque over a pitch radius"),
-            hint("give the pitch radii as radii in place of teeth");
+            hint("give the pitch radii as radii instead of teeth");
         ForceOnPlay { entry: String, joint: String } => Code::TeethNotPossible,
-            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' has play; how the force of teeth presses \
-                  its pin aside is not computed"),
-            hint("leave pressure_angle out, or the clearance of that joint");
+            says("{entry}: 'pressure_angle' cannot be used if joint '{joint}' has play; the effect of the tooth force on the \
+                  position of its pin is not modelled"),
+            hint("remove pressure_angle, or the clearance of this joint");
         ForceOnFriction { entry: String, joint: String } => Code::TeethNotPossible,
-            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' has friction; how that grows with the \
-                  force of teeth is not computed"),
-            hint("leave pressure_angle out, or the friction of that joint");
+            says("{entry}: 'pressure_angle' cannot be used if joint '{joint}' has friction; the effect of the tooth force on \
+                  this friction is not modelled"),
+            hint("remove pressure_angle, or the friction of this joint");
         ForceOnSlot { entry: String, joint: String } => Code::TeethNotPossible,
-            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' is a slot; a slot does not keep \
+            says("{entry}: 'pressure_angle' cannot be used if joint '{joint}' is a slot; a slot does not keep \
                   the rack parallel to its line"),
-            hint("leave pressure_angle out, or guide the rack in a prismatic joint");
+            hint("remove pressure_angle, or guide the rack in a prismatic joint");
         NotForFlanks {
             entry: String,
             contact: String,
@@ -250,39 +250,39 @@ problems! {
             what_touches: &'static str,
         } => Code::PlayOfCoupling,
             says("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}"),
-            hint("give a contact its stiffness: stiffness and exponent, or a linear law; without friction and without a film");
+            hint("use a contact with a given stiffness (stiffness and exponent, or a linear law), without friction and without a film");
         FollowerTurns { entry: String, joint: String } => Code::PlayOfCoupling,
-            says("{entry}: joint '{joint}' turns; only a follower that slides may lift off"),
-            hint("leave contact out, or name a prismatic joint as follower");
+            says("{entry}: joint '{joint}' turns; only a follower that slides can lift off"),
+            hint("omit contact, or use a prismatic joint as follower");
         CamPeriod { entry: String, from: String, to: String, whole: String } => Code::BreaksRule,
             says(
-                "{entry}: its points go from {from} to {to}, which is one period of the profile; it must be a turn, whole turns, or a whole part of a \
-                 turn"
+                "{entry}: its points go from {from} to {to}, which is one period of the profile; a period must be one turn, a whole number of \
+                 turns, or one turn divided by a whole number"
             ),
-            hint("carry the points on to {whole}: between the last point and that nothing is known");
+            hint("continue the points to {whole}: the profile is not defined between the last point and this one");
         ControlledTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
-            says("{entry}: joint '{joint}' is already moved by {other}");
+            says("{entry}: {other} already moves joint '{joint}'");
         CycleNeedsTurns { drive: String } => Code::DriveNotPossible,
             says("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted"),
-            hint("name a drive of a revolute joint, or give duration in place of drive");
+            hint("use a drive of a revolute joint, or give duration instead of drive");
         CycleNeedsPeriod { drive: String, kind: &'static str } => Code::DriveNotPossible,
             says("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to \
                   count"),
-            hint("give duration in place of drive");
+            hint("give duration instead of drive");
         TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
-            says("the file has {found} {what}; must be at most {most}");
+            says("the file has {found} {what}; at most {most} are permitted");
         TooFewPoints { entry: String, least: usize } => Code::BadCount,
-            says("{entry} has too few entries; must be at least {least}");
+            says("{entry} has too few entries; it needs at least {least}");
         InitialOfGround => Code::UnknownReference,
-            says("initial: the ground does not move; it has no initial state");
+            says("initial: the ground does not move, so it has no initial state");
         WrongCoordinate { entry: String, key: String } => Code::ConflictingKeys,
             says("{entry}: '{key}' does not fit this kind of joint"),
-            hint("a revolute joint has angle and angular_velocity, a prismatic one position and velocity");
+            hint("a revolute joint has angle and angular_velocity, a prismatic joint position and velocity");
         OffsetWithoutPlay { entry: String, key: String, joint: String } => Code::ConflictingKeys,
-            says("{entry}: '{key}' is of a journal in its bearing; joint '{joint}' is no revolute joint with a clearance"),
+            says("{entry}: '{key}' needs a journal in its bearing; joint '{joint}' is not a revolute joint with a clearance"),
             hint("give it a radial_clearance, or remove the key");
         GuessOfGround => Code::UnknownReference,
-            says("assembly: the ground does not move; its angle cannot be guessed");
+            says("assembly: the ground does not move, so its angle needs no guess");
         WrongUnit { entry: String, unit: String, due: Dimension } => Code::WrongDimension,
             says("{entry} is '{unit}'; must be a unit of {due}");
         /// A parameter or contact that nothing refers to.

@@ -88,7 +88,7 @@ fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> Str
         format!("Without dynamics the band stays within ±{limit}.")
     } else if inner_si <= limit_si {
         format!(
-            "Without dynamics ±2 standard deviations stay within ±{limit}, the largest effect of play to first order does not."
+            "Without dynamics ±2 standard deviations stay within ±{limit}, but the largest first-order effect of play does not."
         )
     } else {
         format!("Without dynamics the band goes beyond ±{limit}.")
@@ -118,10 +118,10 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
     let has_parts = output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0);
     let [outer, inner] = match (has_play, has_parts) {
         (true, true) => [
-            "most play to first order, and parts at ±2 standard deviations",
+            "largest first-order effect of play, and parts at ±2 standard deviations",
             "±2 standard deviations of play and parts",
         ],
-        (true, false) => ["most play, to first order", "±2 standard deviations of play"],
+        (true, false) => ["largest first-order effect of play", "±2 standard deviations of play"],
         _ => ["", "±2 standard deviations of the parts"],
     };
     let mut chart = angle_chart(record, name_of("band", &output.name), writer);

@@ -110,8 +110,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
     let stay = stay_words(curve, whole, writer);
     let magnified = format!("{magnification}");
     let alternative = format!(
-        "The ideal path of {subject} and the zone about it in which {stay}, {magnified} times as wide as it is; it reaches \
-         {} to a side.",
+        "The ideal path of {subject} and the zone about it in which {stay}, magnified {magnified} times; it extends {} to each side.",
         writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)
     );
     let drawn = html! {
@@ -129,7 +128,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
                 (writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)) " to a side."
                 @if nominal.is_some() { " Black: nominal parts." }
                 @if curve.of == Deviation::Clearance {
-                    " Deviations are those of each mechanism from its own ideal path, drawn on that of the drawing."
+                    " Deviations are those of each mechanism from its own ideal path, drawn on the nominal ideal path."
                 }
     };
     let csv = zone_csv(curve, path, band, writer);

@@ -52,7 +52,7 @@ pub fn compared(
     for place in of(before) {
         let curve = &before.curves[place];
         let Some(found) = left.iter().position(|other| is_same_curve(curve, &after.curves[*other])) else {
-            left_out.push(format!("{}: A alone has this band.", title(curve)));
+            left_out.push(format!("{}: only A has this band.", title(curve)));
             continue;
         };
         let other = &after.curves[left.remove(found)];
@@ -63,7 +63,7 @@ pub fn compared(
             left_out.push(format!("{}: the bands are over the angle of another drive: {drives}.", title(curve)));
         }
     }
-    left_out.extend(left.iter().map(|place| format!("{}: B alone has this band.", title(&after.curves[*place]))));
+    left_out.extend(left.iter().map(|place| format!("{}: only B has this band.", title(&after.curves[*place]))));
     (bands, left_out)
 }
 

@@ -51,7 +51,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     let [model, study] = [InputRole::Model, InputRole::Study].map(|role| texts(pair, role));
     if model.is_none() || study.is_none() {
         left_out.push(
-            "A result of an older version does not hold its model and study: only uncertain inputs are compared."
+            "A result of an older version does not contain its model and study: only uncertain inputs are compared."
                 .to_owned(),
         );
     }
@@ -67,7 +67,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
                     ChangedInput { place, path, words, before: entry.before, after: entry.after }
                 }))
             }
-            Some(Err(_)) => left_out.push(format!("The text of a {word} cannot be read any more.")),
+            Some(Err(_)) => left_out.push(format!("The text of a {word} can no longer be read.")),
         }
     }
     found.extend(tables(pair));

@@ -22,7 +22,7 @@ pub fn shared([before, after]: [&StudyResult; 2]) -> SharedOutputs {
     for output in &before.outputs {
         let name = &output.name;
         match after.outputs.iter().find(|other| other.name == *name) {
-            None => shared.left_out.push(format!("Output '{name}' is in A alone.")),
+            None => shared.left_out.push(format!("Output '{name}' is only in A.")),
             Some(other) if is_same(output, other) => shared.names.push(name.clone()),
             Some(other) => shared.left_out.push(format!(
                 "Output '{name}' is not the same in both: {} in A, {} in B.",
@@ -33,7 +33,7 @@ pub fn shared([before, after]: [&StudyResult; 2]) -> SharedOutputs {
     }
     let is_new = |output: &&OutputDescription| before.outputs.iter().all(|own| own.name != output.name);
     let only_after = after.outputs.iter().filter(is_new);
-    shared.left_out.extend(only_after.map(|output| format!("Output '{}' is in B alone.", output.name)));
+    shared.left_out.extend(only_after.map(|output| format!("Output '{}' is only in B.", output.name)));
     shared
 }
 

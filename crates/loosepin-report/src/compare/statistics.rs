@@ -103,7 +103,7 @@ pub fn compared(
     let more = alone.len().saturating_sub(MAX_NAMED);
     alone.truncate(MAX_NAMED);
     if more > 0 {
-        alone.push(format!("{more} more statistics are in one of the studies alone."));
+        alone.push(format!("{more} more statistics are in only one of the studies."));
     }
     let unshown = rows.len().saturating_sub(MAX_ROWS);
     rows.truncate(MAX_ROWS);

@@ -82,9 +82,9 @@ pub(super) fn strip(specimen: &MotionSpecimen, unknown: usize, name: String, wri
     );
     let caption = html! {
         strong { "Distance of the measurement from the runs, at each tested value of " (own.name) "." }
-        " Below the dashed line the test keeps the value (" span.regular { "blue" } "), above it is rejected (" span.irregular { "orange" }
+        " Below the dashed line, the test accepts the value (" span.regular { "blue" } "), above it the test rejects the value (" span.irregular { "orange" }
         "). Distances above " (MAX_DISTANCE) " are drawn there."
-        @if specimen.misfit.is_none() { " Shaded: the interval that is left." }
+        @if specimen.misfit.is_none() { " Shaded: the remaining interval." }
     };
     Picture { name, class: "map", view: [0.0, 0.0, WIDTH, STRIP_HEIGHT], below: 0.0, alternative, drawn }
         .figure(caption, Some(&tested_csv(specimen, writer)))
@@ -146,7 +146,7 @@ pub(super) fn map(
     );
     let caption = html! {
         strong { (unknowns[0].name) " and " (unknowns[1].name) "." }
-        " Shaded: cells whose values the test keeps"
+        " Shaded: cells whose values the test accepts"
         @if specimen.unknowns.len() > 2 { ", for some value of the other unknowns" }
         ". Dots: tested values, " span.regular { "blue" } " kept, " span.irregular { "orange" } " rejected."
     };
@@ -247,8 +247,8 @@ pub(super) fn shares(plan: &MotionPlan, name: String, writer: &NumberWriter<'_>)
     let alternative =
         format!("Bars: share of the box that each of {} features would leave; least: {first}.", plan.features.len());
     let caption = html! {
-        strong { "What each feature would leave of the box, alone; last all together." }
-        " Mean over measurements that are imagined at " (plan.points) " values of the unknowns. The shorter the bar, the more the feature tells."
+        strong { "Share of the box that each feature alone would leave; the last bar is for all features together." }
+        " Mean over simulated measurements at " (plan.points) " values of the unknowns. A shorter bar means that the feature narrows the unknowns more."
     };
     let mut csv = "feature,share of the box left".to_owned();
     for unknown in &plan.unknowns {

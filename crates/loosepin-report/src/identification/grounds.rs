@@ -23,10 +23,12 @@ pub(super) fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec
     let inputs = counted(answer.random_inputs.len(), "random input");
     let mut words = vec![match (has_scatter, has_random) {
         (false, false) => "all bounds hold for every value within the stated errors".to_owned(),
-        (true, false) => format!("all bounds hold together with {percent} confidence over the scatter of the readings"),
-        (false, true) => format!("all bounds hold together with {percent} confidence over the {inputs}"),
+        (true, false) => {
+            format!("all bounds hold at the same time with {percent} confidence over the scatter of the readings")
+        }
+        (false, true) => format!("all bounds hold at the same time with {percent} confidence over the {inputs}"),
         (true, true) => format!(
-            "all bounds hold together with {percent} confidence over the scatter of the readings and the {inputs}; over everything else \
+            "all bounds hold at the same time with {percent} confidence over the scatter of the readings and the {inputs}; over everything else \
              they hold for every value"
         ),
     }];
@@ -40,7 +42,7 @@ pub(super) fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec
         words.push(of_motion());
     }
     if answer.specimens.len() > 1 {
-        words.push("each specimen stands for itself: its plays and lengths are its own".to_owned());
+        words.push("each specimen is analysed separately, with its own plays and lengths".to_owned());
     }
     words
 }

@@ -43,19 +43,18 @@ fn lengths_table(rows: &MechanismRows, writer: &NumberWriter<'_>) -> Table {
 /// What the rows rest on, and what they do not tell; or why there are none.
 fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &NumberWriter<'_>) -> Vec<String> {
     let rows = match lengths {
-        SpecimenLengths::Refused(refusal) => return vec![format!("no mechanisms that agree: {refusal}")],
+        SpecimenLengths::Refused(refusal) => return vec![format!("no agreeing mechanisms: {refusal}")],
         SpecimenLengths::Given(rows) => rows,
     };
     let known = |share: f64| writer.percent(2.0 * (share * (1.0 - share) / rows.effective_rows).sqrt(), Rounding::Up);
     let mut words = vec![
         format!(
-            "{} mechanisms were run with values of the unknowns in the consistent set and beside it, and weighed by the likelihood of what was \
-             measured: they say as much as {} equally probable ones",
+            "{} mechanisms were run with values of the unknowns in or next to the consistent set, and weighted with the likelihood of the measurement: their information is that of {} equally probable mechanisms",
             rows.runs,
             rows.effective.floor()
         ),
         format!(
-            "{} rows are drawn of them, which say as much as {} mechanisms: a share of 95 % is known to ± {}, one of a half to ± {} (2 standard deviations)",
+            "{} rows are drawn from them, with the information of {} mechanisms: a share of 95 % is known within ± {}, a share of 50 % within ± {} (2 standard deviations)",
             rows.rows_si.len(),
             rows.effective_rows.floor(),
             known(0.95),
@@ -69,8 +68,7 @@ fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &N
 
 fn tied_together_words(specimen: &MotionSpecimen, tied: &TiedTogether, writer: &NumberWriter<'_>) -> Option<String> {
     Some(format!(
-        "{} goes with all random inputs together (multiple rank correlation {}), though with none of them by itself: the measurement knows one only with \
-         the others, and a study draws them apart, so that its band may be too narrow. Measure lengths, or write those that matter under [epistemic]",
+        "{} is correlated with all random inputs together (multiple rank correlation {}), but with none of them alone: the measurement determines them only together. A study samples them independently, so its band may be too narrow. Measure lengths, or write the important ones under [epistemic]",
         specimen.unknowns.get(tied.unknown)?.name,
         writer.rounded(tied.rank_correlation, &SiUnit::NONE, 2, Rounding::Nearest),
     ))
@@ -84,8 +82,7 @@ fn tied_words(
 ) -> Option<String> {
     let (column, unknown) = (rows.columns.get(tied.column)?, specimen.unknowns.get(tied.unknown)?);
     Some(format!(
-        "{} goes with {} (rank correlation {}): the measurement knows one only with the other, and a study draws them apart. Write '{}' under \
-         [epistemic] in place of [random]: then its interval is part of the answer",
+        "{} is correlated with {} (rank correlation {}): the measurement determines them only together, but a study samples them independently. Write '{}' under [epistemic] instead of [random]: then its interval is part of the result",
         column.name,
         unknown.name,
         writer.rounded(tied.rank_correlation, &SiUnit::NONE, 2, Rounding::Nearest),

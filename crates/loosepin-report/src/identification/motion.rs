@@ -23,7 +23,7 @@ pub(super) fn push_unknowns(section: &mut Section, specimen: &MotionSpecimen, in
             let [consistent, beside] = specimen.share_of_box.map(|share| writer.percent(share, Rounding::Up));
             let head = Text::default()
                 .on(Medium::Terminal, format!("{features} of the motion: "))
-                .plain(format!("{consistent} of the box is consistent, {beside} with the cells beside it."));
+                .plain(format!("{consistent} of the box is consistent, {beside} with the neighbouring cells."));
             section.push(Content::sentences([head]));
             section.push(Content::Table(unknowns_table(&specimen.unknowns, &specimen.lists, writer)));
         }
@@ -50,10 +50,12 @@ pub(super) fn push_runs(section: &mut Section, specimen: &MotionSpecimen, medium
     )];
     if specimen.failed > 0 {
         let failed = counted(specimen.failed, "run");
-        words.push(format!("{failed} failed: each counts as if it lay further off than the measurement"));
+        words.push(format!("{failed} failed: each counts as further away than the measurement"));
     }
     if specimen.is_coarse {
-        words.push("the search ended at its number of points: more of them (--points) narrow further".to_owned());
+        words.push(
+            "the search ended at the limit of points: more points (--points) can narrow the values further".to_owned(),
+        );
     }
     let sentences: Vec<String> = words.iter().map(|words| format!("{}.", capitalised(words))).collect();
     section.push_on(Medium::Page, Content::Note(sentences.join(" ").into()));
@@ -132,8 +134,7 @@ fn features_figure(features: &[MotionFeature], index: usize, writer: &NumberWrit
     let alternative = format!("Bars: predicted ranges of {}, and what was measured.", counted(rows.len(), "feature"));
     let caption = html! {
         strong { "Measured over predicted." }
-        " Wide bar: least to largest of all runs at all tested values; narrow bar: at the consistent ones. Dot: measured, with the true \
-         values that its common error allows. Each row has its own scale."
+        " Wide bar: smallest to largest of all runs at all tested values; narrow bar: at the consistent ones. Dot: measured value, with the true values that its common error permits. Each row has its own scale."
     };
     ranges(&rows, format!("features.{index}"), (alternative, caption), writer)
 }
@@ -169,7 +170,7 @@ fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &Numb
             let feature = &features[culprit.feature];
             let side = if culprit.apart_si > 0.0 { "above" } else { "below" };
             format!(
-                "'{}' is {}, and no run of any value reaches it: {} {side} {}, its common error included",
+                "'{}' is {}, and no run at any value reaches it: it is {} {side} {}, common error included",
                 feature.name,
                 writer.rounded(feature.measured_si, &feature.unit, BOUND_DIGITS, Rounding::Nearest),
                 writer.rounded(culprit.apart_si.abs(), &feature.unit, DISTANCE_DIGITS, Rounding::Nearest),
@@ -178,17 +179,14 @@ fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &Numb
         })
         .collect();
     if misfit.culprits.is_empty() {
-        words.push(
-            "each feature by itself is within what some runs predict, but no values explain them together".to_owned(),
-        );
+        words.push("each feature alone agrees with some runs, but no values explain all features together".to_owned());
     }
     words.push(format!(
         "at the tested values the measurement is at least {} times as far from the runs as the test allows",
         writer.rounded(misfit.least_distance, &SiUnit::NONE, 3, Rounding::Down)
     ));
     words.push(
-        "the nearest values are not given: they would explain nothing. A joint that is ideal in the model may have play, friction or \
-         another input may lie outside its interval, or a value may be wrong"
+        "the nearest values are not shown, because they do not explain the motion. Possible reasons: a joint that is ideal in the model has play, friction or another input is outside its interval, or a value is wrong"
             .to_owned(),
     );
     words

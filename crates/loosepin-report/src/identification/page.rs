@@ -31,21 +31,21 @@ pub fn identification_page(answer: &Identification) -> String {
         each((id, title), &answer.motion, |specimen| &specimen.name, push)
     };
     let parts = [
-        of_motion("unknowns", "What the motion leaves", &|section, index, specimen| {
+        of_motion("unknowns", "Values consistent with the motion", &|section, index, specimen| {
             push_unknowns(section, specimen, index, &writer);
             push_runs(section, specimen, Medium::Page);
         }),
         of_motion("features", "Measured and predicted", &|section, index, specimen| {
             push_features(section, specimen, index, &writer);
         }),
-        of_motion("posterior", "How probable the values are", &|section, index, specimen| {
+        of_motion("posterior", "Probability of the values", &|section, index, specimen| {
             push_posterior(section, specimen, index, &writer);
         }),
         of_motion("lengths", "Lengths of the specimen", &|section, _, specimen| {
             push_lengths(section, specimen, &writer)
         }),
         each(
-            ("plays", "What the readings leave"),
+            ("plays", "Values consistent with the readings"),
             &answer.specimens,
             |specimen| &specimen.name,
             &|section, index, it| {
@@ -245,11 +245,11 @@ mod tests {
             marginals: vec![marginal.clone(), marginal],
         };
         let mut told = answer(None);
-        assert!(!identification_page(&told).contains("How probable the values are"));
+        assert!(!identification_page(&told).contains("Probability of the values"));
         told.motion[0].posterior = Some(MotionPosterior::Given(given));
         let page = identification_page(&told).replace('\u{a0}', " ");
         for words in
-            ["How probable the values are", "99 % credible", "Posterior density of gudgeon", "0.1300 mm to 0.2900 mm"]
+            ["Probability of the values", "99 % credible", "Posterior density of gudgeon", "0.1300 mm to 0.2900 mm"]
         {
             assert!(page.contains(words), "{words}");
         }

@@ -15,7 +15,7 @@ const TELLS_NOTHING: f64 = 0.95;
 pub(super) fn plan_section(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Section {
     let mut section = Section::headed_on_page("next", "What to measure next");
     let head = format!(
-        "What each feature would leave: mean over measurements that are imagined at {} values of the unknowns, {} runs each.",
+        "Share of the box that each feature would leave: mean over simulated measurements at {} values of the unknowns, {} runs each.",
         plan.points, plan.runs_per_point
     );
     section.push_on(Medium::Terminal, Content::sentences([head]));
@@ -43,11 +43,11 @@ fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
     let mut words = Vec::new();
     match telling.first() {
         Some(first) => words.push(format!("most telling alone: {}", first.name)),
-        None => words.push("no feature tells anything of the unknowns by itself".to_owned()),
+        None => words.push("no feature alone narrows the unknowns".to_owned()),
     }
     if !silent.is_empty() && !telling.is_empty() {
         let names: Vec<String> = silent.iter().map(|feature| feature.name.clone()).collect();
-        words.push(format!("tells nothing by itself: {}", listed(&names, "and")));
+        words.push(format!("no information alone: {}", listed(&names, "and")));
     }
     for (place, unknown) in plan.unknowns.iter().enumerate() {
         let is_open = plan.together.shares_of_width[place] >= TELLS_NOTHING;
@@ -57,13 +57,13 @@ fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
     }
     if plan.failed > 0 {
         words.push(format!(
-            "{} of {} imagined measurements have no values, since their run failed, and count in none of the means",
+            "{} of {} simulated measurements have no values, because their run failed; the means do not include them",
             plan.failed, plan.imagined
         ));
     }
     for alike in &plan.not_distinguishable {
         words.push(format!(
-            "not distinguishable: where {} is {}, {} is told to be wrong in {} of the measurements",
+            "not distinguishable: if {} is {}, {} is rejected in {} of the measurements",
             plan.unknowns[alike.unknown].name,
             alike.members[0],
             alike.members[1],

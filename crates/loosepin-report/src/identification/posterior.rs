@@ -81,7 +81,7 @@ fn posterior_words(specimen: &MotionSpecimen, posterior: &MotionPosterior, write
             "likelihood: normal, with the mean and the covariance of the runs at each value; common errors uniform within their intervals"
                 .to_owned(),
             format!(
-                "the weight is carried as by {} equally probable values, {} runs",
+                "the weights are equivalent to {} equally probable values, {} runs",
                 writer.rounded(given.effective_values, &SiUnit::NONE, 2, Rounding::Down),
                 writer.count(given.effective_runs as u64)
             ),
@@ -94,25 +94,28 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
     match refusal {
         PosteriorRefusal::Misfit => "no tested value is consistent with the motion".to_owned(),
         PosteriorRefusal::NothingScatters => {
-            "nothing scatters, so that no value is more probable than another within the set; give the instrument its scatter".to_owned()
+            "there is no scatter, so no value in the set is more probable than another; give the instrument its scatter"
+                .to_owned()
         }
         PosteriorRefusal::FewRuns { runs, least } => {
-            format!("{runs} runs ended at one of the values, and so many features need {least}; a higher --confidence makes more")
+            format!(
+                "one of the values has {runs} finished runs, but this number of features needs {least}; a higher --confidence makes more"
+            )
         }
         PosteriorRefusal::Failed { share, most } => format!(
-            "{} of the runs that carry the weight failed; at most {} may",
+            "{} of the runs with weight failed; at most {} are permitted",
             writer.percent(*share, Rounding::Up),
             writer.percent(*most, Rounding::Nearest)
         ),
         PosteriorRefusal::FewValues { unknown, effective, least, points_are_spent } => {
             let name = specimen.unknowns.get(*unknown).map_or("an unknown", |unknown| unknown.name.as_str());
             let way_out = if *points_are_spent {
-                "more --points test further values there"
+                "more --points test additional values there"
             } else {
-                "give it a narrower interval, about the tested values of least distance, and identify again"
+                "give it a narrower interval around the tested values with the smallest distance, and identify again"
             };
             format!(
-                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; {way_out}",
+                "along {name} the weights are equivalent to {} equally probable values, but {least} are needed; {way_out}",
                 writer.rounded(*effective, &SiUnit::NONE, 2, Rounding::Nearest)
             )
         }
@@ -228,7 +231,7 @@ mod tests {
             ),
             (
                 PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: true },
-                "equally probable values, and 4 are needed; more --points test further values there",
+                "equally probable values, and 4 are needed; more --points test additional values there",
             ),
         ] {
             let words = posterior_words(&specimen(), &MotionPosterior::Refused(refusal), &writer).join("\n");

@@ -61,7 +61,7 @@ pub(super) fn density(
     let alternative = format!("Posterior density of {} over the interval of the study.", unknown.name);
     let caption = html! {
         strong { "Posterior density of " (unknown.name) "." }
-        " Shaded: the " (credible) " credible interval, with equal tails. The prior is even over the whole axis."
+        " Shaded: the " (credible) " credible interval, with equal tails. The prior is uniform over the whole axis."
     };
     let heads =
         [with_unit(&format!("{} from", unknown.name), &symbol), with_unit("to", &symbol), with_unit("density", &unit)];

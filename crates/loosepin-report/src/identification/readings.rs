@@ -46,7 +46,7 @@ fn push_consistent(
     section.push(Content::Table(plays_table(&known.plays, writer)));
     let sums = sums_words(known, writer);
     if !sums.is_empty() {
-        section.push(Content::Heading("Sums that the readings fix".into()));
+        section.push(Content::Heading("Sums of plays that the readings determine".into()));
     }
     section.push(Content::points(sums.into_iter().map(|sum| Text::from(sum).on(Medium::Page, "."))));
     let next = next_words(known, readings, writer);
@@ -54,7 +54,7 @@ fn push_consistent(
         section.push(Content::Heading("What to measure next".into()));
     }
     section.push(Content::points(next.into_iter().map(remark)));
-    section.push_on(Medium::Terminal, Content::Heading("Readings, and how much each play moves them".into()));
+    section.push_on(Medium::Terminal, Content::Heading("Readings and their sensitivity to each play".into()));
     section.push_on(Medium::Terminal, Content::Table(readings_table(readings, writer)));
     section.push_on(Medium::Terminal, Content::Table(factors_table(readings, &known.plays, writer)));
 }
@@ -69,7 +69,7 @@ fn plays_figure(plays: &[PlayBounds], index: usize, writer: &NumberWriter<'_>) -
     };
     let rows: Vec<RangeRow> = plays.iter().map(row).collect();
     let alternative = format!("Bars: {} before and after.", counted(rows.len(), "play"));
-    let caption = html! { strong { "Each play before and after." } " Wide bar: the interval of the study; narrow bar: what the readings leave." };
+    let caption = html! { strong { "Each play before and after." } " Wide bar: the interval of the study; narrow bar: the interval after the readings." };
     ranges(&rows, format!("plays.{index}"), (alternative, caption), writer)
 }
 

@@ -87,7 +87,7 @@ fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
         });
         let how = if is_equal { "with the same factor" } else { "in the same proportion" };
         format!(
-            "{} enter {which} {how}: no repeat of these readings tells them apart, only their sum is fixed",
+            "{} enter {which} {how}: repeats of these readings cannot separate them; only their sum is determined",
             names(group, &known.plays)
         )
     };
@@ -121,15 +121,15 @@ fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
         })
         .collect();
     let mut words = vec![
-        format!("{among} this would narrow most: {}", test_words(further, writer)),
+        format!("{among}, this reading would narrow the plays most: {}", test_words(further, writer)),
         format!(
-            "with an error of ± {} and a result in the middle of what is possible it would leave {}",
+            "with an error of ± {} and a result in the middle of the possible range, it would leave {}",
             writer.rounded(further.error_si, &further.unit, ERROR_DIGITS, Rounding::Up),
             listed(&widths, "and")
         ),
     ];
     if !further.has_output {
-        words.push(format!("the model has no output for the {} yet: give it one", further.reads));
+        words.push(format!("the model has no output for the {} yet: add one", further.reads));
     }
     words
 }
@@ -150,9 +150,9 @@ fn test_words(further: &FurtherReading, writer: &NumberWriter<'_>) -> String {
 pub(super) fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
     let of_culprit = |culprit: &Culprit| {
         let reading = &readings[culprit.reading];
-        let who = if culprit.is_alone { "the intervals of the study by themselves" } else { "the other readings" };
+        let who = if culprit.is_alone { "the intervals of the study alone" } else { "the other readings" };
         format!(
-            "'{}' says {}, and {who} leave {}, its common error included: {} apart",
+            "'{}' gives {}, but {who} permit {}, common error included: a gap of {}",
             reading.name,
             range(culprit.found_si, &reading.unit, writer),
             range(culprit.expected_si, &reading.unit, writer),
@@ -163,11 +163,11 @@ pub(super) fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &N
     if misfit.culprits.is_empty() {
         let name = |reading: usize| format!("'{}'", readings[reading].name);
         let of_pair = |[first, second]: &[usize; 2]| {
-            format!("{} and {} contradict each other, whatever the others say", name(*first), name(*second))
+            format!("{} and {} contradict each other, whatever the other readings are", name(*first), name(*second))
         };
         words.extend(misfit.pairs.iter().map(of_pair));
-        let others = if misfit.pairs.is_empty() { ", and no two of them do so by themselves" } else { "" };
-        words.push(format!("whichever single reading is left out, the others still contradict one another{others}"));
+        let others = if misfit.pairs.is_empty() { ", and no two of them alone do so" } else { "" };
+        words.push(format!("without any single reading, the others still contradict one another{others}"));
     }
     if let Some(error_factor) = misfit.error_factor {
         let strained: Vec<String> =
@@ -180,8 +180,7 @@ pub(super) fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &N
         ));
     }
     words.push(
-        "the nearest values are not given: they would explain nothing. A joint that is ideal in the model may have play, an interval of \
-         the study may be too narrow, friction may be larger than stated, or a reading may be wrong"
+        "the nearest values are not shown, because they do not explain the readings. Possible reasons: a joint that is ideal in the model has play, an interval of the study is too narrow, friction is larger than stated, or a reading is wrong"
             .to_owned(),
     );
     words

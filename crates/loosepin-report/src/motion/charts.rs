@@ -18,8 +18,7 @@ use super::play_effect::{Shown, play_effect};
 pub(super) fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Each journal may lie anywhere in its clearance circle. The worst case is the largest deviation that a search over all \
-             these places finds, with the links as they are and not to first order; beyond the proven ends no place leads. The standard deviations assume journals spread evenly over their circles, or over the rims. Inertia and impacts are not \
+            "Each journal may be anywhere in its clearance circle. The worst case is the largest deviation found by a search over all these positions, with the exact geometry of the links. No position leads beyond the proven ends. The standard deviations assume journals uniformly distributed over their circles, or over the rims. Inertia and impacts are not \
              included: use " code { "simulate" } " and " code { "study" } " for them."
         }
         @for output in record.outputs.iter().filter(|output| has_clearance(output)).skip(1) {

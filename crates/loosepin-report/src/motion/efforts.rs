@@ -18,9 +18,9 @@ pub(super) fn efforts_section(record: &MotionRecord, writer: &NumberWriter) -> O
     if record.efforts.is_empty() {
         return None;
     }
-    let mut section = Section::headed_on_page("efforts", "What the drives must do");
+    let mut section = Section::headed_on_page("efforts", "Forces and torques of the drives");
     let what = Text::from(
-        "What inertia, weight, springs, loads and friction in joints without play need to make the ideal motion. Play and impacts are not \
+        "The drives need these forces and torques for the ideal motion, against inertia, weight, springs, loads and friction in joints without play. Play and impacts are not \
          included: use ",
     );
     section.push_on(Medium::Page, Content::Sentences(vec![what.code("simulate").plain(" for them.")]));

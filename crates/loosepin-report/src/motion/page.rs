@@ -92,8 +92,7 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> article::Section {
 fn worst_case_method(record: &MotionRecord) -> String {
     let proven = if record.is_proven_between_angles { "at all angles of the drive" } else { "at the angles shown" };
     format!(
-        "found: searches from several starts over all places of the joints, the loops closed exactly, at each angle shown. Proven: no place \
-         of rigid parts within their play leads beyond; Taylor's formula of second degree with its remainder on intervals that are rounded \
+        "found: searches from several starts over all positions within the play of the joints, with loops closed exactly, at each angle shown. Proven: no position of rigid parts within their play exceeds it; Taylor's formula of second degree with its remainder on intervals that are rounded \
          outwards, {proven}"
     )
 }

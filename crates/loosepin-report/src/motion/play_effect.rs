@@ -77,7 +77,7 @@ impl PlayEffect {
                 let between = if record.is_proven_between_angles { "" } else { " at the angles shown" };
                 format!("worst case, at {at}; proven: never more than {end}{between}")
             }
-            (_, None) => format!("largest found, at {at}; that there is no larger one is not proven"),
+            (_, None) => format!("largest found, at {at}; not proven to be the largest"),
         }
     }
 }

@@ -27,10 +27,11 @@ pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
 pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
     let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
     let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
-    let rests_on =
-        record.requirements.iter().any(|requirement| requirement.verdict == MotionVerdict::Met).then(|| {
-            "A contact that gives way, or a body that bends, adds to that; only runs show how much.".to_owned()
-        });
+    let rests_on = record
+        .requirements
+        .iter()
+        .any(|requirement| requirement.verdict == MotionVerdict::Met)
+        .then(|| "Elastic contacts and bending bodies add to this; only runs show how much.".to_owned());
     requirements.chain(allowances).chain(rests_on).collect()
 }
 
@@ -64,7 +65,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
     let end = match verdict {
         MotionVerdict::Met => {
             format!(
-                "Proven: with play anywhere and such parts it stays within {}. {share}",
+                "Proven: with such parts, and with any position within the play, it stays within {}. {share}",
                 between("proven", *proven_si)
             )
         }
@@ -74,7 +75,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             // To the nearest digit: it was reached, and is no end.
             let tag = tag(["lowest found", "highest found"][side]);
             format!(
-                "It reaches {} at {} of {}, with play and parts at their worst. How often, loosepin study tells.",
+                "It reaches {} at {} of {}, in the worst case of play and parts. `loosepin study` computes how often.",
                 writer.about(&tag).rounded(found_si[side], unit, 4, Rounding::Nearest),
                 writer.about(&tag.part("at")).angle_in_turn(requirement.found_at_rad[side], 4),
                 record.drive
@@ -89,7 +90,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             let proven = match &requirement.reason {
                 Some(reason) => format!("nothing is proven: {reason}."),
                 None if is_proven && requirement.share_within_limits < requirement.probability_at_least => format!(
-                    "proven: it stays within {}, but for fewer mechanisms than asked for. {share}",
+                    "proven: it stays within {}, but for fewer mechanisms than required. {share}",
                     between("proven", *proven_si)
                 ),
                 None if is_proven => format!("proven: it stays within {}. {share}", between("proven", *proven_si)),
@@ -115,19 +116,25 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
 
 fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) -> String {
     let MotionAllowance { path, unit, up_to_si, loosest_si, fit, reason } = allowance;
-    let up_to = writer.about(&Tag::Given("largest value asked about")).value_trimmed(*up_to_si, unit);
+    let up_to = writer.about(&Tag::Given("largest value to try")).value_trimmed(*up_to_si, unit);
     match (reason, loosest_si, fit) {
         (Some(reason), ..) => format!("{path} is not loosened here: {reason}."),
         (None, Some(_), Some(fit)) => {
-            format!("{path}: {fit} is the loosest fit with which they are proven to be met without dynamics.")
+            format!(
+                "{path}: {fit} is the loosest fit with which the requirements are proven to be met without dynamics."
+            )
         }
         (None, Some(loosest_si), None) if loosest_si == up_to_si => {
-            format!("{path} may grow to {up_to}, all that was asked about; they are proven to be met without dynamics.")
+            format!(
+                "{path} may increase to {up_to}, the largest value to try; the requirements are proven to be met without dynamics."
+            )
         }
         (None, Some(loosest_si), None) => format!(
-            "{path} may grow to {} (of {up_to} asked about): up to there they are proven to be met without dynamics.",
+            "{path} may increase to {} (of at most {up_to}): up to this value, the requirements are proven to be met without dynamics.",
             writer.about(&Tag::joint(path, "loosest", "")).rounded(*loosest_si, unit, 4, Rounding::Down)
         ),
-        (None, None, _) => format!("{path}: no value up to {up_to} is proven to meet them without dynamics."),
+        (None, None, _) => {
+            format!("{path}: no value up to {up_to} is proven to meet the requirements without dynamics.")
+        }
     }
 }

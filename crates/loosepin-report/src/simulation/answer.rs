@@ -127,20 +127,19 @@ fn quasi_static_sentence(
         let (output, place) = (&worst.output, place_of(worst));
         let found = writer.about(&tag("deviation")).value(worst.deviation_si, &worst.unit);
         let allowed = writer.about(&tag("worst case")).value(worst.worst_case_si, &worst.unit);
-        format!("the {output} deviates by {found}{place}, but clearances and penetrations allow only {allowed}")
+        format!("the {output} deviates by {found}{place}, but clearances and penetrations permit only {allowed}")
     };
     let mut sentence = if worst.is_exceeded && skipped > 0 {
         // A dead point within the clearances lets the links pass to their other way of assembly, and no worst case is of both.
         format!(
-            "{} as the links are assembled. A dead point lies within the clearances, where they can pass to the other way of \
-             assembling, or this run is wrong: avoid the dead point to tell.",
+            "{} in this assembly of the links. Either a dead point lies within the clearances, where the links can change to the other assembly, or this run is wrong: avoid the dead point to find out.",
             capitalised(&deviates())
         )
     } else if worst.is_exceeded {
         format!("This run is wrong: {}.", deviates())
     } else {
         format!(
-            "No output deviates more than clearances and penetrations allow. The {} comes nearest, with {} of the allowed deviation.",
+            "No output deviates more than clearances and penetrations permit. The {} has the largest share: {} of the permitted deviation.",
             worst.output,
             writer.about(&tag("share")).percent(worst.largest_share, Rounding::Up)
         )

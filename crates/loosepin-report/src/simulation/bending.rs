@@ -15,8 +15,8 @@ pub(super) fn bending_sentences(bending: &[BendingRecord], writer: &NumberWriter
 /// How a flexible body starts.
 fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) -> String {
     match starts_settled {
-        true => format!("The {body} starts settled: bent and stretched as inertia, weight and loads hold it."),
-        false => format!("The {body} starts undeformed, and rings from there."),
+        true => format!("The {body} starts settled: in equilibrium with inertia forces, weight and loads."),
+        false => format!("The {body} starts undeformed, and then vibrates."),
     }
 }
 
@@ -25,7 +25,7 @@ fn condensed_sentence(BendingRecord { body, condensed, .. }: &BendingRecord, wri
     let condensed = condensed.filter(|condensed| condensed.shapes > 0)?;
     let shapes = if condensed.shapes == 1 { "shape is" } else { "shapes are" };
     Some(format!(
-        "Of the {body} {} {shapes} condensed: static flexibility is kept, waves above {} Hz are not.",
+        "Of the {body} {} {shapes} condensed: static flexibility is kept, vibrations above {} Hz are not.",
         condensed.shapes,
         writer.value_trimmed(condensed.above_hz, &SiUnit::NONE),
     ))
@@ -41,27 +41,25 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
     if *is_nodal {
         let keys = other_formulation.floating_frame().filter(|_| *largest_angle_rad < MAX_RAD)?;
         return Some(format!(
-            "The {body} turns by at most {} from the line through its ends. {keys} does up to {most}, with fewer \
-             coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
+            "The {body} turns by at most {} from the line through its ends. {keys} is valid up to {most}, with fewer coordinates, if the loads stretch it by less than 1 % and compress it by less than half of its buckling load (loosepin check).",
             writer.value(*largest_angle_rad, &SiUnit::ANGLE),
         ));
     }
     let way_out = match other_formulation {
         OtherFormulation::RetardationTime => {
-            "Take formulation = \"absolute-nodal\", with retardation_time in place of damping_ratio."
+            "Use formulation = \"absolute-nodal\", with retardation_time instead of damping_ratio."
         }
         OtherFormulation::EndsAlone => {
-            "Take a stiffer section; or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio."
+            "Use a stiffer section, or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio."
         }
         OtherFormulation::AsItIs | OtherFormulation::TangentFrame | OtherFormulation::FreeAtTo => {
-            "Take formulation = \"absolute-nodal\"."
+            "Use formulation = \"absolute-nodal\"."
         }
     };
     // Not a number is no small angle.
     (!(*largest_angle_rad <= MAX_RAD)).then(|| {
         format!(
-            "The {body} bends too far for its model: its sections turn by up to {}, and above {most} lengths are off by more than 0.5 % of what \
-             bending shortens. {way_out}",
+            "The {body} bends too far for its model: its sections turn by up to {}, and above {most}, the error of lengths exceeds 0.5 % of the shortening by bending. {way_out}",
             writer.value(*largest_angle_rad, &SiUnit::ANGLE),
         )
     })
@@ -90,14 +88,14 @@ mod tests {
     fn a_floating_frame_that_bends_too_far_is_told_what_can_be_done() {
         assert_eq!(said(0.099, false, OtherFormulation::AsItIs), None);
         for (other, way_out) in [
-            (OtherFormulation::AsItIs, " Take formulation = \"absolute-nodal\"."),
+            (OtherFormulation::AsItIs, " Use formulation = \"absolute-nodal\"."),
             (
                 OtherFormulation::RetardationTime,
-                " Take formulation = \"absolute-nodal\", with retardation_time in place of damping_ratio.",
+                " Use formulation = \"absolute-nodal\", with retardation_time instead of damping_ratio.",
             ),
             (
                 OtherFormulation::EndsAlone,
-                " Take a stiffer section; or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio.",
+                " Use a stiffer section, or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio.",
             ),
         ] {
             for angle_rad in [0.101, f64::NAN] {

@@ -98,13 +98,12 @@ fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Vec<String> {
     ));
     if life.largest_noise_m > 0.0 {
         let noise = writer.rounded(life.largest_noise_m, &SiUnit::LENGTH, 2, Rounding::Up);
-        sentences.push(format!("Turns of a cycle differ: up to {noise} of a jump is their standard error."));
+        sentences.push(format!("The turns of a cycle differ: their standard error is up to {noise} of a jump."));
     }
     if life.longest_over_stable > 1.0 {
         let over = writer.rounded(life.longest_over_stable, &SiUnit::NONE, 2, Rounding::Up);
         sentences.push(format!(
-            "The longest jump has {over} times the cycles over which wear evens out the pressure. Beyond 2 the profile is saw-toothed while \
-             volumes look right: take more jumps."
+            "The longest jump has {over} times the cycles in which wear evens out the pressure. Above 2, the profile becomes saw-toothed although the volumes look right: use more jumps."
         ));
     }
     let [_, of_volume] = units_of_wear();

@@ -91,7 +91,7 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
     let drive = &record.settings.drive;
     let mut section = Section::headed_on_page("spectra", "Oscillations");
     let what = format!(
-        "The order of an oscillation is its number of waves in a turn of {drive}. Root mean squares hold the mean. Orders and root mean \
+        "The order of an oscillation is its number of waves in a turn of {drive}. Root mean squares include the mean. Orders and root mean \
          squares are those of the samples: impacts between them do not show."
     );
     section.push_on(Medium::Page, Content::sentences([what]));
@@ -117,7 +117,7 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
     let without: Vec<String> = outputs.filter(has_none).map(str::to_owned).collect();
     if !without.is_empty() {
         let words = format!(
-            "Without a spectrum: {}. Such a history does not come back, as the angle of a shaft, or has values that do not exist.",
+            "No spectrum: {}. Such a history does not return to its first value, for example the angle of a shaft, or has undefined values.",
             listed(&without)
         );
         section.push_on(Medium::Page, Content::Note(words.into()));

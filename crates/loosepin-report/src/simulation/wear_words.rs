@@ -79,7 +79,7 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, is_worn: bool, writer: &Num
     if checks.widest_patch_sectors > 0.0 && checks.widest_patch_sectors < MIN_SECTORS {
         let width = writer.rounded(checks.widest_patch_sectors, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
-            "{joint}: the widest contact lies over {width} sectors. {}: take more sectors.",
+            "{joint}: the widest contact lies over {width} sectors. {}: use more sectors.",
             if is_worn { "That is too coarse for forces" } else { "Greatest depths are means over a sector" }
         ));
     }
@@ -87,15 +87,13 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, is_worn: bool, writer: &Num
     if half_width > WIDE_PATCH && !is_worn {
         let wide = writer.rounded(half_width, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
-            "{joint}: the widest contact has a half-width of {wide} radii. Hertz's pressure is meant for less than {WIDE_PATCH}: \
-             depths are rough there, volumes are not touched."
+            "{joint}: the widest contact has a half-width of {wide} radii. Hertzian pressure is valid below {WIDE_PATCH}: the depths are approximate there, the volumes are not affected."
         ));
     }
     if checks.capped_share > 0.0 {
         let capped = writer.percent(checks.capped_share, Rounding::Nearest);
         sentences.push(format!(
-            "{joint}: {capped} of the friction path is under forces whose contact by Hertz is wider than half the hole. It is \
-             spread over half the hole."
+            "{joint}: for {capped} of the friction path, the Hertzian contact would be wider than half the hole. There, the wear is spread over half the hole."
         ));
     }
     if !is_worn && checks.depth_over_clearance.is_finite() && checks.depth_over_clearance > MUCH_WORN {

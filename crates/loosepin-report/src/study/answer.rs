@@ -40,11 +40,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let mut sentences = answers.iter().map(|summary| summary.sentence(result, writer));
     let headline = sentences.next().unwrap_or_else(|| {
         let empty = result.requirements.is_empty();
-        let said = if empty {
-            "The study asks for no statistic."
-        } else {
-            "The study asks only whether the requirements are met."
-        };
+        let said = if empty { "The study has no statistic." } else { "The study has only requirements, no statistic." };
         said.to_owned()
     });
     let mut further: Vec<String> = sentences.collect();
@@ -70,8 +66,7 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
         Some(format!(
-            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Give the \
-             restitution an interval that holds what such impacts leave of it.",
+            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Such fast impacts lose more energy: widen the restitution downwards.",
             writer.about(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
             joint.joint
         ))
@@ -341,7 +336,7 @@ pub(crate) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
     if drive_speed_rad_s.is_some() { "turn" } else { "cycle" }
 }
 
-/// One paragraph a treatment: its assumption, the share of mechanisms that its band holds, its width beside the mixed band.
+/// One paragraph a treatment: its assumption, the share of mechanisms that its band holds, its width compared with the mixed band.
 pub(crate) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
     let sentence = |band: &TreatmentBand| {
         let assumption = match band.treatment {
@@ -401,7 +396,7 @@ fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
         return String::new();
     };
     let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
-    let tag = Tag::band(comparison, band, "width beside the mixed band");
+    let tag = Tag::band(comparison, band, "width compared with the mixed band");
     let by = writer.about(&tag).percent(wider.abs(), Rounding::Nearest);
     let compared = match wider {
         0.02.. => format!("{by} wider than the mixed band"),
@@ -411,7 +406,7 @@ fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     if band.error_si().is_some_and(|error_si| error_si > (band.width_si() - mixed).abs()) {
         let error = band_error(band, comparison, writer);
         return format!(
-            " As found, the band is {compared}; the numerical error of its ends, {error}, is larger than that."
+            " The band found is {compared}, but the numerical error of its ends, {error}, is larger than this difference."
         );
     }
     format!(" The band is {compared}.")

@@ -50,7 +50,7 @@ fn fit_allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWri
             "No fit of the list for the {name} meets the requirements: with {tightest}, the tightest fit, {}. {ALL_ELSE}, {runs}.",
             refused(tightest),
         ),
-        (None, None) => format!("The study asks for no fit of the {name}."),
+        (None, None) => format!("The study has no fit for the {name}."),
     }
 }
 

@@ -237,7 +237,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
-        return format!("At each angle of {drive}, the {subject} has no bound: nothing is known of some quantiles.");
+        return format!("At each angle of {drive}, the {subject} has no bound, because some quantiles have no bound.");
     }
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);

@@ -39,7 +39,7 @@ pub(crate) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
     };
     if one.inputs.iter().zip(first).all(|(input, value)| *value == input.up_to_si) {
         return vec![format!(
-            "Together, {} are allowed, the largest values that were asked about: all requirements are met ({}), also with other \
+            "Together, {} are allowed, the largest values to try: all requirements are met ({}), also with other \
              random numbers. {spent}",
             values(result, one, first, Rounding::Nearest, writer),
             shares(one, first, writer)
@@ -50,7 +50,7 @@ pub(crate) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
             let share = one.inputs.iter().zip(first).map(|(input, value)| value / input.up_to_si).fold(1.0, f64::min);
             let beyond = &one.beyond_si[0];
             vec![format!(
-                "Together, each at {} of its largest value or at its least: {} are allowed. All requirements are met ({}), also with \
+                "Together, each at {} of its largest value or at its smallest: {} are permitted. All requirements are met ({}), also with \
                  other random numbers. With {} {}. {spent}",
                 writer.percent(share, Rounding::Down),
                 values(result, one, first, Rounding::Down, writer),
@@ -84,8 +84,7 @@ pub(crate) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
                     pairs.join("; ")
                 ),
                 format!(
-                    "Looser is taken to be never better: a pair that is tighter in both than a met one counts as met, and one that is \
-                     looser in both than a refused one as not shown to be met. Such pairs were not run. {spent}"
+                    "A looser value is assumed to be never better. A pair that is tighter in both values than a pair that meets the requirements also counts as meeting them. A pair that is looser in both than a rejected pair counts as not shown to meet them. Such pairs were not run. {spent}"
                 ),
             ]
         }
@@ -170,7 +169,7 @@ pub(crate) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &Numb
     chart.caption = html! {
         strong { "One against the other." }
         " How large the " (y_words) " may be, over the " (x_words) ", so that every requirement holds. "
-        (one.allowed_si.len()) " values of it were tested; between two of them the next larger one counts. Between both lines nothing is known."
+        (one.allowed_si.len()) " values of it were tested; between two of them, the next larger one applies. Between both lines, the result is not known."
     };
     chart.alternative = format!(
         "Chart of the largest allowed {y_words} over the {x_words}, in steps; it never rises from left to right."

@@ -95,7 +95,7 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
         writer.about(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
     };
     let mut words = format!(
-        " Of it {} comes from the search over the unknown values, which falls slowly with more runs (outer)",
+        " Of this, {} comes from the search over the unknown values and decreases slowly with more runs (outer)",
         part("search", search_si)
     );
     if sampling_si > LARGE_SHARE * total_si {

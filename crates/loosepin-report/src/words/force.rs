@@ -162,8 +162,7 @@ impl<'a> ForcesOf<'a> {
             )
         });
         Some(format!(
-            "In {} no contact began faster than the least impact speed of {}{fastest}: all are computed as impacts at that speed, which lose \
-             less energy, and none is counted. Lower minimum_impact_speed.",
+            "In {} no contact began faster than the minimum impact speed of {}{fastest}: all are computed as impacts at this speed, which lose less energy, and none is counted. Use a lower minimum_impact_speed.",
             self.joint,
             writer.about(&Tag::Given("least impact speed")).value_shortest(floor_m_s, &SiUnit::VELOCITY)
         ))
@@ -183,11 +182,10 @@ impl<'a> ForcesOf<'a> {
         }
         let is_given = self.laws.iter().all(|(_, basis)| basis.shape == ContactShape::Given) && !self.laws.is_empty();
         Some(if is_given {
-            format!("{reached}, more than a tenth: force and deviation depend on the stiffness that is given.")
+            format!("{reached}, more than a tenth: force and deviation depend on the given stiffness.")
         } else {
             format!(
-                "{reached}, more than a tenth. Contact laws suppose a patch that is small beside the pin, so force and deviation depend \
-                 on the law: compare another one."
+                "{reached}, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law."
             )
         })
     }

@@ -19,20 +19,19 @@ const TERMS: [(&str, &str); 12] = [
     ),
     (
         "Bounds of a statistic",
-        "The smallest and the largest value of a mean, a quantile or a probability over all values of the interval inputs. The \
+        "The smallest and the largest value of a mean, a quantile or a probability over all values of the unknown inputs. The \
          true value lies between them.",
     ),
     ("Quantile", "The stated share of mechanisms stays below this value."),
     (
         "Random band, widened band",
-        "The random band holds the stated share of mechanisms for the middle values of the interval inputs. The widened band \
-         holds it for all their values.",
+        "The random band contains the stated share of mechanisms for the middle values of the unknown inputs. The widened band contains it for all their values.",
     ),
     (
         "Probability box",
         "Two curves. The true cumulative distribution lies between them for all values of the unknown inputs.",
     ),
-    ("Attained at", "The values of the interval inputs at which a bound is reached."),
+    ("Attained at", "The values of the unknown inputs at which a bound is reached."),
     (
         "Numerical error",
         "The largest expected difference to the result of infinitely many runs. Its parts come from the finite number of samples, \

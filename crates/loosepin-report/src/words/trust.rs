@@ -61,11 +61,11 @@ impl TrustedRun<'_> {
         let mut sentences = vec![format!("{} can be trusted {}.", self.subject, listed(&parts))];
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
-                "Nothing is known about positions after {}: the second run that measures this did not come to its end ({failure}).",
+                "Nothing is known about positions after {}: the second run that measures this did not finish ({failure}).",
                 writer.about(&trust_tag("second run", "end")).rounded(last_s, &SiUnit::TIME, 4, Rounding::Down)
             )),
             (Some(failure), None) => sentences.push(format!(
-                "Nothing is known about positions: the second run that measures this did not come to its start ({failure})."
+                "Nothing is known about positions: the second run that measures this did not start ({failure})."
             )),
             (None, _) if measured.whole_m.is_none() => sentences.push(
                 "After that the errors of the steps have grown: the run shows one of many possible histories. Statistics over many turns do not \
@@ -100,8 +100,7 @@ impl TrustedRun<'_> {
                 });
                 let share = writer.about(&Tag::Given("share of a horizon")).percent(measured.share, Rounding::Nearest);
                 format!(
-                    "measured by a second run: {}, tolerance {tolerance}{evaluations}. A position counts as right to a length while it \
-                     differs by at most {share} of it between the two runs",
+                    "measured by a second run: {}, tolerance {tolerance}{evaluations}. A position counts as correct within a length while the two runs differ by at most {share} of this length",
                     measured.method
                 )
             }
@@ -123,12 +122,11 @@ impl TrustedRun<'_> {
             @if measured.time_s.len() > 1 { (difference_chart(measured, writer)) }
             p {
                 "A tolerance limits the error of each step, not that of the history: each impact amplifies it. So the run was made again, with \
-                a smaller tolerance and by a method of another order. The two part as fast as each parts from the exact motion."
+                a smaller tolerance and by a method of another order. The two runs diverge as fast as each diverges from the exact motion."
             }
             p {
                 "Means and quantiles over many turns do not need exact positions: in a reference study most of their bounds change by less than their stated \
-                errors between tolerances of " (tolerance(COARSEST_M)) " and " (tolerance(FINEST_M)) ". Near a computed chaotic motion there mostly is an exact one from a slightly \
-                different start (shadowing)."
+                errors between tolerances of " (tolerance(COARSEST_M)) " and " (tolerance(FINEST_M)) ". Close to a computed chaotic motion, there is usually an exact motion with a slightly different start (shadowing)."
             }
         })
     }

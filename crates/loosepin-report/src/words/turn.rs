@@ -85,7 +85,7 @@ fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
             1 => (writer.about(&tag).count(1), "leaves"),
             more => (writer.about(&tag).count(more), "leave"),
         };
-        Some(format!(" {who} of them {leaves} the limit of {} only then.", requirement.output))
+        Some(format!(" {who} of them {leaves} the limit of {} only in these turns.", requirement.output))
     };
     result.requirements.iter().zip(&further.broken_later).filter_map(of_one).collect()
 }

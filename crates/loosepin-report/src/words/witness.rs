@@ -43,7 +43,7 @@ fn values(result: &StudyResult, witness: &Witness, writer: &NumberWriter) -> Vec
 fn attained(result: &StudyResult, witness: &Witness, writer: &NumberWriter) -> Vec<String> {
     let of_requirements = result.requirements.iter().filter(|requirement| requirement.witness == *witness).map(|own| {
         let subject = deviation_of(&own.output, own.of, &result.outputs);
-        format!("fewest mechanisms keep the limit: {subject} {}", place_words(own.at, writer))
+        format!("fewest mechanisms stay within the limit: {subject} {}", place_words(own.at, writer))
     });
     let bounds =
         || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.at.pose_rad().is_none());

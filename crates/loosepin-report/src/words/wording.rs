@@ -140,7 +140,7 @@ pub fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Name of the epistemic inputs: "interval inputs" where all are intervals, "unknown inputs" otherwise.
+/// Name of the unknown (epistemic) inputs: "interval inputs" if all are intervals, "unknown inputs" otherwise.
 pub(crate) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
     if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
 }
@@ -268,7 +268,7 @@ pub(crate) fn failed_words(promise: &PromiseRecord, failed: u64, writer: &Number
 pub(crate) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
     (count > 0).then(|| {
         format!(
-            "All bounds are points of curves: {} in bounds.csv. For one number over the whole cycle, ask with 'reduce'.",
+            "All bounds are points of curves: {} in bounds.csv. For one number over the whole cycle, use 'reduce' in the question.",
             counted(count as u64, "row", &writer.about(&Tag::Count("points of curves")))
         )
     })

@@ -24,12 +24,12 @@ impl Problem for AccuracyError {
         match self {
             Self::Sample(error) => error.hint(),
             Self::Quantity(error) => error.hint(),
-            Self::NotDriven => Some("use loosepin simulate: it follows the forces in time".to_owned()),
-            Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
+            Self::NotDriven => Some("use `loosepin simulate`, which computes the motion from the forces".to_owned()),
+            Self::StandsStill { .. } => Some("give it a speed, or use another drive in [cycle]".to_owned()),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
-                Some("so near a dead point only a dynamic run tells what the play does".to_owned())
+                Some("so close to a dead point, only a dynamic run shows the effect of the play".to_owned())
             }
         }
     }

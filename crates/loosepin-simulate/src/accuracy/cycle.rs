@@ -204,8 +204,7 @@ impl Walk<'_> {
         for (time_s, sine) in found {
             let degrees = sine.asin().to_degrees();
             let words = format!(
-                "nearly a dead point: the transmission angle is {degrees:.2}° away from 0°, small errors and forces are \
-                 magnified about {:.0} times",
+                "nearly a dead point: the transmission angle is {degrees:.2}° away from 0°, small errors and forces are magnified by a factor of about {:.0}",
                 1.0 / sine
             );
             self.singular.push((time_s, words));
@@ -217,7 +216,7 @@ impl Walk<'_> {
 fn dead_point_words(error: &SampleError) -> String {
     match error {
         SampleError::CannotClose { open, .. } => format!(
-            "dead point: the drive cannot turn any further, the links no longer close at {}",
+            "dead point: the drive cannot turn further, the links no longer close at {}",
             describe_path(&open.path)
         ),
         _ => "dead point: the drive cannot turn any further".to_owned(),
@@ -226,4 +225,4 @@ fn dead_point_words(error: &SampleError) -> String {
 
 /// Said where the determinant of the loop equations changes its sign although the loops close on both sides.
 const CROSSING_WORDS: &str =
-    "two ways of assembling the links meet here, and the drives do not determine which one the mechanism follows";
+    "the links can be assembled in two ways here, and the drives do not determine which one the mechanism follows";

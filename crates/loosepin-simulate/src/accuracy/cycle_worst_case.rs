@@ -105,7 +105,7 @@ pub(super) fn why_unproven(
 ) -> Option<String> {
     let tree = &mechanism.ideal;
     if tree.free < tree.constraint_rows() {
-        return Some("joints repeat each other, and play decides which of them carry".to_owned());
+        return Some("joints are redundant, and the play determines which of them carry the load".to_owned());
     }
     if let Some(joint) = overhanging {
         return Some(format!("the block of '{joint}' may overhang an end of its guide"));
@@ -113,7 +113,7 @@ pub(super) fn why_unproven(
     let coordinate = coordinate?;
     let link = tree.links.iter().find(|link| link.dependences.last().is_some_and(|last| last.coordinate == coordinate));
     let name = link.map_or("a part", |link| &mechanism.model.bodies[link.body.0].name);
-    Some(format!("within the play '{name}' comes near a position from which it can go on in two ways"))
+    Some(format!("within the play, '{name}' comes close to a position from which it can continue in two ways"))
 }
 
 /// Angles in a row with the same words are one span.

@@ -15,10 +15,10 @@ pub enum AccuracyError {
     #[error(transparent)]
     Quantity(#[from] QuantityError),
     /// Forces move the mechanism, not drives alone.
-    #[error("the drives do not move the mechanism alone: without its forces it has no ideal motion")]
+    #[error("the drives alone do not determine the motion: without forces, there is no ideal motion")]
     NotDriven,
     /// The drive whose angle is the input does not turn.
-    #[error("drive '{drive}' stands still: it goes through no cycle")]
+    #[error("drive '{drive}' has speed zero, so it has no cycle")]
     StandsStill {
         /// The drive.
         drive: String,
@@ -40,7 +40,7 @@ pub enum AccuracyError {
         standard_deviation_si: f64,
     },
     /// A slider that its guide does not hold upright.
-    #[error("joint '{joint}': the slider can turn over in its guide, so that there is no quasi-static answer")]
+    #[error("joint '{joint}': the slider can turn over in its guide, so there is no quasi-static result")]
     TurnsOver {
         /// The joint.
         joint: String,
@@ -52,7 +52,7 @@ pub enum AccuracyError {
         open: Opening,
     },
     /// Journals displaced within their clearances bring the mechanism into a singular position.
-    #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]
+    #[error("there is a singular position within the clearances, where the drives no longer determine the motion")]
     SingularWithPlay,
     /// Somebody stopped it.
     #[error("the ideal motion was stopped before its end")]

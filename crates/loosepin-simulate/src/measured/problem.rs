@@ -13,8 +13,8 @@ problems! {
             hint("for example a first line: angle [deg], slider [mm]");
         /// A table as spreadsheets write it where numbers have a decimal comma.
         Semicolons { line: String, meant: String } => Code::MeasuredTable,
-            says("the columns are separated by semicolons; must be commas, and numbers have a decimal point"),
-            hint("write '{line}' as '{meant}'; spreadsheets do so with the region English (United States)");
+            says("the columns are separated by semicolons; must be commas, with a decimal point in numbers"),
+            hint("write '{line}' as '{meant}'; spreadsheets do this with the region English (United States)");
         /// A cell of the header without a unit.
         NoUnit { text: String } => Code::MeasuredTable,
             says("the header '{text}' is not written name [unit]"),
@@ -31,19 +31,19 @@ problems! {
             /// Name of the first column.
             name: String,
         } => Code::MeasuredTable,
-            says("the table has no column beside '{name}'"),
+            says("the table has no column except '{name}'"),
             hint("for example a first line: angle [deg], slider [mm]");
         /// Two columns of the same name.
         ColumnTwice { name: String } => Code::MeasuredTable,
-            says("the column '{name}' is there twice");
+            says("the column '{name}' appears twice");
         /// A column without values.
         NoValue { name: String } => Code::MeasuredTable,
             says("the column '{name}' has no value");
         /// Several columns, and none of them named.
         WhichColumn { known: Vec<String> } => Code::MeasuredTable,
-            says("the table has {} columns; the study names none of them", known.len()),
+            says("the table has {} columns, but the study does not choose one of them", known.len()),
             hint(
-                "name it, for example column = \"{}\"; there is {}",
+                "choose one, for example column = \"{}\"; available: {}",
                 known.first().map_or("name", String::as_str),
                 known.join(", ")
             );
@@ -53,8 +53,8 @@ problems! {
             hint_of(Some(nearest_or_all(nearest.as_ref(), known)));
         /// An empty cell where every one must be filled.
         EmptyCell { name: String } => Code::MeasuredTable,
-            says("a cell of the column '{name}' is empty; the values of a row belong together, and none may be missing"),
-            hint("fill it, or leave the whole row out");
+            says("a cell of the column '{name}' is empty; each row must have all values"),
+            hint("fill the cell, or remove the whole row");
         /// A row of another length.
         RowLength {
             found: usize,
@@ -65,16 +65,16 @@ problems! {
             hint_of((found > due).then(|| "a comma separates columns; decimal numbers have a point".to_owned()));
         /// A line of comment.
         Comment => Code::MeasuredTable,
-            says("a table has no lines of comment"),
-            hint("leave the line out");
+            says("a table must not have comment lines"),
+            hint("remove the line");
         /// A cell that is no finite number.
         NotANumber { text: String } => Code::MeasuredTable,
-            says("'{text}' is no finite number"),
+            says("'{text}' is not a finite number"),
             hint("{}", match text {
                 text if text.starts_with('#') => TAKE_COMMENT_AWAY,
-                text if text.contains('\u{2212}') => "the minus sign of numbers is the hyphen of the keyboard",
+                text if text.contains('\u{2212}') => "use the hyphen of the keyboard as the minus sign",
                 text if text.contains(',') => "decimal numbers have a point",
-                _ => "write a number; a cell of a measured curve may be empty where nothing was measured",
+                _ => "write a number; a cell of a measured curve may be empty if nothing was measured",
             });
         /// A row that does not lie behind the one before.
         NotIncreasing {
@@ -85,7 +85,7 @@ problems! {
             /// The value before, as written.
             before: String,
         } => Code::MeasuredTable,
-            says("{name} {found} stands behind {before}; the rows must go upwards");
+            says("{name} {found} follows {before}; the first column must increase from row to row");
         /// A column that is no output of the model.
         UnknownOutput { name: String, nearest: Option<String>, known: Vec<String> } => Code::MeasuredTable,
             says("the model has no output '{name}'"),
@@ -104,19 +104,19 @@ problems! {
             /// Where it ends.
             to: String,
         } => Code::MeasuredOutside,
-            says("{name} {found} lies outside what was recorded, {from} to {to}"),
-            hint("record more turns with --turns, or cut the table");
+            says("{name} {found} is outside the recorded range, {from} to {to}"),
+            hint("record more turns with --turns, or shorten the table");
         /// A file that is no table.
         NoTable { reason: String } => Code::MeasuredTable,
             says("the file cannot be read as a table: {reason}");
     }
 }
 
-const TAKE_COMMENT_AWAY: &str = "a table has no lines of comment: take the # away, or leave the line out";
+const TAKE_COMMENT_AWAY: &str = "a table must not have comment lines: delete the #, or remove the line";
 
 fn nearest_or_all(nearest: Option<&String>, known: &[String]) -> String {
     match nearest {
         Some(nearest) => format!("did you mean '{nearest}'?"),
-        None => format!("there is {}", known.join(", ")),
+        None => format!("available: {}", known.join(", ")),
     }
 }

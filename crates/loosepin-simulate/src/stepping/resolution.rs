@@ -17,7 +17,7 @@ problems! {
             hint("a tolerance of at most {} resolves it", length(WARNED_SHARE * clearance.clearance_m));
         /// Above it.
         Beyond { tolerance_m: f64, clearance: SmallestClearance } => Code::ToleranceTooLarge,
-            says("the tolerance {} is larger than {}; must not be", length(*tolerance_m), clearance.words()),
+            says("the tolerance {} is larger than {}", length(*tolerance_m), clearance.words()),
             hint("a tolerance of at most {} resolves it", length(WARNED_SHARE * clearance.clearance_m));
     }
 }

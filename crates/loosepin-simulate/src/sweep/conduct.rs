@@ -61,7 +61,7 @@ problems! {
         /// The threads could not be started.
         Threads { source: rayon::ThreadPoolBuildError } => Code::NoThreads,
             says("the system refused to start the threads"),
-            hint("ask for fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)");
+            hint("use fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)");
         /// No run came to its end.
         AllFailed {
             runs: usize,
@@ -69,7 +69,7 @@ problems! {
             reason: String,
         } => Code::AllRunsFailed,
             says("{}: {reason}", if *runs == 1 { "the run failed".to_owned() } else { format!("all {runs} runs failed; the first one") }),
-            hint("loosepin simulate with --set shows a single run");
+            hint("`loosepin simulate` with --set makes a single run");
         /// It was interrupted.
         Interrupted { finished: usize, runs: usize } => Code::Interrupted,
             says("interrupted after {finished} of {runs} runs");

@@ -49,12 +49,12 @@ problems! {
         /// A folder that no shard has written, or that cannot be read.
         NotAShard { folder: PathBuf, source: Box<ResultsError> } => Code::ShardsDoNotFit,
             says("{} is not the folder of a shard: {source}", folder.display()),
-            hint("give the folders that loosepin study --shard i/n has written, RESULTS.shard-i-of-n");
+            hint("give the folders written by loosepin study --shard i/n, RESULTS.shard-i-of-n");
         /// A shard of something else: of another `study`, `version` or `number of shards` than the first folder.
         OfOther { folder: PathBuf, what: &'static str, found: String, first: PathBuf, expected: String } =>
             Code::ShardsDoNotFit,
             says("{} belongs to another {what} ({found}) than {} ({expected})", folder.display(), first.display()),
-            hint("give the shards of one study, started by one version with the same number");
+            hint("give the shards of one study, with the same version and the same number of shards");
         /// A shard twice.
         Twice { shard: u32, of: u32, folders: [PathBuf; 2] } => Code::ShardsDoNotFit,
             says("shard {shard}/{of} is given twice: {} and {}", folders[0].display(), folders[1].display()),
@@ -68,21 +68,21 @@ problems! {
                 listed(missing, *of)
             ),
             hint(
-                "give their folders too; loosepin study {} --shard {first}/{of} makes the part of shard {first}",
+                "also give their folders; loosepin study {} --shard {first}/{of} makes the runs of shard {first}",
                 study.display(),
                 first = missing.first().copied().unwrap_or(1)
             );
         /// The study is not what the shards were started with.
         Changed { study: PathBuf, found: String, expected: String } => Code::ShardsDoNotFit,
             says(
-                "{} with its model (inputs {found}) is not what the shards were started with (inputs {expected})",
+                "{} with its model (inputs {found}) differs from the study of the shards (inputs {expected})",
                 study.display()
             ),
-            hint("give the study as it was by --study, or run the shards of the study as it is");
+            hint("give the original study with --study, or run the shards of the changed study");
         /// A folder whose name does not tell where the results go.
         Renamed { folder: PathBuf, shard: u32, of: u32 } => Code::ShardsDoNotFit,
             says("{} does not have the name that its shard gave it, NAME.shard-{shard}-of-{of}", folder.display()),
-            hint("say by --out where the results go");
+            hint("give the folder of the results with --out");
     }
 }
 

@@ -99,12 +99,10 @@ impl Drawn {
             return Err(Refusal::bad("a pin is further away than 10 km"));
         }
         if self.links.is_empty() {
-            return Err(
-                Refusal::bad("there is no link yet").with_hint("click two places: they become the ends of a link")
-            );
+            return Err(Refusal::bad("there is no link yet").with_hint("click two places for the ends of a link"));
         }
         if self.name.chars().any(char::is_control) || self.name.trim().is_empty() {
-            return Err(Refusal::bad("a mechanism has a name on one line"));
+            return Err(Refusal::bad("the name of a mechanism must be on one line"));
         }
         for (place, link) in self.links.iter().enumerate() {
             let is_other = |other: &Vec<usize>| other.iter().filter(|pin| link.contains(pin)).count() < 2;
@@ -120,12 +118,13 @@ impl Drawn {
             let first = self.pins[link[0]];
             if link[1..].iter().any(|pin| (self.pins[*pin].x - first.x).hypot(self.pins[*pin].y - first.y) < NEAREST_MM)
             {
-                return Err(Refusal::bad("two pins of one link lie in one place").with_hint("drag one of them away"));
+                return Err(
+                    Refusal::bad("two pins of one link are at the same place").with_hint("drag one of them away")
+                );
             }
         }
         let motor = self.motor.ok_or_else(|| {
-            Refusal::bad("nothing turns it yet")
-                .with_hint("choose Motor, and click a pin on the ground at which one link turns")
+            Refusal::bad("it has no motor yet").with_hint("choose Motor, and click a pin on the ground with one link")
         })?;
         let is_on_ground = self.pins.get(motor).is_some_and(|pin| pin.hold == Hold::Ground);
         if !is_on_ground || self.at(motor).count() != 1 {
@@ -133,8 +132,8 @@ impl Drawn {
                 .with_hint("choose Motor, and click such a pin"));
         }
         if self.outputs().is_empty() {
-            return Err(Refusal::bad("nothing is there to ask about")
-                .with_hint("draw a slider, a second link on the ground, or a pin that one link alone has"));
+            return Err(Refusal::bad("the drawing has no output to study")
+                .with_hint("draw a slider, a second link on the ground, or a pin with only one link"));
         }
         Ok(())
     }
@@ -418,7 +417,7 @@ mod tests {
                 Ok(texts) => texts.says.expect_err("it cannot move").join(" "),
             }
         };
-        assert!(wrong(|drawn| drawn.motor = None).contains("nothing turns it yet"));
+        assert!(wrong(|drawn| drawn.motor = None).contains("it has no motor yet"));
         assert!(wrong(|drawn| drawn.motor = Some(1)).contains("not at a pin on the ground"));
         assert!(wrong(|drawn| drawn.links.clear()).contains("no link yet"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 0]).contains("each once"));

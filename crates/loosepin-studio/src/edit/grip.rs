@@ -87,7 +87,7 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
     let posed = Posed::new(model, poses);
     let joint_of = |name: &str| {
         let found = model.joints.iter().position(|joint| joint.name == *name);
-        found.ok_or_else(|| format!("there is no joint '{name}' any more"))
+        found.ok_or_else(|| format!("joint '{name}' no longer exists"))
     };
     let held = match &grip.held {
         Held::Guide { joint } => {
@@ -97,7 +97,7 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
         Held::Joint { joint } => {
             let index = joint_of(joint)?;
             if !model.joints[index].kind.turns() {
-                return Err(format!("{joint} is no pin: its numbers are changed in the list of numbers"));
+                return Err(format!("{joint} is not a pin: change its numbers in the list of numbers"));
             }
             posed.together(index)
         }
@@ -107,11 +107,11 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
                 let place = model.bodies[index].points.iter().position(|own| own.name == *point)?;
                 Some(PointId { body: BodyId(index), point: place })
             });
-            vec![found.ok_or_else(|| format!("there is no point '{body}.{point}' any more"))?]
+            vec![found.ok_or_else(|| format!("point '{body}.{point}' no longer exists"))?]
         }
     };
     if held.len() > MAX_HELD {
-        return Err(format!("{} points lie here: {MAX_HELD} at most are moved together", held.len()));
+        return Err(format!("{} points lie here: at most {MAX_HELD} can be moved together", held.len()));
     }
     let to_m = posed.allowed_m(&held, posed.at_m(held[0]), to_m);
     let expected_m = (0..model.joints.len()).map(|index| {
@@ -140,7 +140,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
         && grip.step_mm > 0.0
         && is_near(&grip.step_mm);
     if !is_sound {
-        return refused("this drag is not of this model".to_owned());
+        return refused("this drag belongs to another model".to_owned());
     }
     let poses: Vec<Pose> = grip
         .poses
@@ -153,7 +153,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
     };
     if coordinates.len() > MAX_COORDINATES {
         let count = coordinates.len();
-        return refused(format!("this moves {count} coordinates: {MAX_COORDINATES} at most are changed at once"));
+        return refused(format!("this moves {count} coordinates: at most {MAX_COORDINATES} can be changed at once"));
     }
     let mut settings: Vec<Setting> = Vec::new();
     for (coordinate, value_si) in coordinates {
@@ -164,8 +164,8 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
             Err(locked) => {
                 let place = describe_path(&locked.path);
                 return refused(match &locked.by[..] {
-                    [] => format!("{place} is not written as a number: it is changed in the text"),
-                    by => format!("{place} follows from {}: change one of them in the list of numbers", by.join(", ")),
+                    [] => format!("{place} is not written as a number: change it in the text"),
+                    by => format!("{place} depends on {}: change one of them in the list of numbers", by.join(", ")),
                 });
             }
         }
@@ -183,9 +183,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
     for Setting { quantity, value_si } in settings {
         let Some((range, written)) = number(model, texts, quantity) else {
             let place = describe_path(&model.quantities[quantity].path);
-            return refused(format!(
-                "{place} is not written as a plain number with its unit: it is changed in the text"
-            ));
+            return refused(format!("{place} is not written as a plain number with its unit: change it in the text"));
         };
         let new = if is_exact {
             written.moved_by_si(value_si - written.value_si())
@@ -251,7 +249,7 @@ pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Ran
 /// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay. A
 /// distribution without a nominal value of its own follows the model as it is.
 fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Result<(Pieces<'a>, Vec<String>), Refusal> {
-    let unreadable = |_| Refusal::bad("the study cannot be read: mend its problems first");
+    let unreadable = |_| Refusal::bad("the study cannot be read: correct its problems first");
     let toml = parse_toml(study).map_err(unreadable)?;
     let mut text = Pieces::new(study.text());
     let mut stays = Vec::new();

@@ -31,7 +31,7 @@ pub fn turned(
     };
     let way = minus(to_m, Posed::new(model, poses).at_m(point));
     if !(length(way) > MIN_M) {
-        return Err("this place is the point of the guide: it says no direction".to_owned());
+        return Err("this place is the point of the guide, so it gives no direction".to_owned());
     }
     let step_rad = if is_free { FINE_STEP_RAD } else { STEP_RAD };
     let now_rad = model.quantities.nominal()[angle];

@@ -87,8 +87,8 @@ pub fn known_texts(
         }
         (None, None) => None,
         (None, Some(_)) => {
-            return Err(Refusal::bad("a model alone says nothing of scatter and of what is unknown")
-                .with_hint("open a study of it: there it stands under [random] or [epistemic]"));
+            return Err(Refusal::bad("a model without a study has no random and no unknown values")
+                .with_hint("open a study of it, which has them under [random] or [epistemic]"));
         }
     };
     let changed = |new: &Lines, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
@@ -126,7 +126,7 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
             due.insert(path.to_owned());
         }
         if paths(&after, which) != due {
-            return Err(Refusal::bad("the study is written in a way that this would damage")
+            return Err(Refusal::bad("this change would damage the text of the study")
                 .with_hint("change it in the text of the study"));
         }
     }
@@ -158,7 +158,7 @@ impl Number {
             (Origin::Expression { depends_on }, _) => {
                 let by: Vec<&str> = depends_on.iter().map(|id| model.quantities[*id].path.as_str()).collect();
                 return Err(Refusal::bad(format!("{} follows from {}", describe_path(path), by.join(", ")))
-                    .with_hint("say how well these are known instead"));
+                    .with_hint("set these instead"));
             }
             _ => return Err(Refusal::bad(format!("{} is not written as a number in the model", describe_path(path)))),
         };
@@ -224,7 +224,7 @@ fn entry(known: &Knowledge, number: &Number, model: &Model, path: &str) -> Resul
             let radius =
                 path.rsplit_once('.').and_then(|(joint, _)| model.quantities.id(&format!("{joint}.bearing_radius")));
             let radius_m = radius.map(|id| model.quantities.nominal()[id]).ok_or_else(|| {
-                Refusal::bad("a fit is that of a pin in its bearing").with_hint("write it for the play of a joint")
+                Refusal::bad("a fit belongs to a pin in its bearing").with_hint("use it for the play of a joint")
             })?;
             let diameter = format_value(2.0 * radius_m, Dimension::LENGTH);
             Some((EPISTEMIC, format!("{{ fit = \"{fit}\", diameter = \"{diameter}\" }}")))
@@ -269,7 +269,7 @@ fn write_entry(study: &mut Lines, path: &str, entry: Option<&StudyEntry>) -> Res
 
 fn unreadable(which: &str) -> Refusal {
     Refusal::bad(format!("the {which} cannot be read"))
-        .with_hint("mend its problems first; they are listed below the drawing")
+        .with_hint("correct its problems first; they are listed below the drawing")
 }
 
 /// Gives a joint its play, with what belongs to one: the radius of the bearing and the contact.

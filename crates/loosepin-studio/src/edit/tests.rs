@@ -309,7 +309,7 @@ fn what_cannot_be_known_so_is_refused() {
     for (path, text, words) in [
         ("parameter.nothing", "1 mm", "the model has no number 'parameter.nothing'"),
         ("body.rod.points.small_end.x", "1 mm", "follows from parameter.rod_length"),
-        ("parameter.rod_length", "H7/g6", "a fit is that of a pin in its bearing"),
+        ("parameter.rod_length", "H7/g6", "a fit belongs to a pin in its bearing"),
         ("parameter.rod_length", "1..2 kg", "expected a length"),
         ("joint.crank_pin.radial_clearance", "±0.1 mm", "has no play yet"),
         // The motor turns this one; a value that the model does not take; a number of another kind.

@@ -46,7 +46,7 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
     let mut now = texts.with(folder, None, None);
     for (path, value) in &known.values {
         let WitnessValue::Number(value_si) = value else {
-            return Err(Refusal::bad(format!("'{path}' is chosen from a list: it is no number that the model has"))
+            return Err(Refusal::bad(format!("'{path}' is chosen from a list, so the model has no number for it"))
                 .with_hint("change it in the text"));
         };
         let text = written(&now, path, *value_si)?;
@@ -66,7 +66,7 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
 
 /// A value in the unit in which the model has it.
 fn written(texts: &Texts, path: &str, value_si: f64) -> Result<String, Refusal> {
-    let unreadable = |_| Refusal::bad("the model cannot be read").with_hint("mend its problems first");
+    let unreadable = |_| Refusal::bad("the model cannot be read").with_hint("correct its problems first");
     let model = Model::from_source(Arc::clone(&texts.model)).map_err(unreadable)?;
     let missing = || Refusal::bad(format!("the model has no number '{path}'"));
     let quantity = model.quantities.id(path).map(|id| &model.quantities[id]).ok_or_else(missing)?;

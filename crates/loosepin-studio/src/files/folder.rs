@@ -121,8 +121,8 @@ impl Folder {
         };
         if found.as_deref() != known {
             let message = match found {
-                Some(_) => format!("'{path}' was changed by somebody else since it was read"),
-                None => format!("'{path}' is not there any more"),
+                Some(_) => format!("'{path}' was changed by another program after it was read"),
+                None => format!("'{path}' no longer exists"),
             };
             return Err(Refusal::new(StatusCode::CONFLICT, message));
         }
@@ -141,14 +141,14 @@ impl Folder {
     pub fn write_new_folder(&self, name: &str, texts: &[(&str, &str)]) -> Result<(), Refusal> {
         let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(is_plain) {
-            return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
+            return Err(Refusal::bad("the name of a new folder has only letters, digits, - and _"));
         }
         let contents: Vec<(&str, &[u8])> = texts.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
         let written = lock_texts(&self.opened).and_then(|lock| lock.write_new_folder(name, &contents));
         written.map_err(|error| match error.kind() {
-            io::ErrorKind::AlreadyExists => Refusal::new(StatusCode::CONFLICT, format!("'{name}' is there already")),
+            io::ErrorKind::AlreadyExists => Refusal::new(StatusCode::CONFLICT, format!("'{name}' already exists")),
             io::ErrorKind::NotFound => {
-                Refusal::new(StatusCode::CONFLICT, "the served folder is not there any more; nothing is written")
+                Refusal::new(StatusCode::CONFLICT, "the served folder no longer exists; nothing is written")
             }
             _ => not_written(name, &error),
         })
@@ -175,7 +175,7 @@ fn tag(text: &str) -> String {
 
 fn outside(path: &str) -> Refusal {
     let shown: String = path.chars().take(80).collect();
-    Refusal::new(StatusCode::FORBIDDEN, format!("'{shown}' is no path in the served folder"))
+    Refusal::new(StatusCode::FORBIDDEN, format!("'{shown}' is not a path in the served folder"))
         .with_hint("paths are names below the folder, with / between them")
 }
 

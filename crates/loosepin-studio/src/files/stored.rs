@@ -23,11 +23,11 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
     let path = path.trim_end_matches('/');
     let marker = marker(folder, path)?;
     if marker.kind != ResultKind::Study {
-        let message = format!("'{path}' holds a {}, not a study", marker.kind.words());
+        let message = format!("'{path}' contains a {}, not a study", marker.kind.words());
         return Err(Refusal::bad(message).with_hint("choose the result of a study"));
     }
     if !marker.is_finished {
-        return Err(Refusal::bad(format!("the study in '{path}' is not finished")).with_hint("run it to its end first"));
+        return Err(Refusal::bad(format!("the study in '{path}' is not finished")).with_hint("finish it first"));
     }
     let file = format!("{path}/{SUMMARY_FILE}");
     let result = read(folder, &file, MAX_SUMMARY, StudyResult::from_json)?;
@@ -50,7 +50,7 @@ fn read<T>(
     parse: fn(&str) -> Result<T, serde_json::Error>,
 ) -> Result<T, Refusal> {
     let foreign = |reason: String| {
-        Refusal::bad(format!("'{path}' is not what this version writes: {reason}"))
+        Refusal::bad(format!("'{path}' does not have the format of this version: {reason}"))
             .with_hint("run the study again, or use the version that wrote it")
     };
     let bytes = folder.bytes(path, most)?;
@@ -63,7 +63,7 @@ fn read<T>(
 /// # Errors
 /// An older version has kept no texts, or this one cannot read them.
 pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
-    let unreadable = || Refusal::bad("the model and the study that this result holds cannot be read by this version");
+    let unreadable = || Refusal::bad("this version cannot read the model and the study in this result");
     let file = Texts::of_result(result)?.read().map_err(|_| unreadable())?;
     file.into_study().map_err(|_| unreadable())
 }

@@ -119,12 +119,12 @@ impl Jobs {
         let (kind, subject) = (task.kind(), task.subject().to_owned());
         if state.jobs.iter().any(|job| is_open(job) && job.kind == kind && job.study == subject) {
             return Err(match kind {
-                JobKind::Study => format!("{subject} is being run already"),
+                JobKind::Study => format!("{subject} is already running"),
                 JobKind::Run => format!("a single run of {subject} is not finished yet: wait for it, or stop it"),
             });
         }
         if state.waiting.len() >= MAX_WAITING {
-            return Err(format!("{MAX_WAITING} runs wait already; stop one of them, or wait"));
+            return Err(format!("{MAX_WAITING} runs are already waiting; stop one of them, or wait"));
         }
         state.last_id += 1;
         let job = Job {
@@ -197,7 +197,7 @@ impl Jobs {
         while let Some((id, task, stop)) = self.next(kind) {
             let began = Instant::now();
             let outcome = catch_unwind(AssertUnwindSafe(|| self.run(id, &task, &stop, began)));
-            let outcome = outcome.unwrap_or_else(|_| Err(vec!["the program met an error of its own".to_owned()]));
+            let outcome = outcome.unwrap_or_else(|_| Err(vec!["loosepin failed with an internal error".to_owned()]));
             self.state().running.retain(|(running, _)| *running != id);
             self.change(id, |job| {
                 job.seconds = began.elapsed().as_secs_f64();

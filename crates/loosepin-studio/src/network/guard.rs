@@ -80,7 +80,7 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
 
 /// The host that is asked, which must be this machine by one of its own names.
 fn check_host(headers: &HeaderMap) -> Result<&str, Refusal> {
-    let foreign = || Refusal::new(StatusCode::FORBIDDEN, "the studio answers to 127.0.0.1 and localhost only");
+    let foreign = || Refusal::new(StatusCode::FORBIDDEN, "the studio responds only to 127.0.0.1 and localhost");
     if headers.get_all("host").iter().count() != 1 {
         return Err(foreign());
     }
@@ -95,7 +95,7 @@ fn check_host(headers: &HeaderMap) -> Result<&str, Refusal> {
 
 /// The page that asks, where it says so, must be of this server; a live connection must say so.
 fn check_origin(headers: &HeaderMap, host: &str, is_live: bool) -> Result<(), Refusal> {
-    let foreign = || Refusal::new(StatusCode::FORBIDDEN, "the studio answers to its own page only");
+    let foreign = || Refusal::new(StatusCode::FORBIDDEN, "the studio responds only to its own page");
     if headers.get_all("origin").iter().count() > 1 {
         return Err(foreign());
     }

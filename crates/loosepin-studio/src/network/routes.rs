@@ -67,7 +67,7 @@ pub async fn open(
     State(studio): State<Studio>,
     query: Result<Query<OpenRequest>, axum::extract::rejection::QueryRejection>,
 ) -> Answer {
-    let Query(OpenRequest { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
+    let Query(OpenRequest { path }) = query.map_err(|_| Refusal::bad("give the file: /api/open?path=model.toml"))?;
     let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
     let both = in_background(move || {
         let first = studio.folder.read(&path)?;
@@ -156,7 +156,7 @@ pub async fn import(
     drawing: Bytes,
 ) -> Answer {
     let Query(ImportRequest { folder: name, title, unit }) =
-        query.map_err(|_| Refusal::bad("say where to: /api/import?folder=press&title=press"))?;
+        query.map_err(|_| Refusal::bad("give the folder: /api/import?folder=press&title=press"))?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
         let options = ImportOptions { unit: unit.filter(|unit| !unit.is_empty()), tolerance_m: SAME_PLACE_M };
@@ -177,8 +177,7 @@ pub async fn import(
 }
 
 pub async fn explain(Path(code): Path<String>) -> Answer {
-    let code: Code =
-        code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such code of a complaint"))?;
+    let code: Code = code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such error code"))?;
     let entry = code.entry();
     Ok(json(&ExplainAnswer { code: entry.text, title: entry.title, text: entry.explanation }))
 }
@@ -195,7 +194,7 @@ pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
 }
 
 pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
-    let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was used already, or is too old");
+    let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was already used, or is too old");
     let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
     let page = in_background(move || studio.folder.bytes(&path, MAX_REPORT)).await?;
     let headers = [("content-type", "text/html; charset=utf-8"), ("content-security-policy", REPORT_POLICY)];
@@ -211,7 +210,7 @@ pub async fn missing() -> Refusal {
 /// # Errors
 /// It is something else.
 pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
-    serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this body is none of the studio's: {error}")))
+    serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this request is not valid: {error}")))
 }
 
 /// What takes longer than the other connections are to wait.
@@ -221,6 +220,6 @@ pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
 pub async fn in_background<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Refusal> + Send + 'static,
 ) -> Result<T, Refusal> {
-    let failed = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "the program met an error of its own");
+    let failed = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "loosepin failed with an internal error");
     tokio::task::spawn_blocking(work).await.map_err(failed)?
 }

@@ -41,15 +41,15 @@ problems! {
     pub enum StudioError {
         Folder { folder: PathBuf, source: io::Error } => Code::FolderNotUsable,
             says("cannot serve {}: {source}", folder.display()),
-            hint("give a folder that is there, for example: loosepin serve .");
+            hint("give an existing folder, for example: loosepin serve .");
         Port { port: u16, source: io::Error } => Code::FolderNotUsable,
             says("cannot listen on port {port} of this machine: {source}"),
-            hint("leave --port out to take a free one");
+            hint("omit --port to use a free port");
         Threads { source: io::Error } => Code::NoThreads,
             says("the system refused to start the threads of the studio"),
-            hint("raise the limit of memory (ulimit -v, ulimit -d) or of processes (ulimit -u)");
+            hint("raise the limits of memory (ulimit -v, ulimit -d) or of processes (ulimit -u)");
         System { source: io::Error } => Code::FolderNotUsable,
-            says("the system does not let the studio run: {source}");
+            says("the system does not permit the studio to run: {source}");
     }
 }
 

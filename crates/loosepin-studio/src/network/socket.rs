@@ -94,7 +94,7 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
                     }
                     Ok(FromPage::Hello { .. }) => Ok(()),
                     Err(error) => {
-                        let message = format!("this message is none of the studio's: {error}");
+                        let message = format!("this message is not valid: {error}");
                         tell(&mut socket, &ToPage::Refused { message: &message }).await
                     }
                 },
@@ -149,7 +149,7 @@ fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf
         // What came too late is answered already.
         let Some(text) = text.transpose() else { continue };
         let text = text.unwrap_or_else(|_| {
-            let message = "the program met an error of its own while it read these texts";
+            let message = "loosepin failed with an internal error while it read these texts";
             serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()
         });
         if answers.send(text.into()).is_err() {

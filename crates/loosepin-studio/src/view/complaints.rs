@@ -22,7 +22,7 @@ pub fn seen(complaints: &Complaints, texts: &Texts) -> Vec<SeenComplaint> {
             code: gravest.code.as_str(),
             severity: gravest.severity,
             message: format!("and {} more", left.len()),
-            hint: Some("they are shown when those before them are mended".to_owned()),
+            hint: Some("they are shown when the earlier ones are corrected".to_owned()),
             stretch: None,
             labels: Vec::new(),
             fix: None,

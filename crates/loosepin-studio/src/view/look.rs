@@ -38,7 +38,7 @@ pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
     let before = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
         Ok(model) => gripped(&model, &before, grip),
-        Err(_) => refused_drag("the model cannot be read: mend its problems first".to_owned()),
+        Err(_) => refused_drag("the model cannot be read: correct its problems first".to_owned()),
     });
     let (mut seen, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
     if let (Some(grip), Some(drag), Some(drawing)) = (&look.grip, &drag, &drawing)

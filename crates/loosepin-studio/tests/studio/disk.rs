@@ -208,7 +208,7 @@ fn a_served_folder_that_was_removed_is_not_made_anew() {
     fs::remove_dir(&served).unwrap();
     let new = json!({"template": "slider-crank", "folder": "mine"}).to_string();
     let (status, refused) = server.ask("POST", "/api/new", &new);
-    let words = "the served folder is not there any more; nothing is written";
+    let words = "the served folder no longer exists; nothing is written";
     assert_eq!((status, &refused["message"]), (409, &json!(words)));
     assert!(save(&server, "model.toml", MODEL, &Value::Null).0 >= 400);
     assert!(!served.exists());

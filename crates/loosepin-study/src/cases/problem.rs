@@ -10,8 +10,8 @@ problems! {
     pub enum CaseProblem {
         /// A folder without cases.
         NoCases { folder: String } => Code::FileNotReadable,
-            says("{folder} holds no reference case: no folder with a model.toml and an expected.toml"),
-            hint("the cases are in the repository; name their folder: --folder DIR");
+            says("{folder} contains no reference case: no folder with a model.toml and an expected.toml"),
+            hint("the cases are in the repository; give their folder with --folder DIR");
         /// A page that cannot be written.
         NotWritten { file: String, reason: String } => Code::FolderNotUsable,
             says("cannot write {file}: {reason}");
@@ -20,14 +20,14 @@ problems! {
             says("there is no reference case '{name}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(known, "and")),
+                None => format!("available: {}", listed(known, "and")),
             }));
         /// A name that the model or a file does not have.
         UnknownName { entry: String, what: &'static str, name: String, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: there is no {what} '{name}'"),
             hint_of(Some(match known.is_empty() {
-                true => format!("there is no {what} at all"),
-                false => format!("there is {}", listed(known, "and")),
+                true => format!("there is no {what}"),
+                false => format!("available: {}", listed(known, "and")),
             }));
         /// A key that the quantity does not use.
         KeyWithoutEffect { entry: String, quantity: &'static str } => Code::ConflictingKeys,
@@ -37,14 +37,14 @@ problems! {
             says("{entry} has {found} entries; expected one for each of the {due} values");
         /// Nothing to compare.
         NothingExpected { entry: String } => Code::AskNotPossible,
-            says("{entry} expects nothing; a case without a number to meet would be met by any program");
+            says("{entry} expects nothing; a case needs at least one number");
         /// An angle at which the quasi-static answer is not computed.
         NoPosition { angle_deg: String } => Code::AskNotPossible,
-            says("the quasi-static answer has no position at {angle_deg} deg; it has one for each whole degree of \
+            says("the quasi-static result has no position at {angle_deg} deg; it has one for each whole degree of \
                   a turn");
         /// A cell of a reference file that is no number.
         BadCell { cell: String } => Code::WrongType,
-            says("the cell '{cell}' is no number");
+            says("the cell '{cell}' is not a number");
         /// A row of a reference file with too few or too many cells.
         BadRow { found: usize, due: usize } => Code::WrongType,
             says("the row has {}; the header has {due}", counted(*found, "cell"));

@@ -81,7 +81,7 @@ record! {
     optional time: Entry<'t> = ONE_OR_EACH, "\"3 ms\"";
     /// penetration of a contact at rest
     optional penetration: Entry<'t> = ONE_OR_EACH, "\"10 um\"";
-    /// length of the run; the cycle of the model if left out
+    /// length of the run; the cycle of the model if omitted
     optional span: Entry<'t> = Kind::AnyQuantity, "\"24 ms\"";
     /// a setting for each value
     optional set: Entry<'t> = Kind::List(&Kind::Text), "[\"joint.gudgeon.radial_clearance=0.5mm\"]";

@@ -9,7 +9,7 @@ use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
 use loosepin_uncertainty::{Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS};
 
 record! {
-    /// an interval and the mass of evidence that lies in it
+    /// an interval and its mass of evidence (Dempster-Shafer)
     pub(super) lenient struct ElementTable for Reads;
     /// lower and upper end
     required interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]";
@@ -18,7 +18,7 @@ record! {
 }
 
 record! {
-    /// a degree and the interval of all values possible to at least that degree
+    /// a degree of possibility and the interval of all values with at least this degree
     lenient struct CutTable for Reads;
     /// the degree, from 0 to 1, increasing
     required alpha: f64 = Kind::Number { rule: Rule::Finite }, "0.5";
@@ -29,14 +29,15 @@ record! {
 record! {
     /// a fuzzy number
     pub(super) lenient struct FuzzyTable for Reads, exactly one of [triangular, trapezoidal, cuts];
-    /// possible at all from the first to the third, to the degree 1 the second
+    /// lower end, peak and upper end: the degree of possibility is 0 at the ends and 1 at the peak
     optional triangular: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.2 mm\", \"0.5 mm\"]";
-    /// possible at all from the first to the fourth, to the degree 1 from the second to the third
+    /// four values: the degree of possibility rises from 0 at the first to 1 at the second, and falls from 1 at the third to 0 at the
+    /// fourth
     optional trapezoidal: Entry<'t> =
         Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.2 mm\", \"0.3 mm\", \"0.5 mm\"]";
-    /// the cuts themselves, each within the one before
+    /// the cuts themselves; each interval lies within the one before
     optional cuts: Entry<'t> = Kind::List(&Kind::Table(&CutTable::KEYS)), "";
-    /// degrees at which a triangle or trapezoid is cut; 0, 0.25, 0.5, 0.75 and 1 if left out
+    /// degrees at which a triangle or trapezoid is cut; 0, 0.25, 0.5, 0.75 and 1 if omitted
     optional degrees: Entry<'t> = Kind::List(&Kind::Number { rule: Rule::Finite }), "[0, 0.25, 0.5, 0.75, 1]";
 }
 

@@ -24,26 +24,26 @@ const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", sta
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
 
 record! {
-    /// what is known of a quantity
+    /// an unknown (epistemic) input
     pub(super) lenient struct EpistemicTable for Reads,
         exactly one of [interval, any_of, fit, evidence, periodic, fuzzy, quantiles, mean];
-    /// lower and upper end; every value between is possible, and nothing else is known
+    /// lower and upper end; every value between them is possible, with no known probabilities
     optional interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.5 mm\"]";
-    /// all values that are possible: laws for the law of a contact, else values with their unit
+    /// list of all possible values: laws for the law of a contact, otherwise values with their unit
     optional any_of: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"lankarani-nikravesh\", \"flores\"]";
-    /// intervals with masses: the true value lies in one of them, as much speaks for it as its mass says
+    /// intervals with Dempster-Shafer masses that sum to 1; the true value lies in one of them
     optional evidence: Entry<'t> = Kind::List(&Kind::Table(&ElementTable::KEYS)), "";
-    /// one period of an angle or a phase that may have any value: its two ends are the same
+    /// one period of an angle or phase that may have any value; both ends are the same angle
     optional periodic: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0 deg\", \"360 deg\"]";
-    /// values possible to different degrees
+    /// fuzzy number: values with different degrees of possibility
     optional fuzzy: Entry<'t> = Kind::Table(&FuzzyTable::KEYS), "";
-    /// a quantity that scatters in an unknown way, of which a few quantiles are known, and its support
+    /// a few quantiles of a random quantity whose distribution is otherwise unknown; needs support
     optional quantiles: Entry<'t> =
         Kind::List(&Kind::List(&Kind::AnyOf(&[Kind::Number { rule: Rule::Probability }, Kind::AnyQuantity]))),
         "[[0.05, \"0.1 mm\"], [0.5, \"0.2 mm\"], [0.95, \"0.4 mm\"]]";
-    /// a quantity that scatters in an unknown way, of which the mean is known, and its support
+    /// the mean of a random quantity whose distribution is otherwise unknown; needs support
     optional mean: Entry<'t> = Kind::AnyQuantity, "\"0.2 mm\"";
-    /// with quantiles or a mean: the least and the greatest value
+    /// with quantiles or a mean: the smallest and the largest possible value
     optional support: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.05 mm\", \"0.5 mm\"]";
     optional fit: Entry<'t> as FIT;
     optional diameter: Entry<'t> as DIAMETER;

@@ -13,15 +13,15 @@ problems! {
     pub enum StudyProblem | Path(PathError) {
         /// A path written without quotes, which TOML takes apart.
         UnquotedPath { path: String } => Code::UnknownPath,
-            says("'{path}' is not in quotes; TOML takes it for tables within tables"),
+            says("'{path}' is not in quotes; TOML reads it as nested tables"),
             hint("write \"{path}\" = {{ ... }}");
         /// A statistic that is written in another form.
         StatisticForm { entry: String, word: String, form: String } => Code::AskNotPossible,
             says("{entry}: '{word}' is written {form}");
         /// An angle where the whole curve is named.
         AngleForCurve { entry: String, found: String, drive: String } => Code::AskNotPossible,
-            says("{entry} is {found}; it takes only \"cycle\", the whole curve"),
-            hint("for angles of the drive '{drive}', write in its place poses = {{ {drive} = [\"90 deg\"] }}");
+            says("{entry} is {found}; must be \"cycle\", the whole curve"),
+            hint("for angles of the drive '{drive}', write poses = {{ {drive} = [\"90 deg\"] }} instead");
         /// A probability as text.
         Percent { entry: String, found: String } => Code::BadProbability,
             says("{entry} is \"{found}\"; expected a number between 0 and 1"),
@@ -30,12 +30,12 @@ problems! {
         NoPlay { entry: String } => Code::AskNotPossible,
             says("{entry} is \"clearance\"; no joint of the model has play, so that this part of the deviation is \
                   zero"),
-            hint("ask for of = \"dimensional\", or give a joint play in the model file");
+            hint("write of = \"dimensional\", or give a joint play in the model file");
         /// A share of all parts, where quantities scatter.
         CertaintyOfSamples { entry: String } => Code::AskNotPossible,
             says("{entry} is 1; no number of samples shows that none lies beyond the limit, so that this stays \
                   undecided"),
-            hint("require a share below 1, such as 0.9973, or state ends of what scatters under [epistemic]");
+            hint("require a probability below 1, such as 0.9973, or give the random inputs as intervals under [epistemic]");
         /// A share that the runs at each value cannot show.
         RequirementRuns { entry: String, share: f64, inner: usize, least: usize, is_written: bool } => Code::RequirementRuns,
             says("{entry} is {share}; {inner} runs at each value can refute it, and show it only where the output is smooth in the random \
@@ -46,11 +46,11 @@ problems! {
             }));
         /// A quantity both random and epistemic.
         InputTwice { path: String } => Code::InputTwice,
-            says("'{path}' is both random and epistemic"),
+            says("'{path}' is both under [random] and under [epistemic]"),
             hint("keep one of the two");
         /// A parameter of a distribution that is itself uncertain.
         UncertainParameter { entry: String } => Code::NotYetSupported,
-            says("{entry} is itself uncertain; this is not yet supported by this version"),
+            says("{entry} is itself uncertain; this version does not support this yet"),
             hint("write one number with its unit");
         /// An uncertain parameter of the distribution of a parameter.
         ParameterOfAParameter { entry: String } => Code::BadDistribution,
@@ -59,11 +59,11 @@ problems! {
         /// A distribution of a parameter beside what leaves statistics without a single value at it.
         SecondOrderBeside { path: String, beside: &'static str } => Code::BadDistribution,
             says("'{path}' has a distribution, which cannot be used with {beside}"),
-            hint("state the parameter as an interval");
+            hint("give the parameter as an interval");
         /// More uncertain parameters of one distribution than are checked together.
         TooManyParameters { entry: String, found: usize, most: usize } => Code::BadDistribution,
             says("{entry} has {found} uncertain parameters; at most {most} are accepted"),
-            hint("write one number for those that matter least");
+            hint("write one number for the least important ones");
         /// A number of a distribution that breaks its rule.
         DistributionRule { entry: String, found: String, rule: String } => Code::BadDistribution,
             says("{entry} {found}; must be {rule}");
@@ -71,19 +71,19 @@ problems! {
         Distribution { entry: String, error: DistributionError, dimension: Dimension } => Code::BadDistribution,
             says("{entry}: {}", without_hint(error, *dimension)),
             hint_of(matches!(error, DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. })
-                .then(|| "cut nearer to the mean, or state a uniform distribution".to_owned()));
+                .then(|| "truncate nearer to the mean, or use a uniform distribution".to_owned()));
         /// An interval whose lower end lies above its upper end.
         IntervalTurnedRound { entry: String, lower: String, upper: String } => Code::IntervalTurnedRound,
-            says("{entry} begins at {lower} and ends at {upper}; the lower end must be first"),
+            says("{entry} goes from {lower} to {upper}; the lower end must be first"),
             hint("write [\"{upper}\", \"{lower}\"]");
         /// An interval with equal ends.
         IntervalWithoutWidth { entry: String, value: String } => Code::IntervalWithoutWidth,
-            says("{entry} begins and ends at {value}; nothing is uncertain"),
+            says("{entry} has both ends at {value}, so nothing is uncertain"),
             hint("write the value in the model file, or widen the interval");
         /// A period of an angle after which it does not begin again.
         Period { entry: String, found: String } => Code::BadPeriod,
             says("{entry} is {found} wide; must be a whole turn (360°) or a whole fraction of it"),
-            hint("for an angle between two ends write interval = [...]");
+            hint("for an angle between two limits, write interval = [...]");
         /// Intervals that do not fit together.
         Structure { entry: String, words: String } => Code::BadEvidence,
             says("{entry}: {words}");
@@ -92,23 +92,23 @@ problems! {
             says("{entry} has {found} corners; must be {due}");
         /// Degrees beside cuts that have their own.
         DegreesTwice { entry: String } => Code::BadEvidence,
-            says("{entry} stands beside cuts, which have degrees of their own"),
-            hint("leave it out");
+            says("{entry} cannot be used with cuts, which have their own degrees"),
+            hint("remove it");
         /// Quantiles or a mean without ends.
         NoSupport { entry: String } => Code::BadEvidence,
-            says("{entry} needs a support: between which ends does the quantity lie?"),
-            hint("write support = [least, greatest] beside it");
+            says("{entry} needs a support: the smallest and the largest possible value"),
+            hint("also write support = [smallest, largest]");
         /// A support without quantiles or a mean.
         SupportAlone { entry: String } => Code::BadEvidence,
             says("{entry} needs quantiles or a mean"),
-            hint("for two ends and nothing else write interval = [...]");
+            hint("if only two ends are known, write interval = [...]");
         /// A list with nothing to choose.
         SingleMember { entry: String } => Code::BadList,
             says("{entry} has 1 entry; give at least 2"),
-            hint("write the value in the model file, or name the others");
+            hint("write the value in the model file, or add other values");
         /// The same member again.
         MemberTwice { entry: String, value: String } => Code::BadList,
-            says("{entry} holds {value} twice"),
+            says("{entry} contains {value} twice"),
             hint("keep one of the two");
         /// A law that the contact cannot have.
         Law { entry: String, error: LawError } => error.code(),
@@ -116,7 +116,7 @@ problems! {
             hint_of(error.hint());
         /// A law among the random inputs.
         RandomLaw { path: String } => Code::BadList,
-            says("'{path}' is a law; no distribution tells how probable it is"),
+            says("'{path}' is a law; a law cannot have a distribution"),
             hint("write \"{path}\" = {{ any_of = [\"lankarani-nikravesh\", \"flores\"] }} under [epistemic]");
         /// A law between two ends.
         IntervalOfLaws { path: String } => Code::BadList,
@@ -127,15 +127,15 @@ problems! {
             Code::ClearanceTouchesZero,
             says("'{path}' reaches {end}, where {} becomes 0: a joint without play is another mechanism, and one study \
                   cannot mix both", describe_path(clearance)),
-            hint("{}, and run the ideal joint as a study of its own",
-                if *is_member { format!("leave {end} out") } else { "begin the interval above zero".to_owned() });
+            hint("{}, and run the ideal joint as a separate study",
+                if *is_member { format!("remove {end}") } else { "start the interval above zero".to_owned() });
         /// A value within the inputs that is impossible.
         ImpossibleEnd { path: String, end: String, error: QuantityError } => error.code(),
             says("'{path}' reaches {end}, which is impossible: {error}"),
             hint_of(error.hint());
         /// Intervals and lists that are possible one by one and impossible together.
         ImpossibleTogether { error: QuantityError } => error.code(),
-            says("the intervals together allow what is impossible: {error}"),
+            says("a combination of values in the intervals is impossible: {error}"),
             hint_of(error.hint());
         /// A distribution too much of which is impossible.
         ImpossibleShare { path: String, share_percent: String, most_percent: f64, error: QuantityError } =>
@@ -150,7 +150,7 @@ problems! {
         /// A quantile that the samples do not reach.
         QuantileBeyondSamples { percent: f64, inner: usize, none_percent: f64, needed: u64 } => Code::AskNotPossible,
             says(
-                "the {} % quantile is asked for, and none of inner = {inner} samples lies beyond it with a probability of {:.0} %: its \
+                "the {} % quantile needs more samples: with a probability of {:.0} %, none of inner = {inner} samples lies beyond it, and its \
                  bound will be too narrow",
                 format_number(*percent),
                 none_percent
@@ -163,53 +163,53 @@ problems! {
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None if known.is_empty() => "the model has no outputs".to_owned(),
-                None => format!("there is {}", listed(known, "and")),
+                None => format!("available: {}", listed(known, "and")),
             }));
         /// A question about a path of a point.
         PathOutput { entry: String, name: String } => Code::AskNotPossible,
-            says("{entry}: output '{name}' is a path, and not said is which part of it"),
-            hint("add component: normal or along is the error across the path and along it, magnitude the whole error, contour the \
-                  distance from the path whatever the timing, x or y a coordinate");
+            says("{entry}: output '{name}' is a path, but 'component' is missing"),
+            hint("add component: normal or along is the error across or along the path, magnitude the whole error, contour the \
+                  distance from the path regardless of time, x or y a coordinate");
         /// A component of an output that is one number.
         ComponentOfNoPath { entry: String, name: String } => Code::AskNotPossible,
             says("{entry}: output '{name}' is one number and has no components"),
-            hint("leave component out, or give the model an output path_of the point");
+            hint("remove component, or add an output path_of of the point to the model");
         /// An error that is compared with nothing.
         ValueOfPathError { entry: String, component: &'static str } => Code::AskNotPossible,
             says("{entry}: component '{component}' is an error from the ideal path, not a value"),
-            hint("of = \"total\" compares with the drawing, of = \"clearance\" with the same lengths without play");
+            hint("write of = \"total\" to compare with the nominal mechanism, or of = \"clearance\" to compare with the same lengths without play");
         /// Poses of a drive that the cycle does not count.
         WrongDrive { entry: String, name: String, due: String } => Code::AskNotPossible,
             says("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'");
         TooManyPoses { entry: String, found: usize } => Code::TooMany,
             says("{entry} has {found} poses; must be at most {MAX_POSES}"),
-            hint("at = \"cycle\" asks for the whole curve");
+            hint("write at = \"cycle\" for the whole curve");
         /// Two poses whose numbers would have the same name.
         PosesTooNear { entry: String, pose: String, apart: String } => Code::AskNotPossible,
-            says("{entry}: {pose} is {apart} beside an angle asked of the same output before; must be the same, or \
+            says("{entry}: {pose} is {apart} away from another angle of the same output; must be equal, or \
                   more than 1e-9 rad away"),
-            hint("write the angle in the same way wherever it is asked for");
+            hint("write the angle in the same way in all questions");
         /// A method for what is no probability.
         MethodOfQuantile { entry: String, of: &'static str } => Code::AskNotPossible,
             says("{entry}: {of} has no method"),
             hint("methods are for probability_above, _below and _beyond");
         /// A band for whole curves of what is no curve.
         BandOfPoint { entry: String } => Code::AskNotPossible,
-            says("{entry}: a simultaneous band is of a whole curve"),
-            hint("write at = \"cycle\", or ask for two quantiles of a single number");
+            says("{entry}: a simultaneous band needs a whole curve"),
+            hint("write at = \"cycle\", or use two quantiles of a single number");
         /// A small probability where nothing scatters.
         NothingRandom { entry: String } => Code::AskNotPossible,
-            says("{entry}: nothing is random, so that no probability is small"),
-            hint("leave 'method' out");
+            says("{entry}: there is no random input, so there are no small probabilities"),
+            hint("omit 'method'");
         /// A value of the model that the study does not come to.
         FarFromModel { path: String, value: String, from: String, to: String } => Code::FarFromModel,
-            says("'{path}' is {value} in the model, and from {from} to {to} here"),
-            hint("a dimension has one nominal value, from which deviations count: correct the wrong one; a mean that is left out is that of the \
-                  model");
+            says("'{path}' is {value} in the model, but from {from} to {to} here"),
+            hint("a dimension has one nominal value, from which deviations are measured: correct the wrong one, or omit the mean to use the value \
+                  of the model");
         /// A tolerance whose nominal value is another than that of the model.
         OtherNominal { entry: String, written: String, nominal: String } => Code::FarFromModel,
             says("{entry}: the nominal value is {written}; that of the model is {nominal}"),
-            hint("correct the wrong one, or write the deviations alone, for example \"± 0.05 mm\": they count from the model");
+            hint("correct the wrong one, or write only the deviations, for example \"± 0.05 mm\", about the value in the model");
         /// A study where its model is to be named.
         ModelIsStudy { file: String, is_itself: bool } => Code::WrongKindOfFile,
             says("model is '{file}', {}; must be a file with bodies and joints",
@@ -217,20 +217,20 @@ problems! {
             hint("for example model = \"model.toml\"");
         /// A length that varies as no part does.
         WildScatter { path: String, found: String, nominal: String } => Code::HardlyPossible,
-            says("'{path}' has a standard deviation of {found}, with {nominal} in the model; usual is below a hundredth"),
-            hint("correct it, or ignore this if it is meant");
+            says("'{path}' has a standard deviation of {found}, but is {nominal} in the model; usual values are below a hundredth of it"),
+            hint("correct it, or ignore this warning if the value is intended");
         /// A sample of a length that holds one of the other sign.
         OtherSign { path: String, found: String, nominal: String } => Code::HardlyPossible,
-            says("the sample of '{path}' holds {found}, with {nominal} in the model"),
-            hint("correct the sign or leave the value out, or ignore this if it is meant");
+            says("the sample of '{path}' contains {found}, but the value in the model is {nominal}"),
+            hint("correct the sign or remove the value, or ignore this warning if the value is intended");
         /// Wear as a deviation from the ideal motion.
         WearOfDeviation { entry: String } => Code::AskNotPossible,
-            says("{entry}: wear is no deviation from an ideal motion; must be \"value\""),
+            says("{entry}: wear is not a deviation from an ideal motion; must be \"value\""),
             hint("write of = \"value\"");
         /// Wear at a pose or as another number of the cycle.
         PlaceOfWear { entry: String } => Code::AskNotPossible,
-            says("{entry}: wear is one number of a run; must be reduce = \"maximum\""),
-            hint("wear grows through the recorded part: its maximum is the wear after all cycles");
+            says("{entry}: wear is one number for each run; must be reduce = \"maximum\""),
+            hint("wear increases during the recorded part: its maximum is the wear after all cycles");
         /// A requirement of wear that is no upper limit.
         LimitOfWear { entry: String, is_life: bool } => Code::AskNotPossible,
             says("{entry}: {}", if *is_life {
@@ -241,59 +241,58 @@ problems! {
             hint("write over = \"cycle\" and {}", if *is_life { "above = 2000" } else { "below = \"0.2 mm^3\"" });
         /// A life longer than the cycles that are computed.
         LifeBeyondCycles { entry: String, least: String, cycles: String } => Code::AskNotPossible,
-            says("{entry}: above is {least}; lives are followed for the cycles of [wear] alone, {cycles}"),
-            hint("a life that does not end counts as all cycles: require less, or raise cycles in the model");
+            says("{entry}: above is {least}, but lives are computed only up to the cycles of [wear], {cycles}"),
+            hint("a longer life counts as all cycles: require fewer, or increase cycles in the model");
         /// A mean or a standard deviation of lives that may not have ended.
         MomentOfLife { entry: String } => Code::AskNotPossible,
-            says("{entry}: a life that does not end counts as all cycles of [wear], so that this may be too small"),
-            hint("ask for quantiles below all cycles, or raise cycles in the model until all lives end");
+            says("{entry}: a life longer than all cycles of [wear] counts as all cycles, so this may be too small"),
+            hint("use quantiles below all cycles, or increase cycles in the model until all lives end");
         /// The same question again.
         AskedTwice { entry: String, what: String } => Code::AskNotPossible,
-            says("{entry}: {what} is already asked, of the same output at the same place"),
-            hint("leave one of the two out");
+            says("{entry}: there is already a question for {what} of the same output at the same place"),
+            hint("remove one of the two");
         /// An angle that stands in a list twice.
         PoseTwice { entry: String, pose: String } => Code::AskNotPossible,
             says("{entry}: {pose} is already in this list"),
-            hint("leave one of the two out");
+            hint("remove one of the two");
         /// Percentiles over nothing.
         PercentilesOfNothing { entry: String } => Code::AskNotPossible,
             says("{entry}: no parameter of a distribution has a distribution, so there are no percentiles"),
-            hint("leave it out, or give a parameter of a random input a distribution of its own");
+            hint("remove it, or give a parameter of a random input a distribution");
         /// Direct runs that confirm no surrogate.
         NothingToConfirm { entry: String } => Code::AskNotPossible,
-            says("{entry} is \"confirming\"; the study has no surrogate to confirm"),
-            hint("leave it out, or write kind = \"auto\"");
+            says("{entry} is \"confirming\", but the study has no surrogate to confirm"),
+            hint("remove it, or write kind = \"auto\"");
         /// A question that the surrogate alone does not answer.
         NeedsDirectRuns { entry: String, of: &'static str } => Code::AskNotPossible,
             says("{entry}: {of} need direct runs"),
-            hint("write direct = \"double-loop\", or do not ask for them");
+            hint("write direct = \"double-loop\", or remove them");
         /// What cannot be promised.
         PromiseOf { entry: String, of: &'static str, is_unbounded: bool } => Code::AskNotPossible,
-            says("{entry}: nothing can be promised of {of}{}",
+            says("{entry}: {of} cannot be promised{}",
                 if *is_unbounded { "; no number of runs bounds it without a known range" } else { "" }),
-            hint("promise quantiles and probabilities, and ask for {of} in an [[ask]] of its own");
+            hint("use promise for quantiles and probabilities, and a separate [[ask]] for {of}");
         /// Fewer runs at each value than a limit there needs.
         PromiseRuns { entry: String, of: String, inner: usize, least: usize } => Code::AskNotPossible,
-            says("{entry}: to promise {of} takes at least {least} runs at each value; inner under [promise] is {inner}"),
+            says("{entry}: a promise of {of} needs at least {least} runs at each value; inner under [promise] is {inner}"),
             hint("write inner = {} under [promise]", least.next_power_of_two());
         /// A promise beside what is not one fixed value in an interval.
         PromiseBeside { entry: String, what: &'static str } => Code::AskNotPossible,
-            says("{entry} cannot be used with {what}: a promise is for values that are fixed but unknown, and for the \
-                  inputs as they stand"),
-            hint("leave one of the two out, or write two studies");
+            says("{entry} cannot be used with {what}: a promise needs values that are fixed but unknown, and unchanged \
+                  inputs"),
+            hint("remove one of the two, or write two studies");
         /// A promise where no interval is.
         PromiseWithoutBox { entry: String } => Code::AskNotPossible,
-            says("{entry}: no input of [epistemic] has an interval, so that there is no box of which a share could be \
-                  promised"),
-            hint("leave it out: without intervals the bounds need no search");
+            says("{entry}: no input under [epistemic] has an interval, so there is no box for a promise"),
+            hint("remove it: without intervals, the bounds need no search");
         /// A promise of nothing.
         NothingPromised { entry: String } => Code::AskNotPossible,
-            says("{entry}: no question and no requirement asks for a promise"),
+            says("{entry}: no question and no requirement uses a promise"),
             hint("write promise = \"upper\" in an [[ask]], or decided_by = \"promise\" in a [[require]]");
         /// A small probability of which only sums over focal elements, or belief and plausibility, are wanted.
         RareOfSets { entry: String, of: &'static str } => Code::AskNotPossible,
-            says("{entry}: a method finds where the probability is largest over fixed values; it knows no {of}"),
-            hint("leave 'method' out");
+            says("{entry}: a method searches the largest probability over fixed values; it cannot be used with {of}"),
+            hint("omit 'method'");
         /// Something to loosen that is no interval and has no standard deviation.
         AllowedInput { path: String } => Code::AskNotPossible,
             says("'{path}' under [allow] is neither a plain interval of [epistemic] nor a normal, lognormal or \
@@ -313,22 +312,22 @@ problems! {
             hint("leave it out");
         /// An offer beyond what is asked about.
         OfferBeyond { entry: String, offer: String, up_to: String } => Code::AskNotPossible,
-            says("{entry}: {offer} is offered; the largest value that is asked about is {up_to}"),
-            hint("write up_to = \"{offer}\", or leave the offer out");
+            says("{entry} has an offer of {offer}, but the largest value to try is {up_to}"),
+            hint("write up_to = \"{offer}\", or remove the offer");
         /// Prices in which what is looser costs no less.
         Costs { entry: String } => Code::AskNotPossible,
             says("{entry}: give each value once, with its cost; a looser value must cost less"),
-            hint("leave out offers that are no cheaper");
+            hint("remove offers that are not cheaper");
         /// Inputs that cannot be loosened together.
         Together { word: String, found: String } => Code::AskNotPossible,
             says(
-                "allow_together = \"{word}\" takes {} under [allow] with 'up_to' alone; found {found}",
+                "allow_together = \"{word}\" needs {} under [allow] with only 'up_to'; found {found}",
                 if word == "frontier" { "two inputs" } else { "two or more inputs" }
             ),
-            hint("leave allow_together out: each input is then loosened by itself, and 'cost' finds the cheapest combination");
+            hint("omit allow_together: each input is then loosened separately, and 'cost' finds the cheapest combination");
         /// Something to loosen as far as nothing allows.
         NothingRequired => Code::AskNotPossible,
-            says("[allow] without a requirement: anything would be allowed"),
+            says("[allow] needs a requirement: without one, any value would be permitted"),
             hint("add [[require]]");
         /// An empty list.
         Empty { entry: String } => Code::AskNotPossible,
@@ -339,7 +338,7 @@ problems! {
         /// No random and no epistemic input.
         NothingUncertain => Code::NothingUncertain,
             says("the study has no uncertain input"),
-            hint("name uncertain quantities under [random] or [epistemic]; for one run use simulate");
+            hint("add uncertain quantities under [random] or [epistemic]; for one run use `loosepin simulate`");
         /// No question and no requirement.
         NothingAsked => Code::NothingAsked,
             says("the study asks no question"),

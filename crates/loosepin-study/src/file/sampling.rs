@@ -15,37 +15,37 @@ pub(super) const MAX_INNER: u64 = 1 << 24;
 pub(super) const ACCURACY: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
 
 record! {
-    /// what is run and recorded, where it differs from the model
+    /// the turns to simulate and to record, where they differ from the model
     pub(super) lenient struct StudyCycleTable for Reads;
-    /// turns run before recording; as in the model if left out
+    /// turns simulated before recording; as in the model if omitted
     optional transient_turns: f64 = CYCLE_NUMBERS[0].kind, "2";
-    /// turns recorded; as in the model if left out
+    /// turns recorded; as in the model if omitted
     optional recorded_turns: f64 = CYCLE_NUMBERS[1].kind, "1";
-    /// rows recorded in a turn; as in the model if left out
+    /// rows recorded per turn; as in the model if omitted
     optional samples_per_turn: usize = CYCLE_NUMBERS[2].kind, "500";
 }
 
 record! {
-    /// how many runs, and how accurate
+    /// the number of runs and their accuracy
     pub(super) lenient struct SamplingTable for Reads,
         planned &[("threads", "threads are given on the command line, since results do not depend on them: --threads")],
         removed &[(
             "reweighting",
             "leave it out; runs are made at every value of the parameters that the search looks at, as with \"never\"",
         )];
-    /// points in the box of the intervals
+    /// number of points in the box of the intervals
     optional outer: usize = count(1, MAX_OUTER as u64), "64", or 64;
-    /// samples of the random inputs at each of them
+    /// number of samples of the random inputs at each point
     optional inner: usize = count(2, MAX_INNER), "256", or 256;
-    /// independent randomisations, which tell the sampling error
+    /// number of independent randomisations; the sampling error is estimated from them
     optional replicates: usize = count(2, 1024), "4", or 4;
-    /// a step may err by 0.5 % of it, in contacts that last by 10 %
+    /// error tolerance of positions: the error of one step is limited to 0.5 % of it, in lasting contacts to 10 %
     optional tolerance: StepTolerance = Kind::AnyQuantity, "\"1e-8 m\"", or "1e-8 m";
     /// share of failed runs above which the study ends with an error
     optional most_failed: f64 = Kind::Number { rule: Rule::RequiredProbability }, "0.1", or 0.1;
-    /// what all bounds that measure the same are widened by at most: the samples grow until they are; a value or a list
+    /// largest numerical error of all bounds with this unit: the samples increase until it is reached; a value or a list
     optional accuracy: Entry<'t> = ACCURACY, "\"1 um\"";
-    /// where the study ends although bounds are not yet as near: runs, a time, or "12 rounds"
+    /// limit at which the study ends even if the accuracy is not reached: runs, a time, or "12 rounds"
     optional budget: Entry<'t> = Kind::AnyQuantity, "\"30 min\"";
 }
 

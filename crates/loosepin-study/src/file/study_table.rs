@@ -23,36 +23,37 @@ use std::sync::LazyLock;
 const MAX_SEED: u64 = (1 << 53) - 1;
 
 record! {
-    /// what is uncertain in a model, and what is asked
+    /// the uncertain inputs of a model, and the questions
     pub(super) lenient struct StudyTable for Reads;
     /// name of the study
     required name: String = Kind::Text, "\"worn pin at 5000 rpm\"";
-    /// the model file, from the folder of this file
+    /// the model file, relative to the folder of this file
     required model: Entry<'t> = Kind::Text, "\"model.toml\"";
-    /// the same seed gives the same results
+    /// seed of the random numbers; the same seed gives the same results
     optional seed: u64 = count(0, MAX_SEED), "1", or 1;
-    /// what is run and recorded, where it differs from the model
+    /// the turns to simulate and to record, where they differ from the model
     optional cycle: Entry<'t> = Kind::Table(&StudyCycleTable::KEYS), "";
-    /// how many runs, and how accurate
+    /// the number of runs and their accuracy
     optional sampling: Entry<'t> = Kind::Table(&SamplingTable::KEYS), "";
-    /// bounds from a function learned from few runs, beside the direct ones; none if left out
+    /// additional bounds from a surrogate (a function fitted to few runs); none if omitted
     optional surrogate: Entry<'t> = SURROGATE, "\"auto\"";
-    /// a bound that a share of the box of the intervals keeps, without a model: how large; for questions with promise and requirements
-    /// decided by one
+    /// settings of promised bounds, which hold in a share of the box of the intervals and need no model of the statistic; for questions
+    /// with promise and requirements with decided_by = "promise"
     optional promise: Entry<'t> = Kind::Table(&PromiseTable::KEYS), "";
     /// quantities with known distributions, by their paths in the model
     optional random: Entry<'t> = Kind::Tables { keys: &RANDOM_KEYS, except: &[] }, "";
-    /// quantities known only as intervals, and quantities and laws known only as lists, by their paths in the model
+    /// unknown (epistemic) inputs: quantities known only as intervals, and quantities and laws known only as lists, by their paths in the
+    /// model
     optional epistemic: Entry<'t> = Kind::Tables { keys: &EpistemicTable::KEYS, except: &[] }, "";
-    /// random inputs that go together; all others are independent
+    /// correlated random inputs; all others are independent
     optional correlation: Entry<'t> = Kind::List(&Kind::Table(&CorrelationTable::KEYS)), "";
-    /// the mechanism that was measured: rows in place of the distributions under `[random]`; any mechanism of the series if left out
+    /// a measured mechanism: rows of values instead of the distributions under `[random]`; if omitted, any mechanism of the series
     optional specimen: Entry<'t> = Kind::Table(&SpecimenTable::KEYS), "";
-    /// how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left
-    /// out; of several, bounds stand side by side
+    /// meaning of an interval: one fixed but unknown value, an unknown distribution, or any value for each sample; fixed if omitted; with
+    /// several readings, their bounds are shown side by side
     optional reading: Entry<'t> =
         Kind::AnyOf(&[Kind::Choice(&words(&READINGS)), Kind::List(&Kind::Choice(&words(&READINGS)))]), "\"fixed\"";
-    /// where a parameter of a distribution has a distribution: percentiles of each statistic; 0.05, 0.5 and 0.95 if left out
+    /// percentiles of each statistic, if a parameter of a distribution has a distribution; 0.05, 0.5 and 0.95 if omitted
     optional percentiles: Entry<'t> = Kind::List(&Kind::Number { rule: Rule::Probability }), "[0.05, 0.5, 0.95]";
     /// questions
     optional ask: Entry<'t> = Kind::List(&Kind::Table(&AskTable::KEYS)), "";
@@ -61,10 +62,9 @@ record! {
     /// readings of a backlash test, or features of a motion, from which `loosepin identify` narrows intervals
     optional measured: Entry<'t> =
         Kind::List(&Kind::AnyOf(&[Kind::Table(&ReadingTable::KEYS), Kind::Table(&MotionTable::KEYS)])), "";
-    /// uncertain inputs that may be loosened as far as the requirements allow, by their paths
+    /// uncertain inputs to loosen as far as the requirements permit, by their paths
     optional allow: Entry<'t> = Kind::Tables { keys: &AllowTable::KEYS, except: &[] }, "";
-    /// the inputs of `[allow]` are loosened together: each to the same share of its `up_to`, or two of them as a curve; one at a time if
-    /// left out
+    /// loosens the inputs of `[allow]` together: each to the same share of its `up_to`, or two of them as a curve; one at a time if omitted
     optional allow_together: Entry<'t> = choice::<TogetherWord>(), "\"frontier\"";
 }
 
@@ -103,7 +103,7 @@ mod tests {
         ];
         for (keys, key, due) in told {
             let doc = keys.find(key).map_or("", |known| known.doc);
-            assert!(doc.ends_with(&format!("; {due} if left out")), "{key}: {doc}; {due}");
+            assert!(doc.ends_with(&format!("; {due} if omitted")), "{key}: {doc}; {due}");
         }
     }
 }

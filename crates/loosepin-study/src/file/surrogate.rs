@@ -24,15 +24,15 @@ choices!(
 );
 
 record! {
-    /// bounds from a function learned from few runs, beside the direct ones
+    /// additional bounds from a surrogate (a function fitted to few runs)
     pub(super) lenient struct SurrogateTable for Reads;
-    /// auto takes for each output what has the least held-out error
+    /// kind of surrogate; auto selects for each output the kind with the smallest error on held-out runs
     optional kind: SurrogateWord = choice::<SurrogateWord>(), "\"auto\"", or "auto";
-    /// runs to learn from; 25 for each uncertain input and at least 100 if left out
+    /// number of training runs; if omitted, 25 for each uncertain input and at least 100
     optional training_runs: usize = count(4, MAX_TRAINING), "100";
-    /// direct runs at each witness, a multiple of the replicates; 16 in each if left out
+    /// number of direct runs at each witness, a multiple of replicates; if omitted, 16 in each replicate
     optional confirming_runs: usize = count(2, MAX_INNER), "64";
-    /// double-loop: the direct bounds stand beside; confirming: no direct runs but those
+    /// double-loop: the direct bounds are also computed; confirming: the only direct runs are those at the witnesses
     optional direct: DirectRuns = choice::<DirectRuns>(), "\"confirming\"", or "double-loop";
 }
 

@@ -24,12 +24,12 @@ const MAX_SHARE_RUNS: usize = 64;
 const MAX_TURNS: u64 = MAX_RECORDED_TURNS as u64 - 1;
 
 record! {
-    /// what turns after the recorded ones change, where the motion does not repeat itself
+    /// the effect of turns after the recorded ones, if the motion does not repeat itself
     lenient struct FurtherTurnsTable for Reads;
-    /// turns after the recorded ones
+    /// number of turns after the recorded ones
     optional count: usize = count(1, MAX_TURNS), "20", or 5;
-    /// runs that are made again, of those whose motion does not repeat itself; all of them if it is more than there are; if left out 8 to
-    /// 64, for about a twentieth of the work of the study
+    /// number of runs to continue, of those whose motion does not repeat itself (at most all of these); if omitted, 8 to 64, for about a
+    /// twentieth of the work of the study
     optional runs: usize = count(1, MAX_RUNS), "200";
 }
 

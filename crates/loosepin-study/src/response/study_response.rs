@@ -35,12 +35,12 @@ problems! {
     pub enum PrepareError | Mechanism(MechanismError) | Law(LawError) {
         /// The start of the drive is uncertain, so that samples would not be compared at the same input.
         UncertainStart { path: String } => Code::AskNotPossible,
-            says("'{path}' is where the drive starts: every sample must start at the same place to be compared with \
+            says("'{path}' is the start of the drive: every sample must start at the same position to be compared with \
                   the ideal motion"),
-            hint("make the angle of a link uncertain instead, for example by the position of a point");
+            hint("make the angle of a link uncertain instead, for example with the position of a point");
         /// The speed of the drive may change its sign.
         SpeedThroughZero { path: String } => Code::AskNotPossible,
-            says("'{path}' may be zero or change its direction: the turns of such a drive cannot be counted"),
+            says("'{path}' may be zero or change its sign: the turns of such a drive cannot be counted"),
             hint("keep the whole range on one side of zero");
         /// A pose that the recorded part does not reach.
         PoseNotRecorded { output: String, angle_deg: f64, recorded_turns: f64 } => Code::AskNotPossible,
@@ -48,12 +48,12 @@ problems! {
             hint("record at least one whole turn, or ask for an angle that is passed");
         /// More poses than a study can bound.
         TooManyPoses { poses: f64 } => Code::AskNotPossible,
-            says("curves of {poses} poses are asked for; must be at most {MAX_POSES}"),
-            hint("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve");
+            says("the curves have {poses} poses; must be at most {MAX_POSES}"),
+            hint("use fewer samples_per_turn in the [cycle] of the study; 180 give a good curve");
         /// More numbers of a run than a study can bound.
         TooManyColumns { columns: usize } => Code::TooMany,
-            says("all questions together are about {columns} numbers of each run; must be at most {MAX_COLUMNS}"),
-            hint("ask for fewer poses, or for fewer samples_per_turn in the [cycle] of the study");
+            says("all questions together need {columns} numbers of each run; must be at most {MAX_COLUMNS}"),
+            hint("use fewer poses, or fewer samples_per_turn in the [cycle] of the study");
         /// More turns than a run of a study may have; `key` of `table` says so.
         TooManyTurns { turns: f64, what: &'static str, most: f64, table: &'static str, key: &'static str } => Code::AskNotPossible,
             says("{turns} turns are {what}; must be at most {most}"),
@@ -65,10 +65,10 @@ problems! {
         /// A path whose point stands still somewhere.
         PathStandsStill { output: String, share_percent: f64 } => Code::AskNotPossible,
             says("output '{output}': its point hardly moves after {share_percent:.1} % of the recorded part; its path has no direction there"),
-            hint("ask for component = \"magnitude\", or for x and y");
+            hint("use component = \"magnitude\", or x and y");
         /// The nominal run.
         Nominal { failure: RunFailure } => Problem::code(failure),
-            says("the nominal mechanism, epistemic inputs in the middle of their intervals: {failure}"),
+            says("the nominal mechanism, with unknown inputs at the middle of their intervals: {failure}"),
             hint_of(failure.hint());
     }
 }

@@ -17,11 +17,11 @@ problems! {
         /// No file of surrogates.
         NoSurrogates { folder: PathBuf } => Code::NoResults,
             says("the study in {} has no {SURROGATES_FILE}", folder.display()),
-            hint("a study that asks for surrogates leaves this file: surrogate = \"network\"");
+            hint("a study with surrogates writes this file: surrogate = \"network\"");
         /// No file of surrogates.
         Read { path: PathBuf, source: io::Error } => Code::NoResults,
             says("cannot read {}: {}", path.display(), io_error_words(source)),
-            hint("a study that asks for surrogates leaves {SURROGATES_FILE} in the folder of its results: surrogate = \
+            hint("a study with surrogates writes {SURROGATES_FILE} into the folder of its results: surrogate = \
                   \"network\"");
         /// The file, or one of its surrogates.
         Surrogate { path: PathBuf, source: SavedSurrogateError } => source.code(),

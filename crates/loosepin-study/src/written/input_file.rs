@@ -85,11 +85,11 @@ problems! {
             hint("its model is {model}");
         /// Nothing in it.
         Empty => Code::WrongKindOfFile,
-            says("the file says nothing: neither a model nor a study"),
-            hint("`loosepin new slider-crank` writes both, to start from");
+            says("the file is empty: neither a model nor a study"),
+            hint("`loosepin new slider-crank` writes an example of both");
         /// A model where a study is due.
         ModelForStudy => Code::WrongKindOfFile,
             says("this is a model; expected a study"),
-            hint("a study names its model by the key `model`; for a single run use `loosepin simulate`");
+            hint("a study names its model with the key `model`; for a single run use `loosepin simulate`");
     }
 }

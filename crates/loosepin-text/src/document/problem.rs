@@ -14,12 +14,12 @@ problems! {
             says("cannot read {file}: {reason}"),
             hint_of(hint.clone());
         NotUtf8 => Code::NotUtf8,
-            says("the file is not UTF-8 text from here on"),
+            says("the file is not UTF-8 text from this position on"),
             hint("save the file as UTF-8");
         TooLarge { file: String, size_bytes: usize } => Code::FileTooLarge,
-            says("{file} has {size_bytes} bytes; a file of at most {MAX_FILE_BYTES} is read");
+            says("{file} has {size_bytes} bytes; must be at most {MAX_FILE_BYTES}");
         Syntax { reason: String, line: String } => Code::TomlSyntax,
-            says("not TOML here: {reason}"),
+            says("this is not TOML: {reason}"),
             hint_of(number_with_comma(line)
                 .map(|written| format!("decimal numbers have a point: {written}"))
                 .or_else(|| in_straight_quotes(line)));
@@ -29,7 +29,7 @@ problems! {
         DuplicateKey { key: String, is_listed: bool } => Code::TomlSyntax,
             says("'{key}' is defined twice"),
             hint_of(Some(if *is_listed {
-                format!("tables that have names are written [{key}.NAME], with one pair of brackets")
+                format!("write tables with names as [{key}.NAME], with one pair of brackets")
             } else {
                 "define each key and each table once".to_owned()
             }));
@@ -47,10 +47,10 @@ problems! {
                 None => format!("its keys are {}", known.join(", ")),
             }));
         NotYetSupported { entry: String, instead: String } => Code::NotYetSupported,
-            says("{entry} is not yet supported by this version"),
+            says("this version does not support {entry} yet"),
             hint("{instead}");
         RemovedKey { entry: String, instead: String } => Code::UnknownKey,
-            says("{entry} is not supported any more"),
+            says("{entry} is no longer supported"),
             hint("{instead}");
         MissingKey { table: String, key: &'static str, example: &'static str, doc: &'static str } => Code::MissingKey,
             says("{}{key} is missing", prefix(table)),
@@ -80,8 +80,8 @@ problems! {
                 _ => None,
             });
         ControlCharacter { entry: String, character: char } => Code::WrongType,
-            says("{entry} holds the control character {}; it cannot be shown", character.escape_unicode()),
-            hint("leave it out");
+            says("{entry} contains the control character {}, which cannot be shown", character.escape_unicode()),
+            hint("remove it");
         ToFillIn { entry: String } => Code::ToFillIn,
             says("{entry} is still to be filled in");
         WrongLength { entry: String, found: usize, due: usize } => Code::WrongType,
@@ -103,7 +103,7 @@ problems! {
             says("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -");
         BadCount { entry: String, found: String, least: u64, most: u64 } => Code::BadCount,
             says("{entry} is {found}; must be a whole number from {least} to {most}"),
-            hint_of(plain_count(found, *least, *most).map(|plain| format!("written without point and exponent: {plain}")));
+            hint_of(plain_count(found, *least, *most).map(|plain| format!("write it without point and exponent: {plain}")));
         MissingUnit { entry: String, found: String, due: Dimension } => Code::MissingUnit,
             says("{entry} is {found} without a unit; must be {due}"),
             hint_of(Some(with_unit(found, *due)));

@@ -163,7 +163,7 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 ///     /// what they are called
 ///     required name: String = Kind::Text, "\"screws\"";
 /// }
-/// assert_eq!(Amounts::KEYS.keys[2].doc, "how often each is taken; 1 if left out");
+/// assert_eq!(Amounts::KEYS.keys[2].doc, "how often each is taken; 1 if omitted");
 /// ```
 ///
 /// A key is `required` or `optional`; an optional one with `or` has the value that is written there where it is left out, and says so in
@@ -321,7 +321,7 @@ macro_rules! record {
             $name,
             $kind,
             $example,
-            concat!($($doc,)+ "; ", $called, " if left out").trim_ascii_start(),
+            concat!($($doc,)+ "; ", $called, " if omitted").trim_ascii_start(),
         )]
     };
     (@read $mode:ident include $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {

@@ -57,17 +57,17 @@ problems! {
             says("the value is empty"),
             hint("write a number with its unit, for example \"0.5 mm\"");
         TooLong { length_chars: usize } => Code::ExpressionTooLong,
-            says("the expression has {length_chars} characters; at most {LONGEST_EXPRESSION_CHARS} are read"),
-            hint("give parts of it names under [parameter]");
+            says("the expression has {length_chars} characters; must have at most {LONGEST_EXPRESSION_CHARS}"),
+            hint("define parts of it under [parameter]");
         TooDeep { limit: usize } => Code::ExpressionTooLong,
-            says("the expression is nested more than {limit} deep"),
-            hint("give parts of it names under [parameter]");
+            says("the expression is nested more than {limit} levels deep"),
+            hint("define parts of it under [parameter]");
         UnexpectedCharacter { character: char } => Code::ExpressionSyntax,
-            says("'{character}' does not belong in a value");
+            says("the character '{character}' is not permitted in a value");
         BadNumber { text: String } => Code::ExpressionSyntax,
             says("'{text}' is not a number");
         NumberTooLarge { text: String } => Code::NotFinite,
-            says("the number {text} is too large; at most 1.8e308 can be held");
+            says("the number {text} is too large; must be at most 1.8e308");
         Unexpected { found: String, expected: &'static str } => Code::ExpressionSyntax,
             says("found {found}; expected {expected}"),
             hint_of(match found.as_str() {
@@ -80,7 +80,7 @@ problems! {
             hint_of(Some(match nearest {
                 _ if TURNS_A_MINUTE.contains(&symbol.as_str()) => "write turns per minute as rpm".to_owned(),
                 _ if CELSIUS.contains(&symbol.as_str()) => {
-                    "temperatures are differences in K: 60 degrees Celsius are 40 K above the 20 of a drawing (ISO 1)".to_owned()
+                    "write temperatures as differences in K: 60 °C is 40 K above the 20 °C of a drawing (ISO 1)".to_owned()
                 }
                 _ if in_words(symbol).is_some() => {
                     format!("write it as {}", in_words(symbol).unwrap_or_default())
@@ -92,7 +92,7 @@ problems! {
             }));
         UnitWithoutNumber { symbol: String } => Code::ExpressionSyntax,
             says("the unit '{symbol}' has no number before it"),
-            hint("write \"1 {symbol}\" for one of it");
+            hint("write a number before the unit, for example \"1 {symbol}\"");
         AmbiguousUnit { unit: String } => Code::ExpressionSyntax,
             says("the unit '{unit}' can be read in two ways"),
             hint("write parentheses, for example kg/(m s)");
@@ -110,7 +110,7 @@ problems! {
                 _ if name == "pow" => "write a power with ^, for example (x / 1 mm)^1.3".to_owned(),
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None => match known {
-                    Some(functions) => format!("there is {}", super::listed(functions, "and")),
+                    Some(functions) => format!("available: {}", super::listed(functions, "and")),
                     None => match example {
                         Some(example) => format!("for example {example}; '{name}' would be a value under [parameter]"),
                         None => format!("define it under [parameter]: {name} = \"...\""),
@@ -119,9 +119,9 @@ problems! {
             }));
         NameNotAllowed { name: String } => Code::ExpressionSyntax,
             says("'{name}' is a name; expected a number with its unit"),
-            hint("names of parameters are known in the model file only");
+            hint("names of parameters can be used only in the model file");
         WrongArgumentCount { function: &'static str, due: usize, given: usize } => Code::ExpressionSyntax,
-            says("{function} takes {}; {given} given", super::counted(*due, "value"));
+            says("{function} needs {}; found {given}", super::counted(*due, "value"));
         MixedDimensions { operation: &'static str, first: Dimension, second: Dimension } => Code::MixedDimensions,
             says("{operation} needs two values of one dimension; the first is {first}, the second {second}"),
             hint_of(
@@ -138,7 +138,7 @@ problems! {
                 .then(|| "an angle needs its unit, for example 30 deg or 0.5 rad".to_owned()));
         ExponentNotFixed { base: Dimension } => Code::MixedDimensions,
             says("the exponent of {base} must be a fixed number"),
-            hint("any exponent will do for a number without unit, for example (x / 1 mm)^n");
+            hint("a number without a unit can have any exponent, for example (x / 1 mm)^n");
         OutsideDomain { function: &'static str, value_si: f64, dimension: Dimension, rule: &'static str } =>
             Code::NotFinite,
             says("{function} of {}; must be {rule}", in_si(*value_si, *dimension));

@@ -193,12 +193,12 @@ fn drawings_that_are_no_mechanisms_are_told_with_their_places() {
     assert!(import_dxf("x", mirrored.as_bytes(), &options(None)).is_ok(), "x of a mirrored circle is turned round");
     assert_eq!(
         error(mirrored.replace("230\n-1\n", "210\n1\n230\n1\n").as_bytes(), None),
-        "the circle at (-1.5, 2) mm lies in a plane that is tilted against that of the drawing"
+        "the circle at (-1.5, 2) mm lies in a plane that is inclined to that of the drawing"
     );
     let lifted = line().circle("ground", [1.5, 2.0, 3.0]).text().replace("20\n2\n40", "20\n2\n30\n7\n40");
     assert_eq!(
         error(lifted.as_bytes(), None),
-        "the circle at (1.5, 2) mm does not lie in the plane of the others: its z is another"
+        "the circle at (1.5, 2) mm does not lie in the plane of the others: its z differs"
     );
 }
 

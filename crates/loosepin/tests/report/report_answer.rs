@@ -194,9 +194,9 @@ fn without_quantile_and_curve_a_statistic_answers() {
         "The mean of slider (x of slider.pin) (deviation, largest absolute value in the cycle) lies between",
     );
     result.bounds.clear();
-    assert_says(&result, "The study asks only whether the requirements are met.");
+    assert_says(&result, "The study has only requirements, no statistic.");
     result.requirements.clear();
-    assert_says(&result, "The study asks for no statistic.");
+    assert_says(&result, "The study has no statistic.");
 }
 
 #[test]
@@ -245,11 +245,10 @@ fn parts_that_pass_through_each_other_are_told() {
     result.impacts[0].largest_penetration_share = 0.143;
     assert_says(
         &result,
-        "In gudgeon the parts penetrate each other by up to 14.3 % of the clearance, more than a tenth. Contact laws suppose a patch \
-         that is small beside the pin, so force and deviation depend on the law: compare another one.",
+        "In gudgeon the parts penetrate each other by up to 14.3 % of the clearance, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law.",
     );
     result.impacts[0].laws[0].basis.shape = ContactShape::Given;
-    assert_says(&result, "more than a tenth: force and deviation depend on the stiffness that is given.");
+    assert_says(&result, "more than a tenth: force and deviation depend on the given stiffness.");
     result.impacts[0].largest_penetration_share = 1.3;
     assert_says(
         &result,

@@ -27,7 +27,7 @@ friction_key!(
     LOWER_SPEED of Ramp: optional lower_speed = quantity(D::VELOCITY, Rule::NonNegative), "\"0.1 mm/s\"", or "0.1 mm/s"
 );
 friction_key!(
-    /// ambrosio: sliding speed from which friction is full
+    /// ambrosio: sliding speed above which friction has its full value
     UPPER_SPEED of Ramp: optional upper_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
 );
 

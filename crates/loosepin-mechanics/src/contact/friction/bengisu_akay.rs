@@ -25,7 +25,7 @@ pub struct BengisuAkayFriction<T> {
 friction_numbers!(BengisuAkayFriction { coefficient, static_coefficient, transition_speed_m_s, decay_s_m });
 
 friction_key!(
-    /// bengisu-akay: how fast friction falls from its static to its dynamic value
+    /// bengisu-akay: rate of the decrease of friction from its static to its dynamic value
     DECAY of Fall: optional decay = quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"30 s/m\""
 );
 

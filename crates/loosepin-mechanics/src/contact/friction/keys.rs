@@ -13,7 +13,7 @@ friction_key!(
     pub(super) STATIC_COEFFICIENT of Onset: optional static_coefficient = quantity(D::NUMBER, Rule::NonNegative), "0.05"
 );
 friction_key!(
-    /// sliding speed at which friction has risen from nothing
+    /// sliding speed up to which friction rises from zero to its full value
     pub(super) TRANSITION_SPEED of Rise:
         optional transition_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
 );
@@ -22,7 +22,7 @@ friction_key!(
     pub(super) STRIBECK_SPEED of Fall: optional stribeck_speed = quantity(D::VELOCITY, Rule::Positive), "\"10 mm/s\""
 );
 friction_key!(
-    /// what the coefficient gains for each unit of sliding speed
+    /// increase of the coefficient per sliding speed
     pub(super) VISCOUS of Viscous:
         optional viscous = quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"0.02 s/m\"", or "0 s/m" called "nothing"
 );

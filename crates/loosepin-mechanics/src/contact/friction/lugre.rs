@@ -54,12 +54,12 @@ friction_numbers!(LuGreFriction {
 });
 
 friction_key!(
-    /// lugre: what the coefficient gains for each unit of deflection of the bristles
+    /// lugre: increase of the coefficient per deflection of the bristles
     BRISTLE_STIFFNESS of Bristles:
         optional bristle_stiffness = quantity(D::INVERSE_LENGTH, Rule::Positive), "\"1e5 m^-1\""
 );
 friction_key!(
-    /// lugre: what the coefficient gains for each unit of speed of the bristles
+    /// lugre: increase of the coefficient per speed of the bristles
     BRISTLE_DAMPING of Bristles:
         optional bristle_damping =
             quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"0.4 s/m\"", or "0 s/m" called "nothing"

@@ -26,14 +26,14 @@ problems! {
     #[derive(Debug, Clone, PartialEq)]
     pub enum Blocking {
         Drives { drives: Vec<String> } => Code::DrivesOnOneFreedom,
-            says("the drives {} move the same freedom: where one of them puts the links, there is nothing left for the other",
+            says("the drives {} move the same degree of freedom: one of them already determines the position of the links",
                 quoted(drives)),
-            hint("keep one of them, and drive a joint of another freedom by the other");
+            hint("keep one of them, and use the other for a joint with another degree of freedom");
         Joints { joints: Vec<String> } => Code::JointsBlock,
-            says("the joints {} hold one another: together they leave their bodies no motion that fits general lengths",
+            says("the joints {} block one another: with general lengths, their bodies cannot move",
                 quoted(joints)),
-            hint("leave one of the {} out, or take one that holds less, such as a slot; joints that repeat each other, such as a \
-                  third parallel crank, need lengths that agree to all digits", counted(joints.len(), "joint"));
+            hint("remove one of the {}, or use a joint with more freedom, such as a slot; redundant joints, such as those of a third \
+                  parallel crank, need lengths that agree to all digits", counted(joints.len(), "joint"));
     }
 }
 

@@ -300,18 +300,19 @@ impl Choice for &'static PointLaw {
 record! {
     /// the normal force law of a contact
     pub(super) struct LawTable for EntryReader;
-    /// the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from
-    /// materials, else lankarani-nikravesh
+    /// the normal force law; if omitted: johnson if all joints with this contact are pins with a bearing_length and the stiffness comes
+    /// from materials, otherwise lankarani-nikravesh
     optional law: Option<NormalDescription> = choice::<NormalDescription>(), "\"lankarani-nikravesh\"";
     /// nominal coefficient of restitution, in (0, 1]
     optional restitution: Entry<'t> = quantity(D::NUMBER, Rule::Restitution), "0.9";
-    /// the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao
+    /// the point-contact law from which a line-contact law takes its energy loss; if omitted: lankarani-nikravesh, or zhiying-qishao for
+    /// bai-zhao
     optional damping: Entry<'t> = choice::<&'static PointLaw>(), "\"flores\"";
-    /// damping coefficient D of kelvin-voigt, in place of the restitution
+    /// damping coefficient D of kelvin-voigt, instead of the restitution
     optional damping_coefficient: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"900 N s/m\"";
     include materials: MaterialTable<'t>;
-    /// stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m
+    /// stiffness K of F = K x^n, instead of materials; a linear law has n = 1 and K in N/m
     optional stiffness: Entry<'t> = Kind::Stiffness, "\"6.6e10 N/m^1.5\"";
-    /// exponent n of F = K x^n, beside stiffness
+    /// exponent n of F = K x^n, together with stiffness
     optional exponent: Entry<'t> = quantity(D::NUMBER, Rule::AtLeastOne), "1.5";
 }

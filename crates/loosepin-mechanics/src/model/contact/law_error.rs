@@ -8,10 +8,10 @@ problems! {
     pub enum LawError {
         NeedsKey { law: &'static str, key: &'static str, table: String } => Code::LawNotPossible,
             says("{law} needs {key} of {table}, which the model does not give"),
-            hint("add {key} to {table}, or leave {law} out");
+            hint("add {key} to {table}, or remove {law}");
         /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
         OtherStiffness { law: &'static str, beside: &'static str, table: String } => Code::LawNotPossible,
-            says("{law} takes its stiffness in another way than {beside}, the law of {table} in the model"),
-            hint("leave {law} out, or give it a model of its own");
+            says("{law} needs another kind of stiffness than {beside}, the law of {table} in the model"),
+            hint("remove {law}, or use it in a separate model");
     }
 }

@@ -16,12 +16,13 @@ impl Choice for &'static FilmDescription {
 record! {
     /// a film of oil between pin and hole
     pub(super) struct FilmTable for EntryReader;
-    /// how the pressure follows from the motion
+    /// how the film pressure is calculated from the motion
     // Measured and computed bearings come nearest to that of Reynolds' equation.
     optional law: &'static FilmDescription = choice::<&'static FilmDescription>(), "\"reynolds\"", or "reynolds";
     /// dynamic viscosity of the oil
     required viscosity: QuantityId = quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"";
-    /// thickness below which the film no longer stiffens; beyond the clearance it fades over as much
+    /// film thickness below which the film does not become stiffer; outside the clearance, its force decreases to zero over the same
+    /// distance
     required roughness: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"2 um\"";
 }
 

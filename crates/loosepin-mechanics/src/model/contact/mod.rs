@@ -101,16 +101,16 @@ impl Contact {
 }
 
 record! {
-    /// contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent
+    /// contact between pin and hole; its stiffness comes from the materials or is given (for a point-contact law with its exponent)
     pub(in crate::model) struct ContactTable for EntryReader;
     include law: LawTable<'t>;
-    /// floor of the impact speed in the force law
-    // What it is if left out is our choice.
+    /// smallest impact speed that the force law uses
+    // What it is if omitted is our choice.
     optional minimum_impact_speed: Later<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
-    /// density, to say which impacts are too fast for the law
+    /// density, to detect impacts that are too fast for the law
     optional density: Entry<'t> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
-    /// friction; none if left out
+    /// friction; none if omitted
     optional friction: Entry<'t> = Kind::Table(&FrictionTable::KEYS), "{ coefficient = 0.03 }";
-    /// film of oil, for joints with a bearing_length; none if left out
+    /// film of oil, for joints with a bearing_length; none if omitted
     optional film: Entry<'t> = Kind::Table(&FilmTable::KEYS), "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }";
 }

@@ -51,13 +51,13 @@ choices!(
 );
 
 record! {
-    /// a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both
+    /// a belt or chain without slip around two wheels; each wheel is on a revolute joint, and one body carries both joints
     struct BeltTable for CouplingReader, kind "belt" of coupling, exactly one of [radii, teeth];
     /// revolute joint of the first wheel
     required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// revolute joint of the second wheel
     required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
-    /// open: the wheels turn the same way; crossed: against each other
+    /// open: the wheels turn in the same direction; crossed: in opposite directions
     optional run: Option<IsCrossed> = choice::<IsCrossed>(), "\"open\"", or "open";
     include wheels: WheelsTable<'t>;
     optional offset: Entry<'t> as OFFSET;

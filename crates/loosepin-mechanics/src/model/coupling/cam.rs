@@ -119,17 +119,17 @@ fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
 }
 
 record! {
-    /// a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from
-    /// where the last one ended
+    /// a cam: the follower moves along a smooth profile over the angle (or position) of the cam's joint; the profile repeats, and each
+    /// period starts where the last one ended
     struct CamTable for CouplingReader, exactly one of [points, csv];
     /// the joint of the cam
     required joint: Option<Entry<'t>> = Kind::Reference("joint"), "\"cam\"";
     /// the joint of the follower
     required follower: Option<Entry<'t>> = Kind::Reference("joint"), "\"lifter\"";
-    /// pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first
-    /// to the last is a period
+    /// pairs of the cam's angle (or position) and the follower's at this point; those of the cam increase, and the first and the last
+    /// are one period apart
     optional points: Entry<'t> = POINTS, "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]";
     optional csv: Entry<'t> as CSV;
-    /// contact between cam and follower, which may then lift off; if left out, the cam holds it both ways
+    /// contact between cam and follower: the follower may then lift off; if omitted, the cam guides it in both directions
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"tappet\"";
 }

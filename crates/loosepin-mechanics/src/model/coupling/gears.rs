@@ -60,13 +60,13 @@ impl KindOfCoupling for Gears {
 choices!(Mesh: "external" => Self::External, "internal" => Self::Internal);
 
 record! {
-    /// two gears in mesh, on revolute joints with one body in common, which carries both
+    /// two gears in mesh; each gear is on a revolute joint, and one body carries both joints
     struct GearsTable for CouplingReader, kind "gears" of coupling, exactly one of [radii, teeth];
     /// revolute joint of the first gear
     required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// revolute joint of the second gear
     required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
-    /// external: they turn against each other on their carrier; internal: the same way
+    /// external: the gears turn in opposite directions on their carrier; internal: in the same direction
     required mesh: Option<Mesh> = choice::<Mesh>(), "\"external\"";
     include wheels: WheelsTable<'t>;
     optional pressure_angle: Entry<'t> as PRESSURE_ANGLE;

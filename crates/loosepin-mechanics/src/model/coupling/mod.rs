@@ -73,7 +73,7 @@ impl Coupling {
         let mut words = format!("'{second}' follows '{first}' {}", self.kind.words(names));
         if let Some(teeth) = &self.teeth {
             let angle = names.quantity(teeth.pressure_angle_rad);
-            let _ = write!(words, "; their joints feel the teeth, with a pressure angle of {angle}");
+            let _ = write!(words, "; their joints carry the force of the teeth, with a pressure angle of {angle}");
         }
         words
     }

@@ -33,9 +33,9 @@ impl CouplingPlay {
 record! {
     /// the play between the flanks of teeth
     pub(super) struct BacklashTable for CouplingReader;
-    /// way from flank to flank on the pitch circles; zero, or left out: none
+    /// distance between the flanks along the pitch circles; none if zero or omitted
     optional backlash: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
-    /// contact between the flanks; with a backlash above zero
+    /// contact between the flanks; needed with a backlash above zero
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"teeth\"";
 }
 

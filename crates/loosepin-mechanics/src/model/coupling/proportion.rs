@@ -44,7 +44,7 @@ pub(super) const OFFSET: Key = optional(
     "offset",
     Kind::AnyOf(&[quantity(D::ANGLE, Rule::Finite), quantity(D::LENGTH, Rule::Finite)]),
     "\"12 deg\"",
-    "angle or position of the second joint where the first is at zero; zero if left out",
+    "angle or position of the second joint when the first is at zero; zero if omitted",
 );
 
 /// The offset of a coordinate of the second joint, which stands at `entry` of `table`.

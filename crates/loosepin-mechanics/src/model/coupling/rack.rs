@@ -66,7 +66,7 @@ choices!(
 );
 
 record! {
-    /// a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both
+    /// a rack on a prismatic joint and its pinion on a revolute joint; one body carries both joints
     struct RackTable for CouplingReader, kind "rack" of coupling;
     /// revolute joint of the pinion
     required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
@@ -74,7 +74,7 @@ record! {
     required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
     /// pitch radius of the pinion
     required radius: Option<Entry<'t>> = quantity(Dimension::LENGTH, Rule::Positive), "\"12 mm\"";
-    /// how the rack goes along the line of its guide when the pinion turns from x towards y
+    /// direction in which the rack moves along its guide when the pinion turns from x towards y
     required direction: Option<IsBackward> = choice::<IsBackward>(), "\"forward\"";
     optional pressure_angle: Entry<'t> as PRESSURE_ANGLE;
     optional offset: Entry<'t> as OFFSET;

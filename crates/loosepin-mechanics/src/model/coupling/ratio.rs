@@ -52,9 +52,9 @@ record! {
     struct RatioTable for CouplingReader, kind "ratio" of coupling;
     /// a revolute or prismatic joint
     required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
-    /// another one
+    /// another revolute or prismatic joint
     required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
-    /// coordinate of the second joint by that of the first
+    /// coordinate of the second joint divided by that of the first
     required ratio: Option<Entry<'t>> = Kind::AnyQuantity, "-2.5";
     optional offset: Entry<'t> as OFFSET;
 }

@@ -92,7 +92,7 @@ pub(super) const PRESSURE_ANGLE: Key = optional(
     "pressure_angle",
     quantity(D::ANGLE, Rule::PressureAngle),
     "\"20 deg\"",
-    "pressure angle at the pitch circles: both joints feel the force of the teeth; torques alone act if left out",
+    "pressure angle at the pitch circles: both joints carry the force of the teeth; if omitted, only torques act",
 );
 
 impl Teeth {

@@ -25,9 +25,9 @@ pub struct Wheels {
 record! {
     /// the sizes of two wheels
     pub(super) struct WheelsTable for CouplingReader;
-    /// pitch radii on the first and on the second joint
+    /// pitch radii of the wheels on the first and second joint
     optional radii: Entry<'t> = Kind::List(&quantity(D::LENGTH, Rule::Positive)), "[\"20 mm\", \"45 mm\"]";
-    /// numbers of teeth on the first and on the second joint, in place of radii
+    /// numbers of teeth of the wheels on the first and second joint, instead of radii
     optional teeth: Entry<'t> = Kind::List(&quantity(D::NUMBER, Rule::Positive)), "[20, 45]";
 }
 

@@ -102,14 +102,14 @@ impl MotionTable for Cycloidal {
 }
 
 record! {
-    /// a rise without a jump of the acceleration, between two rests
+    /// a rise between two dwells, without a jump of the acceleration
     struct CycloidalTable for DriveReader, kind "cycloidal" of motion;
-    /// where it rests before
+    /// angle or position before the rise
     required from: Option<Entry<'t>> = COORDINATE, "\"0 deg\"";
-    /// where it rests afterwards
+    /// angle or position after the rise
     required to: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
     /// duration of the rise
     required duration: Option<Entry<'t>> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
-    /// rest before the rise
+    /// duration of the dwell before the rise
     optional dwell: Later<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", or "0 s" called "none";
 }

@@ -81,6 +81,6 @@ impl MotionTable for Expression {
 record! {
     /// an expression over time
     struct ExpressionTable for DriveReader, kind "expression" of motion;
-    /// the angle or position at the time
+    /// the angle or position as a function of time
     required position: Entry<'t> = COORDINATE, "\"30 deg * sin(3 rad/s * time)\"";
 }

@@ -97,12 +97,12 @@ impl MotionTable for Harmonic {
 record! {
     /// mean + amplitude sin(360 deg frequency time + phase)
     struct HarmonicTable for DriveReader, kind "harmonic" of motion;
-    /// its middle
+    /// mean angle or position
     required mean: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
-    /// largest departure from the middle
+    /// amplitude: largest distance from the mean
     required amplitude: Option<Entry<'t>> = COORDINATE, "\"30 deg\"";
-    /// oscillations in a second
+    /// oscillations per second
     required frequency: Option<Entry<'t>> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
-    /// phase at time zero, 0 for the middle on the way up
+    /// phase at time zero; at 0 the motion passes its mean upwards
     optional phase: Later<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
 }

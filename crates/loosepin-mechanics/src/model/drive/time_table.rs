@@ -80,12 +80,12 @@ choices!(
 );
 
 record! {
-    /// a cubic spline through points, whose acceleration does not jump between them
+    /// a cubic spline through points; its acceleration does not jump between them
     struct PointsTable for DriveReader, kind "table" of motion, exactly one of [points, csv];
-    /// pairs of a time and the angle or position there, times increasing
+    /// pairs of a time and the angle or position at that time; the times increase
     optional points: Entry<'t> = POINTS, "[[\"0 s\", \"0 deg\"], [\"0.1 s\", \"40 deg\"], [\"0.3 s\", \"0 deg\"]]";
-    /// clamped: at rest before the first point and after the last; periodic: the same course again and again, each
-    /// time from where the last one ended
+    /// clamped: at rest before the first point and after the last; periodic: the motion repeats, and each period starts where the last
+    /// one ended
     required ends: Option<IsPeriodic> = choice::<IsPeriodic>(), "\"clamped\"";
     optional csv: Entry<'t> as CSV;
 }

@@ -77,7 +77,7 @@ impl KindOfJoint for CircularSlot {
 
     fn words(&self, names: &dyn Names) -> String {
         format!(
-            "circular slot: {} runs and turns in a slot of radius {} about {}",
+            "circular slot: {} slides and turns in a slot of radius {} about {}",
             names.point(self.pin),
             names.length(self.radius_m),
             names.point(self.centre)
@@ -106,7 +106,7 @@ fn clearance(own: &CircularSlotTable<'_>, reader: &mut dyn JointReader) -> Optio
 }
 
 record! {
-    /// the circle of a slot
+    /// the centre line of a circular slot
     struct CircleTable for JointReader;
     /// the centre of the circle
     required point: PointId = Kind::Point, "\"plate.centre\"";
@@ -115,7 +115,7 @@ record! {
 }
 
 record! {
-    /// a pin runs and turns in a slot along a circle; with a clearance it has play
+    /// a pin slides and turns in a slot along a circle; with a clearance it has play
     struct CircularSlotTable for JointReader, kind "circular-slot" of joint;
     /// the centre and the radius of the slot
     required slot: Option<CircleTable<'t>> =
@@ -124,7 +124,7 @@ record! {
     required pin: Option<PointId> = Kind::Point, "\"arm.pin\"";
     /// half the width of the slot, from its middle to each flank
     optional half_width: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
-    /// half the width of the slot minus radius of the pin; ideal joint if left out or zero
+    /// half the width of the slot minus radius of the pin; ideal joint if omitted or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// the contact between pin and slot
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";

@@ -203,11 +203,11 @@ record! {
     struct GuideTable for JointReader;
     /// a point that the line goes through
     required point: Option<PointId> = Kind::Point, "\"ground.o\"";
-    /// its direction from the x axis of the body
+    /// angle of the line from the x axis of the body
     required angle: Option<QuantityId> = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"";
-    /// where the faces of a guide with play begin, from the point along the line; without ends if left out
+    /// position on the line, from the point, where the faces of a guide with play begin; no ends if omitted
     optional start: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"-80 mm\"";
-    /// where those faces end
+    /// position on the line, from the point, where these faces end
     optional end: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"200 mm\"";
 }
 
@@ -216,7 +216,7 @@ record! {
     struct SliderTable for JointReader;
     /// the point
     required point: PointId = Kind::Point, "\"slider.pin\"";
-    /// direction of the line from the x axis of the slider
+    /// angle of the line from the x axis of the slider
     optional angle: QuantityId = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", or "0 deg";
 }
 
@@ -226,20 +226,20 @@ record! {
     /// the line
     required guide: Option<GuideTable<'t>> =
         Kind::Table(&GuideTable::KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }";
-    /// the point on the line, with an angle where the line is not along the slider's x axis
+    /// the point on the line, with an angle if the line is not along the slider's x axis
     required slider: Option<LineOfSlider> =
         Kind::AnyOf(&[Kind::Point, Kind::Table(&SliderTable::KEYS)]), "\"slider.pin\"";
-    /// friction; none if left out
+    /// friction; none if omitted
     #[allow(dead_code)]
     optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
-    /// length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends
+    /// length over which the guide supports the slider, half of it on each side of the slider point; friction acts at both ends
     #[allow(dead_code)]
     optional guide_length: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
-    /// half the length along the guide of the block around the slider's point
+    /// half the length of the block along the guide; the slider's point is at its centre
     optional half_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"50 mm\"";
-    /// half the height of that block across the guide
+    /// half the height of the block across the guide
     optional half_height: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"25 mm\"";
-    /// gap between the block and each face of the guide; ideal joint if left out or zero
+    /// gap between the block and each face of the guide; ideal joint if omitted or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// radius of the block's corners, for a contact whose stiffness comes from the materials
     optional corner_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"5 mm\"";

@@ -130,16 +130,16 @@ record! {
     required journal: Option<PointId> = Kind::Point, "\"slider.pin\"";
     /// radius of the hole
     optional bearing_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
-    /// radius of the hole minus radius of the pin; ideal joint if left out or zero
+    /// radius of the hole minus radius of the pin; ideal joint if omitted or zero
     optional radial_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.5 mm\"";
-    /// diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large
+    /// diameter of the hole minus diameter of the pin, instead of radial_clearance: twice its value
     optional diametral_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"1 mm\"";
-    /// length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the
-    /// result says what a line-contact law would give
+    /// length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, but the result
+    /// then also shows what a line-contact law would give
     optional bearing_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
     /// the contact between pin and hole
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
-    /// friction of a joint without play; none if left out. A joint with play has it in its contact
+    /// friction of a joint without play; none if omitted. For a joint with play, the contact gives the friction
     #[allow(dead_code)]
     optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
     /// radius of the pin, at whose surface friction acts

@@ -51,12 +51,12 @@ impl KindOfJoint for Rigid {
 }
 
 record! {
-    /// two points coincide and the bodies do not turn against each other
+    /// two points coincide, and the bodies do not rotate relative to each other
     struct RigidTable for JointReader, kind "rigid" of joint;
     /// point of the first body
     required first: PointId = Kind::Point, "\"arm.end\"";
     /// point of the second body
     required second: PointId = Kind::Point, "\"tool.base\"";
-    /// angle of the second body's x axis from the first's
+    /// angle from the first body's x axis to the second's
     required angle: QuantityId = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
 }

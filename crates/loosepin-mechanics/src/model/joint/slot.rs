@@ -108,7 +108,7 @@ record! {
     struct SlotLine for JointReader;
     /// the middle of the slot
     required point: PointId = Kind::Point, "\"yoke.middle\"";
-    /// its direction from the x axis of the body
+    /// angle of the slot from the x axis of the body
     required angle: QuantityId = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";
 }
 
@@ -120,11 +120,11 @@ record! {
         Kind::Table(&SlotLine::KEYS), "{ point = \"yoke.middle\", angle = \"90 deg\" }";
     /// point at the centre of the pin
     required pin: Option<PointId> = Kind::Point, "\"crank.pin\"";
-    /// from the middle of the slot to the centre of each round end
+    /// distance from the middle of the slot to the centre of each round end
     optional half_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
     /// radius of the round ends, half the width of the slot
     optional end_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
-    /// radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero
+    /// radius of the ends minus radius of the pin; ideal joint, without ends, if omitted or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// the contact between pin and slot
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";

@@ -80,11 +80,11 @@ choices!(
 );
 
 record! {
-    /// a force that goes up and down: mean + amplitude sin(360 deg frequency time + phase)
+    /// a harmonic force: mean + amplitude sin(360 deg frequency time + phase)
     struct HarmonicForce for PartReader;
-    /// its middle
+    /// mean force
     optional mean: QuantityId = quantity(Dimension::FORCE, Rule::Finite), "\"0 N\"", or "0 N";
-    /// largest departure from the middle
+    /// amplitude: largest distance from the mean
     required amplitude: QuantityId = quantity(Dimension::FORCE, Rule::Finite), "\"5 N\"";
     include at: Oscillation<'t>;
 }
@@ -92,22 +92,21 @@ record! {
 record! {
     /// a force on a point of a body
     struct ForceTable for PartReader, kind "force" of load, exactly one of [force, points, csv];
-    /// the point that it acts on
+    /// the point on which the force acts
     required point: Option<PointId> = Kind::Point, "\"rocker.tip\"";
-    /// its size: constant, an expression over time, or a table with amplitude and frequency
+    /// size of the force: constant, an expression over time, or a table with amplitude and frequency
     optional force: Entry<'t> =
         Kind::AnyOf(&[quantity(Dimension::FORCE, Rule::Finite), Kind::Table(&HarmonicForce::KEYS)]), "\"10 N\"";
-    /// its direction from the x axis
+    /// angle of the force from the x axis
     required direction: Option<QuantityId> = quantity(Dimension::ANGLE, Rule::Finite), "\"-90 deg\"";
-    /// whose x axis: the ground's, or the body's, with which it then turns
+    /// frame of this x axis: that of the ground, or that of the body, so that the force turns with the body
     optional frame: Option<FollowsBody> = choice::<FollowsBody>(), "\"ground\"", or "ground";
     optional joint: Entry<'t> as JOINT;
-    /// in place of force: pairs of what it is over and the force there, or the pressure where there is an area; the first ones
-    /// increasing
+    /// instead of force: pairs of the variable named by `of` and the force, or with an area the pressure; the variable increases
     optional points: Entry<'t> = POINTS, "[[\"0 deg\", \"40 N\"], [\"90 deg\", \"65 N\"], [\"270 deg\", \"10 N\"]]";
     include rest: PointsOfLoad<'t>;
-    /// beside points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area
+    /// with points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area
     optional area: Entry<'t> = quantity(Dimension::AREA, Rule::Positive), "\"50 cm^2\"";
-    /// beside area: the pressure on its other side
+    /// with area: the pressure on its other side
     optional back_pressure: Later<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"", or "0 Pa";
 }

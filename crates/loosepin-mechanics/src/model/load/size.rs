@@ -36,11 +36,11 @@ pub struct SizeTable<'t> {
 }
 
 record! {
-    /// how fast a size goes up and down
+    /// frequency and phase of a harmonic load
     pub(super) struct Oscillation for PartReader;
-    /// oscillations in a second
+    /// oscillations per second
     required frequency: QuantityId = quantity(Dimension::FREQUENCY, Rule::Positive), "\"20 Hz\"";
-    /// phase at time zero, 0 for the middle on the way up
+    /// phase at time zero; at 0 the load passes its mean upwards
     optional phase: QuantityId = quantity(Dimension::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
 }
 
@@ -48,20 +48,20 @@ pub(super) const JOINT: Key = optional(
     "joint",
     Kind::Reference("joint"),
     "\"main\"",
-    "the joint whose angle (or position) and speed the expression reads, or the table is over",
+    "the joint whose angle (or position) and speed are the variables of the expression or of the table",
 );
 
 /// The words for what a table is over.
 pub(in crate::model) const ARGUMENTS: [&str; 4] = ["time", "angle", "position", "speed"];
 
 record! {
-    /// what goes with the points of a load
+    /// the options of a load given by points
     pub(in crate::model) struct PointsOfLoad for PartReader;
     optional csv: Entry<'t> as CSV;
-    /// beside points or csv, needed there: what the first column is: the time, or angle, position or speed of the joint
+    /// needed with points or csv: the variable in the first column: time, or angle, position or speed of the joint
     optional of: Entry<'t> = Kind::Choice(&ARGUMENTS), "\"angle\"";
-    /// beside points or csv: after which the table begins again; if left out, it keeps the value of each end beyond it
+    /// with points or csv: period after which the table repeats; if omitted, the first and the last value continue outside the table
     optional period: Entry<'t> = Kind::AnyQuantity, "\"720 deg\"";
-    /// beside points or csv: monotone: between two points nowhere beyond them; spline: smoother, and it may swing beyond them
+    /// with points or csv: monotone: between two points, no value outside theirs; spline: smoother, but it may overshoot
     optional curve: Option<TableCurve> = choice::<TableCurve>(), "\"spline\"", or "monotone";
 }

@@ -55,11 +55,11 @@ impl KindOfLoad for TorqueLoad {
 }
 
 record! {
-    /// a torque that goes up and down: mean + amplitude sin(360 deg frequency time + phase)
+    /// a harmonic torque: mean + amplitude sin(360 deg frequency time + phase)
     struct HarmonicTorque for PartReader;
-    /// its middle
+    /// mean torque
     optional mean: QuantityId = quantity(Dimension::TORQUE, Rule::Finite), "\"0 N m\"", or "0 N m";
-    /// largest departure from the middle
+    /// amplitude: largest distance from the mean
     required amplitude: QuantityId = quantity(Dimension::TORQUE, Rule::Finite), "\"0.2 N m\"";
     include at: Oscillation<'t>;
 }
@@ -67,13 +67,13 @@ record! {
 record! {
     /// a torque on a body
     struct TorqueTable for PartReader, kind "torque" of load, exactly one of [torque, points, csv];
-    /// the body that it acts on
+    /// the body on which the torque acts
     required body: Option<BodyId> = Kind::Reference("body"), "\"rocker\"";
-    /// its size: constant, an expression over time, or a table with amplitude and frequency
+    /// size of the torque: constant, an expression over time, or a table with amplitude and frequency
     optional torque: Entry<'t> =
         Kind::AnyOf(&[quantity(Dimension::TORQUE, Rule::Finite), Kind::Table(&HarmonicTorque::KEYS)]), "\"0.2 N m\"";
     optional joint: Entry<'t> as JOINT;
-    /// in place of torque: pairs of what it is over and the torque there, the first ones increasing
+    /// instead of torque: pairs of the variable named by `of` and the torque; the variable increases
     optional points: Entry<'t> =
         POINTS, "[[\"0 rpm\", \"12 N m\"], [\"2000 rpm\", \"15 N m\"], [\"3000 rpm\", \"0 N m\"]]";
     include rest: PointsOfLoad<'t>;

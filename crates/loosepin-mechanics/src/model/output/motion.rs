@@ -59,7 +59,7 @@ impl KindOfOutput for Motion {
             "relative_to",
             Kind::Reference("point or body"),
             "\"crank.pin\"",
-            "what a motion is seen from: a point of a body, or for angles a body; the ground if left out",
+            "reference of the motion: a point of a body, or for angles a body; the ground if omitted",
         ),
     ];
     type Reading = Self;

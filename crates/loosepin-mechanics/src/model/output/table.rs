@@ -30,4 +30,4 @@ pub(super) const fn component(words: fn() -> Vec<&'static str>) -> Key {
 
 /// The key of the unit.
 pub(super) const UNIT: Key =
-    optional("unit", Kind::Unit, "\"mm\"", "the unit in which people read it; chosen by what it measures if left out");
+    optional("unit", Kind::Unit, "\"mm\"", "the unit in which it is shown; if omitted, chosen by its dimension");

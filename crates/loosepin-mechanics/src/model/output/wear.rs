@@ -23,7 +23,7 @@ impl KindOfOutput for Wear {
             "wear_of",
             Kind::Reference("joint"),
             "\"joint.gudgeon\"",
-            "the wear of a joint after all cycles: one number of a run",
+            "the wear of a joint after all cycles: one number for each run",
         ),
         beside: &["component"],
     }];

@@ -10,13 +10,13 @@ use loosepin_text::units::Rule;
 const MAX_SAMPLES_PER_TURN: u64 = 1_000_000;
 
 record! {
-    /// how much is run and recorded
+    /// the turns to simulate and to record
     pub(in crate::model) struct CycleNumbers for Reads;
-    /// turns run before recording
+    /// turns simulated before recording
     optional transient_turns: Option<f64> = Kind::Number { rule: Rule::Turns }, "2", or 2.0 called "2";
     /// turns recorded
     optional recorded_turns: Option<f64> = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
-    /// rows recorded in a turn
+    /// rows recorded per turn
     optional samples_per_turn: Option<usize> = count(1, MAX_SAMPLES_PER_TURN), "500", or 500;
 }
 

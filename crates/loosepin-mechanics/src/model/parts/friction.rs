@@ -59,7 +59,7 @@ record! {
     /// friction between pin and hole
     pub(in crate::model) struct FrictionTable for JointReader;
     include own: JointFrictionTable<'t>;
-    /// between the material points (material) or of the geometric contact point (literal)
+    /// sliding velocity: between the material points (material), or of the geometric contact point (literal)
     optional sliding_velocity: Option<SlidingVelocity> = choice::<SlidingVelocity>(), "\"material\"", or "material";
 }
 

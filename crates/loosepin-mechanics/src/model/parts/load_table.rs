@@ -45,14 +45,14 @@ problems! {
         TooShort { load: String, span: f64, period: f64, dimension: Dimension } => Code::TablePeriod,
             says("load '{load}': {}", {
                 let [span, period] = shown([*span, *period], *dimension);
-                format!("the points span {span}; must be at most the period of {period}")
+                format!("the points span {span}; they must span at most the period of {period}")
             });
         DoesNotClose { load: String, first: f64, last: f64, dimension: Dimension } => Code::TablePeriod,
             says("load '{load}': {}", {
                 let [first, last] = shown([*first, *last], *dimension);
-                format!("the last point, a period after the first, has {last}; must be that of the first, {first}")
+                format!("the last point, one period after the first, is {last}; it must be {first}, as the first point")
             }),
-            hint("leave the last point out: the curve then goes from the one before it to the first again");
+            hint("remove the last point: the curve then continues from the point before it to the first point of the next period");
     }
 }
 

@@ -22,5 +22,5 @@ pub(in crate::model) const CSV: Key = optional(
     "csv",
     Kind::Text,
     "\"profile.csv\"",
-    "a CSV file in place of points, its path from the folder of this file; two columns, with their units in the header: time [s], angle [deg]",
+    "a CSV file instead of points, relative to the folder of this file; two columns, with their units in the header: time [s], angle [deg]",
 );

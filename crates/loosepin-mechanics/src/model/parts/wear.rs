@@ -174,11 +174,11 @@ choices!(
 );
 
 record! {
-    /// wear of one surface: its coefficient, or Archard's number with the hardness of the softer part
+    /// wear of one surface: the wear coefficient, or Archard's number with the hardness of the softer part
     pub(in crate::model) struct SurfaceWear for PartReader, exactly one of [coefficient, archard];
-    /// wear coefficient k: worn volume over normal force and sliding distance
+    /// wear coefficient k: worn volume per normal force and sliding distance
     optional coefficient: Option<QuantityId> = quantity(D::WEAR_COEFFICIENT, Rule::NonNegative), "\"1e-15 m^2/N\"";
-    /// Archard's number K of k = K/H, in place of the coefficient; no further factor 1/3
+    /// Archard's number K in k = K/H, instead of the coefficient; without a further factor 1/3
     optional archard: Option<QuantityId> = quantity(D::NUMBER, Rule::NonNegative), "1e-4";
     /// hardness H of the softer part
     optional hardness: Option<QuantityId> = quantity(D::PRESSURE, Rule::Positive), "\"2 GPa\"";
@@ -187,17 +187,17 @@ record! {
 record! {
     /// wear of bearing and journal by Archard's law
     pub(in crate::model) lenient struct JointWearTable for PartReader;
-    /// wear of the bearing; it does not wear if left out
+    /// wear of the bearing; it does not wear if omitted
     optional bearing: Entry<'t> = Kind::Table(&SurfaceWear::KEYS), "{ coefficient = \"2e-15 m^2/N\" }";
-    /// wear of the journal; it does not wear if left out
+    /// wear of the journal; it does not wear if omitted
     optional journal: Entry<'t> = Kind::Table(&SurfaceWear::KEYS), "{ archard = 1e-6, hardness = \"2 GPa\" }";
-    /// equal sectors of each surface in which depths are counted
+    /// number of equal sectors of each surface; each has its own wear depth
     optional sectors: usize = count(4, 3600), "360", or 360;
-    /// distribution of the pressure: Hertz's line contact (hertz-line) or all in one sector (concentrated)
+    /// distribution of the pressure: Hertzian line contact (hertz-line), or all of it in one sector (concentrated)
     optional pressure: Option<WearPressure> = choice::<WearPressure>(), "\"hertz-line\"", or "hertz-line";
     /// stiffness of the elastic foundation with geometry = "worn": of the line law of Liu (liu), or of the point law of the contact (law)
     optional foundation: Option<FoundationChoice> = choice::<FoundationChoice>(), "\"liu\"", or "liu";
-    /// stiffness of the elastic foundation, pressure over penetration, in place of foundation
+    /// stiffness of the elastic foundation (pressure per penetration), instead of foundation
     optional foundation_stiffness: Entry<'t> = quantity(D::FOUNDATION, Rule::Positive), "\"6.7e12 Pa/m\"";
 }
 
@@ -210,18 +210,19 @@ pub(in crate::model) const JOINT_WEAR: Key = optional(
 );
 
 record! {
-    /// for how long wear is stated
+    /// the cycles over which wear is calculated
     pub(in crate::model) struct LifeTable for PartReader;
-    /// cycles after which wear is stated; a cycle is the recorded part of the run
+    /// number of cycles after which the wear is shown; one cycle is the recorded part of the run
     optional cycles: Option<QuantityId> = quantity(D::NUMBER, Rule::Positive), "4000", or "1";
-    /// fixed: the joint keeps its unworn shape, so that wear grows evenly with the cycles; worn: the worn shape acts back on forces and pressure
+    /// fixed: the joint keeps its unworn shape, so that wear is proportional to the cycles; worn: the worn shape changes forces and
+    /// pressure
     optional geometry: Option<ActsBack> = choice::<ActsBack>(), "\"worn\"", or "fixed";
-    /// equal jumps over the cycles with geometry = "worn"; chosen by the tolerance if left out
+    /// with geometry = "worn": number of equal jumps over the cycles; chosen from the tolerance if omitted
     optional jumps: Option<usize> = count(1, MAX_JUMPS as u64), "16";
-    /// error of a jump in the depth of any sector
+    /// largest error of one jump in the depth of any sector
     optional tolerance: Later<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
     /// the output whose largest deviation from the ideal motion ends the life of the mechanism
     optional limit_of: Entry<'t> = Kind::Reference("output"), "\"slider\"";
-    /// its largest deviation, in either direction
+    /// largest deviation of this output, in either direction
     optional limit: Entry<'t> = Kind::AnyQuantity, "\"0.2 mm\"";
 }

@@ -16,36 +16,37 @@ use loosepin_text::units::{Dimension, Dimension as D, Rule};
 const INVERSE_DYNAMICS: &str = "inverse dynamics";
 
 record! {
-    /// a controlled joint: its actuator turns or pushes by the error of a joint against a reference, by the integral of the error and by its rate
+    /// a controlled joint: the torque or force of its actuator depends on the error of a joint against a reference, on its integral and
+    /// on its rate
     pub(super) struct ControlTable for PartReader,
         exactly one of [speed, motion], exactly one of [start_angle, start_position, motion];
-    /// the revolute (with or without play) or prismatic joint in which the actuator sits
+    /// the joint with the actuator: revolute (with or without play) or prismatic
     required joint: Entry<'t> = Kind::Reference("joint"), "\"elbow\"";
-    /// the joint whose angle or position follows the reference; the one of the actuator if left out
+    /// the joint whose angle or position follows the reference; the joint of the actuator if omitted
     optional measured: Entry<'t> = Kind::Reference("joint"), "\"wrist\"";
-    /// torque or force by error, >= 0
+    /// proportional gain: torque or force per error, >= 0
     required proportional: Option<Entry<'t>> = Kind::AnyQuantity, "\"40 N m/rad\"";
-    /// torque or force by the error integrated over time, >= 0; none if left out
+    /// integral gain: torque or force per time integral of the error, >= 0; none if omitted
     optional integral: Entry<'t> = Kind::AnyQuantity, "\"100 N m/(rad s)\"";
-    /// torque or force by the rate of the error, >= 0; none if left out
+    /// derivative gain: torque or force per rate of the error, >= 0; none if omitted
     optional derivative: Entry<'t> = Kind::AnyQuantity, "\"2 N m s/rad\"";
-    /// torque or force beside that: constant, an expression over time, angle (or position) and speed, or what the bodies need to follow the
-    /// references without play; none if left out
+    /// additional torque or force: constant, an expression over time, angle (or position) and speed, or the value that the bodies need to
+    /// follow the references without play; none if omitted
     optional feed_forward: Entry<'t> = Kind::AnyOf(&[
         Kind::Choice(&[INVERSE_DYNAMICS]),
         quantity(D::TORQUE, Rule::Finite),
         quantity(D::FORCE, Rule::Finite),
     ]), "\"inverse dynamics\"";
-    /// largest torque or force of the actuator, either way; none if left out
+    /// largest torque or force of the actuator, in either direction; no limit if omitted
     optional limit: Entry<'t> =
         Kind::AnyOf(&[quantity(D::TORQUE, Rule::Positive), quantity(D::FORCE, Rule::Positive)]), "\"8 N m\"";
     /// constant speed of the reference
     optional speed: Entry<'t> = SPEED, "\"90 deg/s\"";
-    /// angle of the reference at time zero, beside speed
+    /// angle of the reference at time zero, with speed
     optional start_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"";
-    /// position of the reference at time zero, beside speed
+    /// position of the reference at time zero, with speed
     optional start_position: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"0 mm\"";
-    /// the reference over time, in place of a constant speed
+    /// the reference over time, instead of a constant speed
     optional motion: Entry<'t> =
         MOTION, "{ kind = \"cycloidal\", from = \"0 deg\", to = \"90 deg\", duration = \"0.5 s\" }";
 }

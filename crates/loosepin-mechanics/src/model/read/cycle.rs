@@ -12,11 +12,11 @@ use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 record! {
-    /// what is run and recorded; every number can be overridden
+    /// the turns to simulate and to record; a command can override every number
     pub(super) struct CycleTable for PartReader, exactly one of [drive, duration];
     /// the drive whose turns (constant speed) or periods (any other motion) are counted
     optional drive: Entry<'t> = Kind::Reference("drive"), "\"crank\"";
-    /// the time that counts as a turn, in place of a drive; transient_turns is then 0 if left out
+    /// the time that counts as one turn, instead of a drive; transient_turns is then 0 if omitted
     optional duration: QuantityId = quantity(Dimension::TIME, Rule::Positive), "\"0.2 s\"";
     include numbers: CycleNumbers<'t>;
 }

@@ -13,18 +13,18 @@ use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 record! {
-    /// a joint that is moved: at constant speed, or by a motion
+    /// a driven joint: at constant speed, or with a given motion
     pub(super) struct DriveTable for PartReader,
         exactly one of [speed, motion], exactly one of [start_angle, start_position, motion];
     /// an ideal revolute or a prismatic joint
     required joint: Entry<'t> = Kind::Reference("joint"), "\"main\"";
-    /// constant speed of the journal's body against the bearing's, or of the slider along the guide
+    /// constant speed of the journal's body relative to the bearing's, or of the slider along the guide
     optional speed: Entry<'t> = SPEED, "\"5000 rpm\"";
-    /// angle of the journal's body from the bearing's at time zero, beside speed
+    /// angle from the bearing's body to the journal's at time zero, with speed
     optional start_angle: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
-    /// position of the slider along the guide at time zero, beside speed
+    /// position of the slider along the guide at time zero, with speed
     optional start_position: Entry<'t> = quantity(Dimension::LENGTH, Rule::Finite), "\"0 mm\"";
-    /// angle or position over time, in place of a constant speed
+    /// angle or position over time, instead of a constant speed
     optional motion: Entry<'t> =
         MOTION, "{ kind = \"harmonic\", mean = \"90 deg\", amplitude = \"30 deg\", frequency = \"2 Hz\" }";
 }

@@ -11,22 +11,22 @@ use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 record! {
-    /// where a body is at time zero and how it moves, seen from the ground
+    /// position and velocity of a body at time zero, relative to the ground
     struct InitialBody for PartReader;
-    /// angle of its x axis
+    /// angle of the body's x axis
     optional angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";
     /// rate of that
     optional angular_velocity: Entry<'t> = quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"";
-    /// origin of its frame
+    /// position of the origin of the body's frame
     optional position: Entry<'t> = Kind::Vector, "[\"10 mm\", \"0 mm\"]";
-    /// velocity of that origin
+    /// velocity of this origin
     optional velocity: Entry<'t> = Kind::Vector, "[\"1 m/s\", \"0 m/s\"]";
 }
 
 record! {
-    /// where a joint is at time zero and how it moves
+    /// coordinate and velocity of a joint at time zero
     struct InitialJoint for PartReader;
-    /// angle of the journal's body from the bearing's
+    /// angle from the bearing's body to the journal's
     optional angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
     /// rate of that
     optional angular_velocity: Entry<'t> = quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"";
@@ -34,16 +34,16 @@ record! {
     optional position: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"5 mm\"";
     /// rate of that
     optional velocity: Entry<'t> = quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"";
-    /// of a joint with play: centre of the journal from that of the bearing, along the axes of the ground; none if left out
+    /// for a joint with play: offset of the journal's centre from the bearing's, along the axes of the ground; none if omitted
     optional offset: Entry<'t> = Kind::Vector, "[\"0 mm\", \"-0.5 mm\"]";
-    /// rate of the offset; none if left out
+    /// rate of the offset; none if omitted
     optional offset_velocity: Entry<'t> = Kind::Vector, "[\"0 m/s\", \"0.1 m/s\"]";
-    /// in place of an offset: the journal rests on the side on which the forces at the start press it
+    /// instead of an offset: the journal starts at rest on the side to which the forces at the start press it
     optional start: Entry<'t> = Kind::Choice(&["resting"]), "\"resting\"";
 }
 
 record! {
-    /// the state at time zero: of a mechanism that its drives do not move alone, and of journals in their bearings
+    /// the state at time zero: of a mechanism that its drives alone do not determine, and of journals in their bearings
     pub(super) struct InitialTable for PartReader;
     /// bodies, each under [initial.body.NAME]
     optional body: Entry<'t> = Kind::Tables { keys: &InitialBody::KEYS, except: &[] }, "";

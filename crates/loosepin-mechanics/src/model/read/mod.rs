@@ -54,9 +54,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 record! {
-    /// how loops close that can close in two ways
+    /// the choice for loops that can close in two ways
     struct AssemblyTable for PartReader;
-    /// about the angle of bodies at time zero
+    /// approximate angles of bodies at time zero
     required guess: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ rocker = \"94 deg\" }";
 }
 
@@ -67,7 +67,7 @@ record! {
     required name: Option<String> = Kind::Text, "\"worn pin\"";
     /// acceleration along -y; "0 m/s^2" for none; needed for runs
     optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
-    /// how much warmer than their drawings parts with thermal_expansion are
+    /// temperature of parts with thermal_expansion above the temperature of their drawings
     optional temperature_rise: Entry<'t> = quantity(Dimension::TEMPERATURE, Rule::Finite), "\"40 K\"";
     /// named values for use in expressions
     optional parameter: Entry<'t> = Kind::Values(&Kind::AnyQuantity), "";
@@ -80,23 +80,23 @@ record! {
     optional joint: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "";
     /// gears, belts, racks and other ratios of two joints, each under [coupling.NAME]
     optional coupling: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS }, "";
-    /// cams with a profile by points, each under [cam.NAME]
+    /// cams with a profile given by points, each under [cam.NAME]
     optional cam: Entry<'t> = Kind::Tables { keys: CAM.1, except: &[] }, "";
     /// springs with their dampers, each under [spring.NAME]
     optional spring: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS }, "";
-    /// forces and torques from outside, each under [load.NAME]
+    /// external forces and torques, each under [load.NAME]
     optional load: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: LOAD_KINDS }, "";
     /// the drives, each under [drive.NAME]
     optional drive: Entry<'t> = Kind::Tables { keys: &DriveTable::KEYS, except: &[] }, "";
     /// joints whose actuators follow a reference, each under [control.NAME]
     optional control: Entry<'t> = Kind::Tables { keys: &ControlTable::KEYS, except: &[] }, "";
-    /// the initial state of what the drives do not move alone
+    /// the initial state of motions that the drives alone do not determine
     optional initial: Entry<'t> = Kind::Table(&InitialTable::KEYS), "";
-    /// how loops close that can close in two ways
+    /// the choice for loops that can close in two ways
     optional assembly: Entry<'t> = Kind::Table(&AssemblyTable::KEYS), "";
-    /// for how long the wear of joints is stated, under [wear]
+    /// the cycles over which the wear of joints is calculated, under [wear]
     optional wear: Entry<'t> = Kind::Table(&LifeTable::KEYS), "";
-    /// the turns to run and to record, under [cycle]
+    /// the turns to simulate and to record, under [cycle]
     required cycle: Option<Entry<'t>> = Kind::Table(&CycleTable::KEYS), "";
     /// the outputs, in their order
     optional output: Entry<'t> = Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "";

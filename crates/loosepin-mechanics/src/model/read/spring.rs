@@ -12,53 +12,55 @@ use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 record! {
-    /// a file of points in place of those in the table, and the curve through either
+    /// a file of points instead of points in the table, and the curve through the points
     struct FileAndCurve for PartReader;
     optional csv: Entry<'t> as CSV;
-    /// beside points or csv: monotone: between two points nowhere beyond them; spline: smoother, with no jump of the stiffness' slope
+    /// with points or csv: monotone: between two points, no value outside theirs; spline: smoother, no jump in the slope of the stiffness
     optional curve: Option<TableCurve> = choice::<TableCurve>(), "\"spline\"", or "monotone";
 }
 
 record! {
-    /// a spring with its damper between points of two bodies; it pulls where it is longer than its free length
+    /// a spring with a damper between points of two bodies; it pulls when it is longer than its free length
     pub(super) struct LinearSpring for PartReader, kind "linear" of spring,
         exactly one of [stiffness, points, csv], exactly one of [free_length, points, csv];
     /// point of the first body
     required first: Option<PointId> = Kind::Point, "\"ground.hook\"";
     /// point of the second body
     required second: Option<PointId> = Kind::Point, "\"rocker.eye\"";
-    /// force by extension
+    /// force per extension
     optional stiffness: Entry<'t> = quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"";
-    /// length at which it is not extended
+    /// length at zero extension
     optional free_length: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"40 mm\"";
-    /// force by speed of extension, along the spring; none if left out
+    /// damping force per speed of extension, along the spring; none if omitted
     optional damping: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"5 N s/m\"";
-    /// pull at the free length, below zero for a push
+    /// tension at the free length, below zero for compression
     optional preload: Later<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"", or "0 N" called "none";
-    /// pairs of a length and the pull there, in place of stiffness and free length; lengths increasing, straight beyond both ends
+    /// pairs of a length and the tension at that length, instead of stiffness and free length; the lengths increase, and the curve
+    /// continues straight beyond both ends
     optional points: Entry<'t> = POINTS, "[[\"30 mm\", \"-4 N\"], [\"40 mm\", \"0 N\"], [\"55 mm\", \"12 N\"]]";
     include rest: FileAndCurve<'t>;
 }
 
 record! {
-    /// a spring with its damper that turns two bodies back to their free angle
+    /// a torsion spring with a damper that turns two bodies back to their free angle
     pub(super) struct TorsionalSpring for PartReader, kind "torsional" of spring,
         exactly one of [stiffness, points, csv], exactly one of [free_angle, points, csv];
-    /// the revolute joint around which it lies: from its bearing's body to its journal's
+    /// the revolute joint whose axis is that of the spring: from the bearing's body to the journal's
     optional joint: Entry<'t> = Kind::Reference("joint"), "\"pivot\"";
-    /// the first body, in place of a joint
+    /// the first body, instead of a joint
     optional first: Entry<'t> = Kind::Reference("body"), "\"ground\"";
-    /// the second body, in place of a joint
+    /// the second body, instead of a joint
     optional second: Entry<'t> = Kind::Reference("body"), "\"rocker\"";
-    /// torque by angle
+    /// torque per angle
     optional stiffness: Entry<'t> = quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"";
-    /// angle of the second body from the first at which it is not wound up
+    /// angle from the first body to the second at zero twist of the spring
     optional free_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
-    /// torque by angular velocity; none if left out
+    /// damping torque per angular velocity; none if omitted
     optional damping: Entry<'t> = quantity(D::TORSIONAL_DAMPING, Rule::NonNegative), "\"0.01 N m s/rad\"";
     /// torque at the free angle that turns the second body backwards
     optional preload: Later<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"", or "0 N m" called "none";
-    /// pairs of an angle and the torque there, in place of stiffness and free angle; angles increasing, straight beyond both ends
+    /// pairs of an angle and the torque at that angle, instead of stiffness and free angle; the angles increase, and the curve continues
+    /// straight beyond both ends
     optional points: Entry<'t> =
         POINTS, "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]";
     include rest: FileAndCurve<'t>;

@@ -14,11 +14,11 @@ use loosepin_text::units::{Dimension, Op, Rule};
 const LARGE_1_M: f64 = 1e300;
 
 record! {
-    /// how the lengths of a part grow
+    /// thermal expansion of a part
     pub(super) struct Warmth for PartReader;
-    /// growth of all lengths of the part by its warmth; needs temperature_rise, here or at the top
+    /// coefficient of thermal expansion, for all lengths of the part; needs temperature_rise, here or at the top level
     optional thermal_expansion: Entry<'t> = quantity(Dimension::THERMAL_EXPANSION, Rule::Finite), "\"11.7e-6 1/K\"";
-    /// how much warmer than its drawing the part is; the one at the top if left out
+    /// temperature of the part above the temperature of its drawing; the value at the top level if omitted
     optional temperature_rise: Entry<'t> = quantity(Dimension::TEMPERATURE, Rule::Finite), "\"60 K\"";
 }
 

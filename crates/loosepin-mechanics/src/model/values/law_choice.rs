@@ -20,7 +20,7 @@ impl Model {
             let known = || self.contacts.iter().map(|contact| contact.name.as_str());
             let hint = match nearest_name(name, known()) {
                 Some(nearest) => format!("did you mean 'contact.{nearest}.law'?"),
-                None => format!("there is {}", quoted(&known().collect::<Vec<_>>())),
+                None => format!("available: {}", quoted(&known().collect::<Vec<_>>())),
             };
             PathError::Unknown { path: path.to_owned(), why: Some(format!("it has no contact '{name}'")), hint }
         }))

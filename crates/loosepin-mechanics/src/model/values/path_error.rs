@@ -14,11 +14,11 @@ problems! {
             hint_of(Some(hint.clone()));
         /// The joint states its clearance under the other of the two keys.
         OtherClearance { path: String, stated: String } => Code::UnknownPath,
-            says("'{path}' cannot be set: the model states '{stated}'"),
+            says("'{path}' cannot be set: the model gives '{stated}'"),
             hint("set '{stated}', with {} the value", if stated.ends_with(RADIAL) { "half" } else { "twice" });
         NoPlay { path: String, joint: String } => Code::UnknownPath,
             says("'{path}': joint '{joint}' has no play"),
-            hint("give it a clearance in the model file, with what a joint with play needs");
+            hint("give it a clearance in the model file, with the other keys of a joint with play");
         Expression { path: String, depends_on: Vec<String> } => Code::NotSettable,
             says("'{path}' is given by an expression and cannot be set"),
             hint("it depends on {}", quoted(depends_on));

@@ -39,7 +39,7 @@ impl Model {
             }
             let hint = match only {
                 Some(only) => format!("did you mean '{only}'?"),
-                None => format!("there is {}", named(names.iter().copied())),
+                None => format!("available: {}", named(names.iter().copied())),
             };
             return Some((Some(format!("it has no {kind} '{name}'")), hint));
         }

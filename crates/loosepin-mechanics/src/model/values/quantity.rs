@@ -96,7 +96,7 @@ problems! {
             says("{}", out_of_order([path, limit_path], [*value_si, *limit_si], *dimension)),
             hint_of(hint_at(path));
         NotSettable { path: String } => Code::NotSettable,
-            says("{path} is not a free number of the model; it cannot be set"),
+            says("{path} is not a free number of the model, so it cannot be set"),
             hint_of(hint_at(path));
     }
 }
@@ -119,13 +119,13 @@ fn out_of_order([path, limit_path]: [&str; 2], values_si: [f64; 2], dimension: D
 /// The way out where the quantity at `path` is at fault.
 fn hint_at(path: &str) -> Option<String> {
     let hint = match path.rsplit('.').next()? {
-        RADIAL => "clearance is bearing radius minus journal radius",
+        RADIAL => "the radial clearance is radius of the hole minus radius of the pin",
         DIAMETRAL => "the diametral clearance is diameter of the hole minus diameter of the pin",
         "radial_clearance_when_warm" | "clearance_when_warm" => {
-            "at this temperature the pin or block is as large as its hole or guide: the joint seizes"
+            "at this temperature, the pin or block is as large as its hole or guide: the joint seizes"
         }
-        "restitution" => "a restitution of 90 % is 0.9; 1 loses no energy, 0 would end every impact at rest",
-        "lower_speed" => "friction grows from nothing at lower_speed to full at upper_speed",
+        "restitution" => "a restitution of 90 % is 0.9; with 1 an impact loses no energy, with 0 it would end at rest",
+        "lower_speed" => "friction grows from zero at lower_speed to its full value at upper_speed",
         _ => return None,
     };
     Some(hint.to_owned())

@@ -41,7 +41,7 @@ problems! {
             says("'{text}' is not written path=from..to"),
             hint("for example --over joint.gudgeon.radial_clearance=0.1mm..0.5mm");
         EmptyRange { path: String, value: String } => Code::BreaksRule,
-            says("{path} goes from {value} to the same value; must be two values");
+            says("{path} goes from {value} to the same value; must be two different values");
         MissingUnit { path: String, text: String, due: Dimension } => Code::MissingUnit,
             says("{path} is {text} without a unit; must be {due}"),
             hint_of(Some(example_of(*due)));
@@ -49,7 +49,7 @@ problems! {
             says("{path} is {found}; must be {due}"),
             hint_of(Some(example_of(*due)));
         UnknownLaw { name: String, nearest: Option<String> } => Code::UnknownChoice,
-            says("there is no law of contact '{name}'"),
+            says("there is no contact law '{name}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None => "loosepin schema model lists them".to_owned(),

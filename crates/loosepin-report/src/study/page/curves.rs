@@ -163,7 +163,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
                     @if !centre.is_empty() { " (" (centre) ")" }
                 }
             } @else if has_evidence(result) {
-                ". Evidence gives mechanisms to several intervals, so there is no band for a single value of the unknown inputs"
+                ". With evidence, mechanisms belong to several intervals, so there is no band for a single value of the unknown inputs"
             }
             ". The orange band " (worst_words) ". It includes its numerical error, which differs from angle to angle: up to "
             (writer.about(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
@@ -202,7 +202,7 @@ fn has_evidence(result: &StudyResult) -> bool {
 fn simultaneous_words(curve: &DeviationCurve, each: &SimultaneousCurve, writer: &NumberWriter) -> String {
     let share = writer.about(&Tag::Given("probability")).percent(each.share, Rounding::Nearest);
     if each.band.lower_si.is_empty() {
-        return format!("The runs give no band that {share} of mechanisms keep for the whole cycle.");
+        return format!("The runs give no band in which {share} of mechanisms stay for the whole cycle.");
     }
     let factor = writer.about(&Tag::curve(curve, &format!("factor of the band of {}", each.share))).rounded(
         each.factor,

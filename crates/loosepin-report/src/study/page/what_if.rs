@@ -108,7 +108,7 @@ pub(super) fn what_if(
                 @if record.inputs.len() > MAPPED {
                     " The map shows the first two ranges; the line below it names all values."
                 }
-                " Saved pictures and numbers keep the band of the middle."
+                " Saved pictures and numbers show the band for the middle values."
             }
             div.choice {}
             p.chosen role="status" {}

@@ -52,7 +52,7 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
     let missing = record.targets.iter().filter(|target| !target.is_reached()).count();
     match record.stop {
         AccuracyStop::Reached if record.targets.is_empty() => {
-            format!("The stated samples took {made}, within {whose} of {budget}.")
+            format!("The stated samples needed {made}, within {whose} of {budget}.")
         }
         AccuracyStop::Reached => format!("All bounds reach the required accuracy after {made}."),
         AccuracyStop::Budget => {

@@ -47,10 +47,9 @@ fn statement(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWrite
     };
     let share = writer.percent(promise.share, Rounding::Down);
     let all = match promise.ends.len() + promise.bands.len() {
-        1 => format!("at least {share} of {boxes} keeps this bound."),
+        1 => format!("this bound holds in at least {share} of {boxes}."),
         _ => format!(
-            "each of these bounds is kept by at least {share} of {boxes}. Where one is broken and where another is may be \
-             different parts of it."
+            "each of these bounds holds in at least {share} of {boxes}. Different bounds may fail in different parts of it."
         ),
     };
     let each = if promise.boxes == 1 {
@@ -61,7 +60,7 @@ fn statement(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWrite
             (false, true) => "Each interval with its mass",
             _ => "Each combination of the lists and each interval with its mass",
         };
-        format!(" {of} has a box of its own, and this holds for each box by itself.")
+        format!(" {of} has its own box, and this is true for each box separately.")
     };
     format!(
         "With {} confidence, {all} This is a share of the volume of the box, in the coordinates of the file. \
@@ -114,7 +113,7 @@ fn end_sentence(result: &StudyResult, promise: &PromiseRecord, end: &PromisedEnd
     );
     if end.failed_values > 0 {
         return format!(
-            "{subject}: nothing is promised, for runs failed at {}.",
+            "{subject}: nothing is promised, because runs failed at {}.",
             failed_words(promise, end.failed_values, writer)
         );
     }
@@ -139,7 +138,7 @@ fn band_sentence(result: &StudyResult, promise: &PromiseRecord, band: &PromisedB
     );
     if band.failed_values > 0 {
         return format!(
-            "{subject}: nothing is promised, for runs failed at {}.",
+            "{subject}: nothing is promised, because runs failed at {}.",
             failed_words(promise, band.failed_values, writer)
         );
     }

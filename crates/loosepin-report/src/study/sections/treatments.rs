@@ -27,7 +27,7 @@ pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) ->
     };
     let of_lists = has_lists(&result.inputs).then_some(EQUALLY_PROBABLE);
     let what = format!(
-        "Three treatments of the same inputs. Each gives a band that is meant to hold a promised share of mechanisms. The share \
+        "Three treatments of the same inputs. Each gives a band that is intended to contain a promised share of mechanisms. The share \
          inside depends on the unknown values. It was counted at all unknown values {counted}{}",
         of_lists.map_or(String::new(), |words| format!(" {words}"))
     );

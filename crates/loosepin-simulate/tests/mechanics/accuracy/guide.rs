@@ -287,6 +287,6 @@ fn identity_the_angles_at_which_a_block_overhangs_are_named() {
 fn text_of_a_slider_that_can_turn_over() {
     let built = build_text(&text().replace("clearance = \"0.2 mm\"", "clearance = \"18 mm\""));
     let error = super::motion::try_motion_of(&built, 36).expect_err("it can turn over");
-    let text = "joint 'guide': the slider can turn over in its guide, so that there is no quasi-static answer";
+    let text = "joint 'guide': the slider can turn over in its guide, so there is no quasi-static result";
     assert_eq!(error.to_string(), text);
 }

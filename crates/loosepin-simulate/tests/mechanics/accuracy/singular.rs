@@ -115,7 +115,7 @@ fn analytic_nearly_dead_point_of_a_slider_crank() {
     assert!((angles[0] - 90.0).abs() < 1e-3 && (angles[1] - 270.0).abs() < 1e-3, "{angles:?}");
     let sine = (1.0 - (0.05_f64 / 0.0501).powi(2)).sqrt();
     let words = format!(
-        "nearly a dead point: the transmission angle is {:.2}° away from 0°, small errors and forces are magnified about {:.0} times",
+        "nearly a dead point: the transmission angle is {:.2}° away from 0°, small errors and forces are magnified by a factor of about {:.0}",
         sine.asin().to_degrees(),
         1.0 / sine
     );
@@ -129,7 +129,7 @@ fn assert_ways_on(record: &loosepin_simulate::accuracy::record::MotionRecord) {
     let (inwards, outwards) = (-60.0 * 70.0 / 170.0, -60.0 * 170.0 / 70.0);
     let said = [format!("{inwards:.5}"), format!("{outwards:.4}")].map(|other_rpm| {
         format!(
-            "two ways of assembling the links meet here, and the drives do not determine which one the mechanism follows: \
+            "the links can be assembled in two ways here, and the drives do not determine which one the mechanism follows: \
              'rocker' goes on at 60 rpm or at {other_rpm} rpm"
         )
     });

@@ -85,7 +85,7 @@ impl<'m> Draft<'m> {
         let ends = [self.attach(from)?, self.attach(to)?];
         let same = ends[0].body.is_some() && ends[0].body == ends[1].body;
         if same {
-            return Err(Refusal::bad("both ends are on the same body, where nothing moves against the other")
+            return Err(Refusal::bad("both ends are on the same body, so nothing can move")
                 .with_hint("end the link on another body, or at a free place"));
         }
         let [x, y] = [0, 1].map(|axis| ends[1].at_m[axis] - ends[0].at_m[axis]);
@@ -139,7 +139,7 @@ impl<'m> Draft<'m> {
             _ => self.attach(to)?,
         };
         if end.body.as_deref() == Some(body) {
-            return Err(Refusal::bad(format!("'{body}' has this point already")));
+            return Err(Refusal::bad(format!("'{body}' already has this point")));
         }
         let [x, y] = end.at_m.map(|m| m * MM_PER_M);
         let on = End::On { body: body.to_owned(), x, y, is_own: false };
@@ -156,7 +156,7 @@ impl<'m> Draft<'m> {
     pub fn join(&mut self, first: &End, second: &End, by: &Joined) -> Result<String, Refusal> {
         let [first, second] = [self.attach(first)?, self.attach(second)?];
         if first.body == second.body {
-            return Err(Refusal::bad("both points are on the same body: they are joined already"));
+            return Err(Refusal::bad("both points are on the same body, so they are already joined"));
         }
         let (Some(one), Some(other)) = (&first.point, &second.point) else {
             return Err(
@@ -168,7 +168,7 @@ impl<'m> Draft<'m> {
             (&a, &b) == (one, other) || (&b, &a) == (one, other)
         });
         if let Some(known) = known {
-            return Err(Refusal::bad(format!("joint '{}' joins these points already", known.name)));
+            return Err(Refusal::bad(format!("joint '{}' already joins these points", known.name)));
         }
         // Direction of a line in the frame of a body.
         let own_deg = |end: &Attached, angle_deg: f64| {
@@ -234,9 +234,9 @@ impl<'m> Draft<'m> {
         if end.body.as_deref() == Some(GROUND) {
             return Err(Refusal::bad("a block moves against the ground").with_hint("choose a point of a link"));
         }
-        let point = end.point.ok_or_else(|| {
-            Refusal::bad("a block needs a point of a link to hold").with_hint("choose a point of a link")
-        })?;
+        let point = end
+            .point
+            .ok_or_else(|| Refusal::bad("a block needs a point of a link").with_hint("choose a point of a link"))?;
         let [x, y] = end.at_m.map(|m| m * MM_PER_M);
         let ground = self.attach(&End::On { body: GROUND.to_owned(), x, y, is_own: false })?.point.unwrap_or_default();
         let name = self.free("body", "block");
@@ -276,9 +276,9 @@ impl<'m> Draft<'m> {
     /// There is no such pin, or not one drive.
     pub fn drive(&mut self, joint: &str) -> Result<String, Refusal> {
         let found = self.model.joints.iter().find(|one| one.name == joint);
-        let found = found.ok_or_else(|| Refusal::bad(format!("there is no joint '{joint}' any more")))?;
+        let found = found.ok_or_else(|| Refusal::bad(format!("joint '{joint}' no longer exists")))?;
         if !found.kind.turns() {
-            return Err(Refusal::bad("a motor turns a pin").with_hint("other drives are written in the text"));
+            return Err(Refusal::bad("a motor turns a pin").with_hint("write other drives in the text"));
         }
         let [bearing, journal] = found.kind.points();
         if found.kind.play().is_some() {
@@ -322,7 +322,7 @@ impl<'m> Draft<'m> {
 
     fn set(&mut self, path: &[&str], value: &str) -> Result<(), Refusal> {
         let span = self.lines.value_span(path)?;
-        let span = span.ok_or_else(|| Refusal::bad("the drive is written in a way that is changed in the text"))?;
+        let span = span.ok_or_else(|| Refusal::bad("this drive can be changed only in the text"))?;
         self.lines.replace([(span, value.to_owned())])
     }
 
@@ -342,7 +342,7 @@ impl<'m> Draft<'m> {
             End::On { body, x, y, is_own } => {
                 is_near(*x, *y)?;
                 let pose = self.poses.get(body).copied();
-                let pose = pose.ok_or_else(|| Refusal::bad(format!("there is no body '{body}' any more")))?;
+                let pose = pose.ok_or_else(|| Refusal::bad(format!("body '{body}' no longer exists")))?;
                 let given_m = [x / MM_PER_M, y / MM_PER_M];
                 let (own_m, at_m) =
                     if *is_own { (given_m, pose.world_m(given_m)) } else { (pose.local_m(given_m), given_m) };
@@ -366,7 +366,7 @@ impl<'m> Draft<'m> {
             let point = bodies[index].points.iter().position(|one| one.name == point)?;
             Some(PointId { body: loosepin::model::BodyId(index), point })
         });
-        found.ok_or_else(|| Refusal::bad(format!("there is no point '{body}.{point}' any more")))
+        found.ok_or_else(|| Refusal::bad(format!("point '{body}.{point}' no longer exists")))
     }
 
     fn name_of(&self, point: PointId) -> String {

@@ -100,14 +100,14 @@ fn check_study(old: &Texts, new: &Texts, due: &Due, before: Model, after: &Model
 }
 
 fn otherwise(which: &str) -> Refusal {
-    Refusal::bad(format!("the {which} is written in a way that this would damage"))
+    Refusal::bad(format!("this change would damage the text of the {which}"))
         .with_hint(format!("change it in the text of the {which}"))
 }
 
 /// A text that has problems of its own.
 pub fn unreadable(which: &str) -> Refusal {
     Refusal::bad(format!("the {which} cannot be read"))
-        .with_hint("mend its problems first; they are listed below the drawing")
+        .with_hint("correct its problems first; they are listed below the drawing")
 }
 
 fn first_of(complaints: &Complaints) -> Refusal {
@@ -255,16 +255,16 @@ pub fn why_not(file: &InputFile, found: &Complaints) -> String {
         Err(MechanismError::TooFewDrives { mobility, drives, undetermined }) => {
             let surplus = counted(mobility.saturating_sub(drives), "degree");
             format!(
-                "{surplus} of freedom too many: {} can move although the drives stand still. Join a point, or add a drive.",
+                "{surplus} of freedom too many: {} can move although the drives are locked. Join a point, or add a drive.",
                 bodies(&undetermined)
             )
         }
         Err(MechanismError::TooManyDrives { mobility: 0, drives: 1 }) => {
-            "1 degree of freedom too few: nothing can move. Take out a joint or a link.".to_owned()
+            "1 degree of freedom too few: nothing can move. Remove a joint or a link.".to_owned()
         }
         Err(MechanismError::TooManyDrives { mobility, drives }) => {
             let missing = counted(drives.saturating_sub(mobility), "degree");
-            format!("{missing} of freedom too few for {}. Take out a joint or a drive.", counted(drives, "drive"))
+            format!("{missing} of freedom too few for {}. Remove a joint or a drive.", counted(drives, "drive"))
         }
         _ => {
             let Refusal { message, hint, .. } = first_of(found);

@@ -56,7 +56,7 @@ pub fn locked(lines: &Lines, byte: usize, is_locked: bool) -> Result<Lines, Refu
     let text = lines.text();
     let statement = scanned.statements.iter().find(|one| one.lines.contains(&byte));
     let found = statement.and_then(|one| one.value.as_ref().map(|value| (one, value.span.end)));
-    let (statement, end) = found.ok_or_else(|| Refusal::bad("this number does not stand in a line of its own"))?;
+    let (statement, end) = found.ok_or_else(|| Refusal::bad("this number is not on its own line"))?;
     let note = note(text, statement);
     let mut new = lines.clone();
     match (note, is_locked) {

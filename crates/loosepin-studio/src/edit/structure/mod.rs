@@ -165,7 +165,7 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
             let quantity = quantity.ok_or_else(|| Refusal::bad(format!("the model has no number '{path}'")))?;
             let span = quantity.span.filter(|_| quantity.origin == Origin::Literal).ok_or_else(|| {
                 Refusal::bad(format!("{} is not written as a number", describe_path(path)))
-                    .with_hint("lock what it follows from")
+                    .with_hint("lock the values on which it depends")
             })?;
             let new = lock::locked(&lines, span.start, *is_locked)?;
             plain(new, study, Due::default(), Vec::new())

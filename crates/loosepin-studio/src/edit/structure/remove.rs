@@ -39,14 +39,14 @@ pub struct Removed {
 /// It is not there, or the cycle counts the turns of what would go.
 pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Removed, Refusal> {
     if !TABLES.contains(&what.table.as_str()) {
-        return Err(Refusal::bad(format!("a {} is taken out in the text", what.table)));
+        return Err(Refusal::bad(format!("remove a {} in the text", what.table)));
     }
     if what.table == "body" && what.name == GROUND && what.point.is_none() {
-        return Err(Refusal::bad("the ground stays: everything stands on it"));
+        return Err(Refusal::bad("the ground cannot be removed"));
     }
     let named = mentions(Document::Model, &model.scanned()?);
     if !named.iter().any(|mention| mention.is_own && mention.of == *what) {
-        return Err(Refusal::bad(format!("there is no {} any more", what.words())));
+        return Err(Refusal::bad(format!("{} no longer exists", what.words())));
     }
     let mut gone = BTreeSet::from([what.clone()]);
     // What names something that goes is part of something that goes too.
@@ -88,7 +88,7 @@ pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Rem
 }
 
 fn counted(mention: &Mention) -> Refusal {
-    Refusal::bad(format!("the cycle counts the turns of {}, which would go too", mention.of.words()))
+    Refusal::bad(format!("the cycle counts the turns of {}, which would also be removed", mention.of.words()))
         .with_hint("let the motor turn another joint first")
 }
 
@@ -150,8 +150,8 @@ fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Resu
 fn in_study(path: &[String]) -> String {
     let number = |step: &str| step.trim_start_matches('#').parse::<usize>().map_or(0, |index| index + 1);
     match path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["random", of] => format!("the scatter of {} in the study", describe_path(of)),
-        ["epistemic", of] => format!("what is unknown of {} in the study", describe_path(of)),
+        ["random", of] => format!("the distribution of {} in the study", describe_path(of)),
+        ["epistemic", of] => format!("the unknown range of {} in the study", describe_path(of)),
         ["allow", of] => format!("what is allowed for {} in the study", describe_path(of)),
         ["ask", index, ..] => format!("question {} of the study", number(index)),
         ["require", index, ..] => format!("requirement {} of the study", number(index)),

@@ -26,13 +26,13 @@ pub fn renamed(
         return Err(Refusal::bad(format!("{} keeps its name here", what.words())).with_hint("change it in the text"));
     }
     if !is_name(to) {
-        return Err(Refusal::bad(format!("'{to}' is no name"))
+        return Err(Refusal::bad(format!("'{to}' is not a valid name"))
             .with_hint("a name begins with a letter, and has letters, digits, - and _"));
     }
     let named = mentions(Document::Model, &model.scanned()?);
     let is_there = |of: &Named| named.iter().any(|mention| mention.is_own && mention.of == *of);
     if !is_there(what) {
-        return Err(Refusal::bad(format!("there is no {} any more", what.words())));
+        return Err(Refusal::bad(format!("{} no longer exists", what.words())));
     }
     let new = match &what.point {
         Some(_) => Named::point(&what.name, to),

@@ -47,7 +47,7 @@ impl Lines {
     pub fn scanned(&self) -> Result<Scanned, Refusal> {
         scan(&self.text).ok_or_else(|| {
             Refusal::bad("the text cannot be read")
-                .with_hint("mend its problems first; they are listed below the drawing")
+                .with_hint("correct its problems first; they are listed below the drawing")
         })
     }
 
@@ -192,7 +192,7 @@ impl Lines {
 }
 
 fn elsewhere(what: &str) -> Refusal {
-    Refusal::bad(format!("'{what}' is written in a way in which nothing can be added to it here"))
+    Refusal::bad(format!("nothing can be added to '{what}' here, because of the way it is written"))
         .with_hint("change it in the text")
 }
 

@@ -46,7 +46,7 @@ impl<'t> Pieces<'t> {
                 (range.start.min(one.0.start)..range.end.max(last.0.end), new)
             }
             _ => {
-                return Err(Refusal::bad("two changes would stand at the same place of the text")
+                return Err(Refusal::bad("two changes would be at the same place in the text")
                     .with_hint("make them one after the other, or in the text"));
             }
         };

@@ -17,42 +17,42 @@ const MAX_POSE_ERROR_DEG: f64 = 5.0;
 const MIN_ESTIMATED: usize = 3;
 
 record! {
-    /// a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two settled
-    /// positions is read
+    /// a reading of a backlash test: with the drives locked, an output is pushed back and forth, and the dead travel (lost motion) between
+    /// the two positions at rest is read
     pub(crate) lenient struct ReadingTable for Reads, exactly one of [force, moment];
-    /// a position or an angle of the model: what is read
+    /// the output that is read: a position or an angle of the model
     required output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
-    /// of a path, and only there: the coordinate that is read
+    /// only for a path: the coordinate that is read
     optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
-    /// angle at which the drive that the cycle counts is locked
+    /// locked angle of the drive that counts the cycle
     required pose: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ crank = \"60 deg\" }";
-    /// largest error of that angle, of either sign; 0 if left out
+    /// largest error of this angle, of either sign; 0 if omitted
     optional pose_error: Entry<'t> = quantity(Dimension::ANGLE, Rule::NonNegative), "\"0.5 deg\"";
-    /// force of the push, the same to and fro
+    /// force of the push, the same in both directions
     optional force: Entry<'t> = quantity(Dimension::FORCE, Rule::Positive), "\"20 N\"";
-    /// in place of a force: the moment that turns the body whose angle is read
+    /// instead of a force: the moment on the body whose angle is read
     optional moment: Entry<'t> = quantity(Dimension::TORQUE, Rule::Positive), "\"0.5 N m\"";
-    /// the point that is pushed; the one whose coordinate is read if left out
+    /// the point that is pushed; if omitted, the point whose coordinate is read
     optional at: Entry<'t> = Kind::Point, "\"slider.pin\"";
-    /// direction of the push to, from the ground's x axis; along the coordinate that is read if left out
+    /// direction of the first push, as an angle from the ground's x axis; if omitted, along the coordinate that is read
     optional direction: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
-    /// travel between the two settled positions, under load: one value, or all repeats
+    /// travel between the two positions at rest, under load: one value, or all repeats
     required dead_travel: Entry<'t> =
         Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]),
         "[\"0.412 mm\", \"0.409 mm\", \"0.413 mm\"]";
-    /// beside one value: the number of readings whose mean it is; 1 if left out
+    /// with one value: the number of readings of which it is the mean; 1 if omitted
     optional repeats: Entry<'t> = count(1, 1_000_000), "5";
-    /// largest error that all readings of the instrument have in common, of either sign: repeats do not make it smaller; 0 if left out
+    /// largest common error of all readings of the instrument, of either sign; repeats do not reduce it; 0 if omitted
     optional error: Entry<'t> = Kind::AnyQuantity, "\"± 0.005 mm\"";
-    /// standard deviation of one reading: repeats make it smaller; from three or more repeats themselves if left out
+    /// standard deviation of one reading; repeats reduce the error of the mean; if omitted, calculated from three or more repeats
     optional scatter: Entry<'t> = Kind::AnyQuantity, "\"0.002 mm\"";
-    /// what has the error; one for each output if left out
+    /// the instrument that has the common error; one for each output if omitted
     optional instrument: String = Kind::Text, "\"dial gauge\"";
-    /// the mechanism that was measured: its lengths and plays are its own
+    /// name of the measured mechanism; each specimen has its own lengths and plays
     optional specimen: String = Kind::Text, "\"A\"";
-    /// largest coefficient of friction in the joints, anything from 0 to it; that of the contacts in the model if left out
+    /// largest coefficient of friction in the joints; every value from 0 to this is possible; if omitted, from the contacts in the model
     optional friction: f64 = Kind::Number { rule: Rule::NonNegative }, "0.15";
-    /// for messages; its place in the file if left out
+    /// name of the reading in messages; its position in the file if omitted
     optional name: String = Kind::Text, "\"tip, sideways\"";
 }
 
@@ -61,23 +61,23 @@ problems! {
     #[derive(Debug, Clone, PartialEq)]
     pub enum MeasuredProblem {
         NoPosition { entry: String, output: String } => Code::AskNotPossible,
-            says("{entry}: output '{output}' is no position and no angle; a dead travel is one of these"),
-            hint("give the model an output position_of or angle_of, and name it here");
+            says("{entry}: output '{output}' is neither a position nor an angle, and a dead travel must be one of these"),
+            hint("add an output position_of or angle_of to the model, and use it here");
         MomentOnPoint { entry: String } => Code::AskNotPossible,
-            says("{entry}: a moment turns a body, and the output is a coordinate of a point"),
-            hint("write force = \"20 N\", or read the angle of the body that is turned");
+            says("{entry}: a moment turns a body, but the output is a coordinate of a point"),
+            hint("write force = \"20 N\", or read the angle of the turned body");
         NoPlaceOfForce { entry: String } => Code::AskNotPossible,
-            says("{entry}: the output is an angle, so that 'at' and 'direction' must say where and which way the force pushes"),
-            hint("write at = \"rocker.tip\" and direction = \"90 deg\", or moment in place of force");
+            says("{entry}: the output is an angle, so 'at' and 'direction' must give the point and direction of the force"),
+            hint("write at = \"rocker.tip\" and direction = \"90 deg\", or moment instead of force");
         RelativeOutput { entry: String } => Code::AskNotPossible,
             says("{entry}: the output is seen from another body, so that 'at' and 'direction' must say where and which way \
                   the push acts"),
             hint("write at = \"rocker.tip\" and direction = \"90 deg\"");
         BesideMoment { entry: String } => Code::AskNotPossible,
-            says("{entry} stands beside a moment, which has neither place nor direction"),
-            hint("leave it out, or write force in place of moment");
+            says("{entry} cannot be used with a moment, which has neither point nor direction"),
+            hint("remove it, or write force instead of moment");
         DirectionMissing { entry: String } => Code::AskNotPossible,
-            says("{entry}: 'at' names another place than the output, so that 'direction' must say which way the force pushes"),
+            says("{entry}: 'at' is not the point of the output, so 'direction' must give the direction of the force"),
             hint("write direction = \"90 deg\", from the ground's x axis");
         NotAPoint { entry: String, found: String } => Code::UnknownReference,
             says("{entry} is '{found}'; must be a point, body and name with a dot between them"),
@@ -86,31 +86,31 @@ problems! {
             says("{entry}: the model has no point '{found}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(known, "and")),
+                None => format!("available: {}", listed(known, "and")),
             }));
         PointOfGround { entry: String } => Code::AskNotPossible,
             says("{entry}: a point of the ground cannot be pushed"),
-            hint("name a point of a body that moves");
+            hint("use a point of a moving body");
         WithoutError { entry: String } => Code::AskNotPossible,
-            says("{entry} has no error: without one a reading fixes a play exactly"),
+            says("{entry} has no error: without an error, a reading would determine a play exactly"),
             hint("write error = \"± 0.005 mm\" beside it (calibration), scatter = \"0.002 mm\" (standard deviation), or give \
                   three repeats or more");
         RepeatsOfList { entry: String, found: usize } => Code::AskNotPossible,
-            says("{entry} stands beside a list of {found} readings, which are the repeats"),
-            hint("leave it out");
+            says("{entry} cannot be used with a list of {found} readings, which are the repeats"),
+            hint("remove it");
         NoPose { entry: String } => Code::AskNotPossible,
-            says("{entry} names no angle; must name one"),
+            says("{entry} gives no angle; must give one"),
             hint("write pose = {{ crank = \"60 deg\" }}, with the drive that the cycle counts");
         AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
             says("{entry} is another common error than that of an earlier reading of the instrument '{instrument}'; an instrument \
                   has one"),
-            hint("write the same error, or instrument = \"another gauge\" beside it: two different errors of one gauge would cancel out");
+            hint("write the same error, or add instrument = \"another gauge\": two different errors of one gauge would cancel out");
         PoseErrorTooLarge { entry: String, found_deg: f64 } => Code::AskNotPossible,
-            says("{entry} is {found_deg} deg; must be at most {MAX_POSE_ERROR_DEG} deg: between its ends nothing is looked at"),
-            hint("measure the angle of the locked drive, or take the nearest pose and a smaller error");
+            says("{entry} is {found_deg} deg; must be at most {MAX_POSE_ERROR_DEG} deg: angles between its ends are not checked"),
+            hint("measure the angle of the locked drive, or use the nearest pose and a smaller error");
         NoDriveAngle { entry: String } => Code::AskNotPossible,
-            says("{entry}: the cycle of the model counts time, so that no angle of a drive says where it is locked"),
-            hint("write drive = \"crank\" in place of duration under [cycle] of the model");
+            says("{entry}: the cycle of the model counts time, so there is no drive angle at which to lock"),
+            hint("write drive = \"crank\" instead of duration under [cycle] of the model");
         TooManyReadings { found: usize } => Code::TooMany,
             says("[[measured]] has {found} readings; must be at most {MAX_READINGS}"),
             hint("write repeats of a reading as one list");

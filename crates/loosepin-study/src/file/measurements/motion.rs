@@ -36,46 +36,46 @@ choices!(
 );
 
 record! {
-    /// a feature of a motion that was measured over the recorded turns: one number, or one for each repeat
+    /// a feature of a motion, measured over the recorded turns: one number, or one for each repeat
     pub(crate) lenient struct MotionTable for Reads;
-    /// that it is of a motion; left out for a backlash test
+    /// marks the table as a feature of a motion; omitted for a backlash test
     required kind: MeasuredKind = choice::<MeasuredKind>(), "\"motion\"";
-    /// an output of the model: what was measured
+    /// the measured output of the model
     optional output: Entry<'t> = Kind::Reference("output"), "\"slider_acceleration\"";
-    /// of a path, and only there: the coordinate that was measured
+    /// only for a path: the coordinate that was measured
     optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
-    /// a deviation in place of the value, where the feature is located between samples; "value" if left out
+    /// a deviation instead of the value, for a feature that is located between samples; "value" if omitted
     optional of: Entry<'t> = Kind::Choice(&words(&DEVIATIONS)), "\"total\"";
-    /// in place of an output: the joint whose impacts were counted
+    /// instead of an output: the joint whose impacts were counted
     optional joint: Entry<'t> = Kind::Reference("joint"), "\"gudgeon\"";
-    /// number that the motion of all recorded turns is reduced to
+    /// the number calculated from the motion of all recorded turns
     required feature: Entry<'t> = Kind::Choice(&words(&FEATURES)), "\"rms\"";
-    /// of the amplitude of an order: periods in a turn
+    /// for the amplitude of an order: periods per turn
     optional order: Entry<'t> = count(1, MAX_ORDER), "3";
-    /// of a dwell: distance from the largest value
+    /// for a dwell: distance from the largest value
     optional within: Entry<'t> = Kind::AnyQuantity, "\"0.1 mm\"";
-    /// low-pass filter: orders above are taken off the samples; measured and simulated samples alike
+    /// low-pass filter: removes higher orders from the measured and from the simulated samples
     optional highest_order: Entry<'t> = count(1, MAX_ORDER), "40";
-    /// whether extremes are located between samples, or are those of samples_per_turn of the study; samples where a curve, a filter or an
-    /// order is given
+    /// whether extremes are located between samples, or are those of the samples (samples_per_turn of the study); samples if a curve,
+    /// a filter or an order is given
     optional sampled: Entry<'t> = choice::<IsSampled>(), "\"samples\"";
-    /// the feature as it was measured: one value, or all repeats; left out for what could be measured
+    /// the measured feature: one value, or all repeats; omitted for a measurement that is only planned
     optional value: Entry<'t> =
         Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]), "[\"5210 m/s^2\", \"5340 m/s^2\"]";
-    /// in place of a value: a table with the time or the angle of the drive and a column of the output; as many repeats as it holds the
-    /// recorded turns
+    /// instead of a value: a table with the time or the drive angle and a column of the output; each group of recorded turns in it is
+    /// one repeat
     optional file: Entry<'t> = Kind::Text, "\"acceleration.csv\"";
-    /// beside one value: the number of repeats whose mean it is; 1 if left out
+    /// with one value: the number of repeats of which it is the mean; 1 if omitted
     optional repeats: Entry<'t> = count(1, MAX_STRETCHES), "5";
-    /// largest error that all values of the instrument have in common, of either sign, or its share of the true value; 0 if left out
+    /// largest common error of all values of the instrument, of either sign, or its share of the true value; 0 if omitted
     optional error: Entry<'t> = Kind::AnyQuantity, "\"± 5 %\"";
-    /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if left out
+    /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if omitted
     optional scatter: Entry<'t> = Kind::AnyQuantity, "\"2 %\"";
-    /// what has the common error; one for each output if left out
+    /// the instrument that has the common error; one for each output if omitted
     optional instrument: String = Kind::Text, "\"accelerometer\"";
-    /// the mechanism that was measured: its lengths and plays are its own
+    /// name of the measured mechanism; each specimen has its own lengths and plays
     optional specimen: String = Kind::Text, "\"A\"";
-    /// for messages; output and feature if left out
+    /// name of the feature in messages; output and feature if omitted
     optional name: String = Kind::Text, "\"peak\"";
 }
 
@@ -85,33 +85,33 @@ problems! {
     pub enum MotionProblem {
         NoSubject { entry: String, key: &'static str, feature: String } => Code::AskNotPossible,
             says("{entry}: the feature '{feature}' needs '{key}'"),
-            hint("impacts are those of a joint, everything else is a feature of an output");
+            hint("impacts need a joint; every other feature needs an output");
         Beside { entry: String, feature: String } => Code::AskNotPossible,
-            says("{entry} says nothing of the feature '{feature}'"),
-            hint("leave it out");
+            says("{entry} has no effect on the feature '{feature}'"),
+            hint("remove it");
         SeveralValues { entry: String } => Code::AskNotPossible,
-            says("{entry} stands beside several values, each of which is one repeat"),
-            hint("leave it out, or write the mean of the repeats as one value");
+            says("{entry} cannot be used with several values, each of which is one repeat"),
+            hint("remove it, or write the mean of the repeats as one value");
         Between { entry: String } => Code::AskNotPossible,
-            says("{entry}: a file, 'highest_order', an order and a dwell are of samples; sampled = \"between\" looks between them"),
-            hint("leave out 'sampled'");
+            says("{entry}: a file, 'highest_order', an order and a dwell use samples, but sampled = \"between\" locates extremes between them"),
+            hint("remove 'sampled'");
         DeviationNotSampled { entry: String } => Code::AskNotPossible,
             says("{entry}: a deviation has no samples, only the output itself"),
-            hint("leave out 'of'; or leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
+            hint("remove 'of'; or remove 'file', 'highest_order' and sampled = \"samples\", and use neither an order nor a dwell");
         OutputNotSampled { entry: String } => Code::AskNotPossible,
             says("{entry}: this output has no samples"),
-            hint("leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
+            hint("remove 'file', 'highest_order' and sampled = \"samples\", and use neither an order nor a dwell");
         NoJointWithPlay { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
-            says("{entry}: no joint with play is called '{found}'"),
+            says("{entry}: there is no joint with play '{found}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(known, "and")),
+                None => format!("available: {}", listed(known, "and")),
             }));
         PartOfTurn { entry: String, turns: f64 } => Code::AskNotPossible,
             says("{entry}: samples are of whole turns, and {turns} turns are recorded"),
             hint("write a whole number of recorded_turns under [cycle] of the study");
         TooHigh { entry: String, order: usize, samples: usize } => Code::AskNotPossible,
-            says("{entry}: order {order} needs more than {} samples a turn; there are {samples}", 2 * order),
+            says("{entry}: order {order} needs more than {} samples per turn; there are {samples}", 2 * order),
             hint("write a larger samples_per_turn under [cycle] of the study");
         TooShort { entry: String, found: f64, due: f64, turns: f64, samples: usize } => Code::AskNotPossible,
             says(
@@ -122,27 +122,27 @@ problems! {
             hint("record fewer turns under [cycle] of the study, or measure longer");
         NoColumn { entry: String, output: String, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: the table has no column '{output}'"),
-            hint("there is {}", listed(known, "and"));
+            hint("available: {}", listed(known, "and"));
         ColumnDimension { entry: String, found: Dimension, due: Dimension } => Code::WrongDimension,
             says("{entry}: the column is {found}; the output is {due}");
         Gap { entry: String } => Code::AskNotPossible,
             says("{entry}: the column has empty cells"),
-            hint("cut the table to where everything was measured");
+            hint("shorten the table to the rows in which everything was measured");
         Twice { entry: String } => Code::AskNotPossible,
             says("{entry}: a value and a file are both given"),
-            hint("leave one of them out");
+            hint("remove one of them");
         TooManyStretches { entry: String, found: usize } => Code::TooMany,
             says("{entry}: {found} repeats; must be at most {MAX_STRETCHES}, each of which is simulated"),
             hint("record more turns in place of more repeats");
         WithoutError { entry: String } => Code::AskNotPossible,
             says("{entry} has no error"),
-            hint("write error = \"± 5 %\" beside it (calibration) or scatter = \"2 %\" (standard deviation)");
+            hint("also write error = \"± 5 %\" (calibration) or scatter = \"2 %\" (standard deviation)");
         ErrorTooLarge { entry: String } => Code::AskNotPossible,
             says("{entry} is a share of 100 % or more"),
             hint("write a share below 100 %");
         AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
-            says("{entry} is another common error than that of an earlier value of the instrument '{instrument}'"),
-            hint("write the same error, or instrument = \"another sensor\" beside it");
+            says("{entry} differs from the common error of an earlier value of the instrument '{instrument}'"),
+            hint("write the same error, or add instrument = \"another sensor\"");
         NotPositive { entry: String } => Code::AskNotPossible,
             says("{entry}: no value with this sign is possible for the feature"),
             hint("write its magnitude");

@@ -19,10 +19,10 @@ use std::sync::Arc;
 pub const MIN_ROWS: usize = 100;
 
 record! {
-    /// mechanisms that agree with what was measured
+    /// mechanisms that agree with the measurements
     pub(crate) lenient struct SpecimenTable for Reads;
-    /// a CSV file, its path from the folder of this file: a column for each random input, named by its path with its unit; each row is
-    /// as probable as any other
+    /// a CSV file, relative to the folder of this file: a column for each random input, named by its path with its unit; all rows are
+    /// equally probable
     required mechanisms: Entry<'t> = Kind::Text, "\"narrowed-specimen.csv\"";
 }
 

@@ -10,15 +10,15 @@ problems! {
     pub enum SpecimenProblem {
         /// Nothing that the rows could be of.
         NothingRandom => Code::NothingUncertain,
-            says("the study has no random inputs, of which the rows could be values"),
-            hint("leave [specimen] out, or keep the tables under [random] of the study that was measured");
+            says("the study has no random inputs for the values in the rows"),
+            hint("remove [specimen], or keep the tables under [random] of the original study");
         /// A column that is no random input.
         UnknownColumn { name: String, nearest: Option<String> } => Code::MeasuredTable,
-            says("the column '{name}' is no random input of this study"),
+            says("the column '{name}' is not a random input of this study"),
             hint_of(nearest.as_ref().map(|nearest| format!("did you mean '{nearest}'?")));
         /// A random input without a column.
         NoColumn { path: String, file: String } => Code::MeasuredTable,
-            says("{file} has no column '{path}', a random input of this study; the rows must hold all of them"),
+            says("{file} has no column '{path}', a random input of this study; the rows must contain all random inputs"),
             hint("write the rows again: loosepin identify STUDY --lengths --write NEW, with this input in STUDY");
         /// A column of another dimension than its input.
         ColumnDimension { name: String, found: Dimension, due: Dimension } => Code::MeasuredTable,
@@ -26,26 +26,26 @@ problems! {
         /// Too few rows.
         FewRows { found: usize, least: usize } => Code::BadSample,
             says("the table has {}; must be at least {least}", counted(*found, "row")),
-            hint("an end of what 95 % of mechanisms do rests on 2.5 % of the rows");
+            hint("each end of a 95 % interval depends on 2.5 % of the rows");
         /// A row that is no mechanism.
         ImpossibleRow { rows: usize, error: QuantityError } => error.code(),
-            says("{} is no mechanism of the model: {error}", match rows {
+            says("{} is not a possible mechanism of the model: {error}", match rows {
                 1 => "this row".to_owned(),
                 rows => format!("this row, the first of {rows},"),
             }),
             hint_of(error.hint());
         /// What has no answer for a joint sample.
         Beside { what: &'static str } => Code::AskNotPossible,
-            says("{what} is not offered beside [specimen]: its rows have no distribution but themselves"),
-            hint("leave one of the two out");
+            says("{what} cannot be used with [specimen]: its rows replace the distributions"),
+            hint("remove one of the two");
         /// A distribution with uncertain parameters, of which the rows would leave nothing.
         UncertainParameter { path: String } => Code::AskNotPossible,
             says("'{path}' has a distribution with uncertain parameters, which [specimen] cannot replace"),
             hint("write one number for each parameter, or the input under [epistemic]");
         /// A small probability.
         Rare { entry: String } => Code::AskNotPossible,
-            says("{entry}: no method for small probabilities is offered beside [specimen]: below 1/n of n rows there is nothing"),
-            hint("leave method out: the rows are counted");
+            says("{entry}: methods for small probabilities cannot be used with [specimen]: n rows have no probabilities below 1/n"),
+            hint("omit method: the rows are counted");
         /// How well so many rows are known.
         Finite { rows: usize, effective: f64 } => Code::BadSample,
             says("{rows} rows of the specimen say as much as {} mechanisms: a share of 95 % of them is known to ± {} %, \

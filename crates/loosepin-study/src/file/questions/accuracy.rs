@@ -21,25 +21,25 @@ problems! {
     pub enum AccuracyProblem | Value(ExpressionProblem) {
         /// An output of which nothing is asked.
         UnknownOutput { name: String, nearest: Option<String>, asked: Vec<String> } => Code::UnknownReference,
-            says("nothing is asked of an output '{name}'"),
+            says("no question has an output '{name}'"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None if asked.is_empty() => "ask for it under [[ask]]".to_owned(),
-                None => format!("something is asked of {}", listed(asked, "and")),
+                None if asked.is_empty() => "add it under [[ask]]".to_owned(),
+                None => format!("the questions have {}", listed(asked, "and")),
             }));
         /// A statistic that does not exist or has no bounds of one number.
         UnknownStatistic { name: String, nearest: Option<String> } => Code::UnknownChoice,
-            says("'{name}' is no statistic with an accuracy"),
+            says("'{name}' is not a statistic with an accuracy"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(&numbers().map(str::to_owned).collect::<Vec<_>>(), "and")),
+                None => format!("available: {}", listed(&numbers().map(str::to_owned).collect::<Vec<_>>(), "and")),
             }));
         /// A statistic that is not asked of the output.
         NotAsked { statistic: &'static str, output: String, asked: Vec<String> } => Code::UnknownReference,
-            says("the {statistic} of '{output}' is not asked for"),
+            says("no question has the {statistic} of '{output}'"),
             hint_of(Some(match asked.is_empty() {
                 true => "add it to the statistics of an [[ask]]".to_owned(),
-                false => format!("asked is {}; others go into the statistics of an [[ask]]", listed(asked, "and")),
+                false => format!("its statistics are {}; add others to the statistics of an [[ask]]", listed(asked, "and")),
             }));
         /// Nothing that is asked for has such an accuracy.
         WrongDimension { what: String, found: Dimension, due: Vec<String> } => Code::WrongDimension,
@@ -51,12 +51,12 @@ problems! {
             hint_of(due.example().map(|example| format!("for example {example}")));
         /// No question is left to which it could apply.
         NothingAsked { what: String } => Code::AskNotPossible,
-            says("{what}: more runs improve none of the bounds asked for"),
-            hint("an accuracy is of a statistic of one number, such as a mean or a counted probability");
+            says("{what}: more runs do not improve any of these bounds"),
+            hint("an accuracy needs a statistic of one number, such as a mean or a counted probability");
         /// A second value of the same dimension in a list.
         Twice { what: String } => Code::BreaksRule,
             says("{what}: the same bounds already have an accuracy"),
-            hint("leave one of them out");
+            hint("remove one of them");
         /// A value that is not positive.
         NotPositive { what: String, found: String } => Code::BreaksRule,
             says("{what} is {found}; must be > 0");

@@ -18,15 +18,15 @@ choices!(
 );
 
 record! {
-    /// what may be loosened as far as the requirements allow: the upper end of an interval, a standard deviation, or a fit
+    /// a value to loosen as far as the requirements permit: the upper end of an interval, a standard deviation, or a fit
     pub(crate) lenient struct AllowTable for Reads, exactly one of [up_to, fit];
-    /// the largest value that is asked about
+    /// the largest value to try
     optional up_to: Entry<'t> = Kind::AnyQuantity, "\"0.5 mm\"";
-    /// ISO 286 fits of a joint with play, in any order: the loosest of them is asked for
+    /// ISO 286 fits of a joint with play, in any order; the loosest permitted fit is sought
     optional fit: Entry<'t> = Kind::List(&Kind::Text), "[\"H7/g6\", \"H8/f7\", \"H9/e9\"]";
     /// diameter of the fits
     optional diameter: Entry<'t> = Kind::AnyQuantity, "\"20 mm\"";
-    /// values that are offered, each with its cost; the cheapest combination over all inputs is chosen
+    /// the values on offer, each with its cost; the cheapest permitted combination over all inputs is chosen
     optional cost: Entry<'t> =
         Kind::List(&Kind::List(&Kind::AnyQuantity)), "[[\"0.01 mm\", 12.0], [\"0.05 mm\", 3.0]]";
 }

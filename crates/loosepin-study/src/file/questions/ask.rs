@@ -26,15 +26,15 @@ record! {
     /// the whole curve over the cycle
     optional at: Entry<'t> = Kind::Choice(&["cycle"]), "\"cycle\"";
     optional poses: Entry<'t> as POSES;
-    /// one number of the whole curve
+    /// one number calculated from the whole curve
     optional reduce: Entry<'t> = Kind::Choice(&words(&REDUCTIONS)), "\"maximum_absolute\"";
     /// statistics by name, or as tables with a number
     required statistics: Entry<'t> =
         Kind::List(&Kind::AnyOf(&[Kind::Choice(&words(&PLAIN_STATISTICS)), Kind::Table(&STATISTIC_KEYS)])),
         "[\"mean\", { quantile = 0.975 }]";
-    /// what these bounds are widened by at most: the samples grow until they are; a value or a list
+    /// largest numerical error of these bounds: the samples increase until it is reached; a value or a list
     optional accuracy: Entry<'t> = ACCURACY, "\"1 um\"";
-    /// ends of these quantiles and probabilities that are also promised for a share of the box; none if left out
+    /// bounds of these quantiles and probabilities that are also promised for a share of the box; none if omitted
     optional promise: Entry<'t> = choice::<PromisedEnds>(), "\"upper\"";
 }
 
@@ -59,7 +59,7 @@ const METHOD: Key = optional(
     "method",
     choice::<Method>(),
     "\"importance\"",
-    "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
+    "of a probability: count (if omitted), importance or subset for small ones, automatic where too few are counted",
 );
 /// One for each statistic with a number, then what goes with some of them.
 const OF_STATISTICS: [Key; WITH_A_NUMBER.len() + 1] = {

@@ -13,13 +13,13 @@ use loosepin_text::units::{Rule, format_number};
 use loosepin_uncertainty::EpistemicVariable;
 
 record! {
-    /// a bound that a share of the box of the intervals keeps, without a model
+    /// a bound that holds in a share of the box of the intervals; it needs no model of the statistic
     pub(crate) lenient struct PromiseTable for Reads;
-    /// share of the box, by volume, that keeps a promised bound, each of them
+    /// share of the box, by volume, in which each promised bound holds
     optional share: f64 = Kind::Number { rule: Rule::Probability }, "0.99", or 0.99;
-    /// confidence that this holds for all promised bounds together
+    /// confidence that this is true for all promised bounds at the same time
     optional confidence: f64 = Kind::Number { rule: Rule::Probability }, "0.99", or 0.99;
-    /// runs at each value of the intervals
+    /// runs at each point of the box
     optional inner: usize = count(1, MAX_INNER), "256", or 256;
 }
 

@@ -76,7 +76,7 @@ choices!(
 );
 
 record! {
-    /// a requirement that must hold for every value of the epistemic inputs
+    /// a requirement that must be met for every value of the unknown (epistemic) inputs
     pub(crate) lenient struct RequireTable for Reads,
         exactly one of [within, below, above], exactly one of [over, poses];
     required output: Entry<'t> as OUTPUT;
@@ -84,16 +84,16 @@ record! {
     required of: Entry<'t> as DEVIATION;
     /// limit of the magnitude
     optional within: Entry<'t> = Kind::AnyQuantity, "\"0.6 mm\"";
-    /// the largest value that is allowed
+    /// the largest permitted value
     optional below: Entry<'t> = Kind::AnyQuantity, "\"2 kN\"";
-    /// the least value that is allowed
+    /// the smallest permitted value
     optional above: Entry<'t> = Kind::AnyQuantity, "\"-2 kN\"";
-    /// nowhere in the cycle may the limit be exceeded
+    /// the limit holds over the whole cycle
     optional over: Entry<'t> = Kind::Choice(&["cycle"]), "\"cycle\"";
     optional poses: Entry<'t> as POSES;
-    /// the least probability of staying within the limit
+    /// the smallest permitted probability of staying within the limit
     required probability_at_least: Entry<'t> = Kind::Number { rule: Rule::RequiredProbability }, "0.9973";
-    /// search: for every value of the epistemic inputs; promise: for a share of the box, without a model
+    /// search: for every value of the unknown inputs; promise: for a share of the box, without a model of the statistic
     optional decided_by: DecidedBy = choice::<DecidedBy>(), "\"promise\"", or "search";
 }
 

@@ -9,7 +9,7 @@ use loosepin_text::units::{Rule, format_number};
 use loosepin_uncertainty::{Copula, CopulaError, CorrelationSeries, GaussianCopula, Pair, normal_of_rank};
 
 record! {
-    /// how two random inputs go together (Gaussian copula)
+    /// the correlation of two random inputs (Gaussian copula)
     pub(crate) lenient struct CorrelationTable for Reads, exactly one of [rank, linear];
     /// paths of two random inputs
     required of: Entry<'t> = Kind::List(&Kind::Text), "[\"parameter.crank_length\", \"parameter.rod_length\"]";

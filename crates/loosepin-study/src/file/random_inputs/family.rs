@@ -113,12 +113,12 @@ pub(crate) const fn names<const COUNT: usize>(keys: &[Key; COUNT]) -> [&'static 
 }
 
 record! {
-    /// what is known of a parameter of a distribution: with an interval or a list the distribution is a probability box, with a
-    /// distribution of the parameter every statistic is itself random
+    /// an uncertain parameter of a distribution: with an interval or a list, the distribution is a probability box; with a distribution of
+    /// the parameter, every statistic is itself random
     pub(crate) lenient struct ParameterTable for Reads;
-    /// lower and upper end; every value between is possible, and nothing else is known
+    /// lower and upper end; every value between them is possible, with no known probabilities
     optional interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"119.98 mm\", \"120.02 mm\"]";
-    /// all values that are possible, with their unit
+    /// list of all possible values, with their unit
     optional any_of: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"119.98 mm\", \"120.02 mm\"]";
 }
 
@@ -131,12 +131,12 @@ pub(crate) const PARAMETER_KEYS: Keys =
 /// A shape of a distribution.
 const SHAPE: Kind = Kind::Number { rule: Rule::Finite };
 
-const MEAN: Key = optional("mean", Kind::AnyQuantity, "\"50 mm\"", "mean; the value in the model if left out");
+const MEAN: Key = optional("mean", Kind::AnyQuantity, "\"50 mm\"", "mean; the value in the model if omitted");
 const STANDARD_DEVIATION: Key = required("standard_deviation", Kind::AnyQuantity, "\"0.02 mm\"", "standard deviation");
 const LOWER: Key = required("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end");
 const UPPER: Key = required("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end");
 /// The lower end of a distribution that goes on without end above it.
-const FROM: Key = optional("lower", Kind::AnyQuantity, "\"0 mm\"", "lower end; 0 if left out");
+const FROM: Key = optional("lower", Kind::AnyQuantity, "\"0 mm\"", "lower end; 0 if omitted");
 const SHAPE_KEY: Key = required("shape", SHAPE, "2", "shape, from 0.05 to 1e6");
 
 record! {
@@ -154,7 +154,7 @@ record! {
 }
 
 record! {
-    /// a normal distribution cut to an interval; mean and standard deviation are those before the cut
+    /// a normal distribution truncated to an interval; mean and standard deviation are those before truncation
     pub(crate) lenient struct TruncatedNormalTable for Reads;
     optional mean: Entry<'t> as MEAN;
     required standard_deviation: Entry<'t> as STANDARD_DEVIATION;
@@ -181,19 +181,19 @@ record! {
 record! {
     /// a beta distribution between two ends
     pub(crate) lenient struct BetaTable for Reads;
-    /// first shape, from 0.001 to 1e6
+    /// first shape parameter, from 0.001 to 1e6
     required alpha: Entry<'t> = SHAPE, "2";
-    /// second shape, from 0.001 to 1e6
+    /// second shape parameter, from 0.001 to 1e6
     required beta: Entry<'t> = SHAPE, "3";
     required lower: Entry<'t> as LOWER;
     required upper: Entry<'t> as UPPER;
 }
 
 record! {
-    /// a Weibull distribution: a share of exp(-((x - lower)/scale)^shape) lies above x
+    /// a Weibull distribution: the probability of a value above x is exp(-((x - lower)/scale)^shape)
     pub(crate) lenient struct WeibullTable for Reads;
     required shape: Entry<'t> as SHAPE_KEY;
-    /// 63.2 % lie less than this above the lower end
+    /// scale: 63.2 % of the values are below lower + scale
     required scale: Entry<'t> = Kind::AnyQuantity, "\"0.3 mm\"";
     optional lower: Entry<'t> as FROM;
 }
@@ -202,17 +202,17 @@ record! {
     /// a gamma distribution
     pub(crate) lenient struct GammaTable for Reads;
     required shape: Entry<'t> as SHAPE_KEY;
-    /// the mean lies shape times scale above the lower end
+    /// scale: the mean is lower + shape * scale
     required scale: Entry<'t> = Kind::AnyQuantity, "\"0.1 mm\"";
     optional lower: Entry<'t> as FROM;
 }
 
 record! {
-    /// a Gumbel distribution of largest values: a share of exp(-exp(-(x - mode)/scale)) lies below x
+    /// a Gumbel distribution of largest values: the probability of a value below x is exp(-exp(-(x - mode)/scale))
     pub(crate) lenient struct GumbelTable for Reads;
     /// most likely value
     required mode: Entry<'t> = Kind::AnyQuantity, "\"0.3 mm\"";
-    /// scale; the standard deviation is 1.2825 times as large
+    /// scale; the standard deviation is 1.2825 times the scale
     required scale: Entry<'t> = Kind::AnyQuantity, "\"0.02 mm\"";
 }
 
@@ -229,7 +229,7 @@ record! {
     pub(crate) lenient struct DiscreteTable for Reads;
     /// the values, each once
     required values: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.2 mm\", \"0.3 mm\"]";
-    /// one for each value, with the sum 1
+    /// one probability for each value; they sum to 1
     required probabilities: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[0.4, 0.6]";
 }
 

@@ -29,26 +29,27 @@ record! {
     /// the distribution of a quantity
     pub(crate) lenient struct RandomTable for Reads, exactly one of [samples, tolerance, fit],
         planned &[("empirical", "name the file: samples = \"measured.csv\", column = \"pin\"")];
-    /// a CSV file of measured values, its path from the folder of this file; every value is as probable as any other
+    /// a CSV file of measured values, relative to the folder of this file; all values are equally probable
     optional samples: Entry<'t> = Kind::Text, "\"measured.csv\"";
-    /// column of the samples, whose header has the unit: pin [mm]
+    /// header of the column with the samples, with its unit: pin [mm]
     optional column: Entry<'t> = Kind::Text, "\"pin\"";
-    /// a family fitted to the samples in place of themselves
+    /// family of distributions to fit to the samples, instead of using them directly
     optional fitted: Entry<'t> = Kind::Choice(&words(&FittedFamily::ALL)), "\"normal\"";
-    /// normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm, and ± 0.05 mm about the value in the model
+    /// tolerance: a normal distribution whose limits are 3 cpk standard deviations from the mean; also "50 +0.02 -0.01 mm", or "± 0.05 mm"
+    /// about the value in the model
     optional tolerance: Entry<'t> = Kind::Text, "\"50 ± 0.05 mm\"";
-    /// capability of the process; alone: centred; below cp: off centre by an unknown amount
+    /// capability index Cpk of the process; alone: centred; below cp: off centre by an unknown amount
     optional cpk: Entry<'t> = Kind::Number { rule: Rule::Finite }, "1.33";
-    /// capability of the process if it were centred
+    /// capability index Cp of the process: its Cpk if it were centred
     optional cp: Entry<'t> = Kind::Number { rule: Rule::Finite }, "1.67";
     optional fit: Entry<'t> as FIT;
     optional diameter: Entry<'t> as DIAMETER;
-    /// the distribution is cut to an interval and rescaled
+    /// truncates the distribution to an interval and rescales it
     optional truncated: Entry<'t> = Kind::Table(&TruncatedTable::KEYS), "{ upper = \"50.1 mm\" }";
 }
 
 record! {
-    /// the interval that the distribution is cut to and rescaled in; at least one of the ends
+    /// the interval of a truncated distribution; at least one of the ends
     lenient struct TruncatedTable for Reads;
     /// lower end
     optional lower: Entry<'t> = Kind::AnyQuantity, "\"49.9 mm\"";

@@ -12,7 +12,7 @@ problems! {
     pub enum RandomProblem {
         /// A key that says more about something that is not there.
         StrayKey { entry: String, to: &'static str } => Code::ConflictingKeys,
-            says("{entry} belongs to {to}, which is not there");
+            says("{entry} needs {to}, which is missing");
         /// A cut that cuts nothing.
         NoCut { entry: String } => Code::BadDistribution,
             says("{entry} has neither lower nor upper"),
@@ -27,16 +27,16 @@ problems! {
             says("{entry}: no {family} distribution fits the column '{column}': {}", fit_words(error, *dimension)),
             hint_of(Some(match error {
                 SampleFitError::TooFew { .. } => {
-                    format!("measure at least {FEWEST_FITTED} parts, or state an interval under [epistemic]")
+                    format!("measure at least {FEWEST_FITTED} parts, or give an interval under [epistemic]")
                 }
                 SampleFitError::NotPositive { .. } => "normal and gumbel have values of either sign".to_owned(),
-                _ => "leave fitted out to take the sample as it is".to_owned(),
+                _ => "omit fitted to use the sample as it is".to_owned(),
             }));
         /// A fitted family that its own samples would hardly be as far from.
         PoorFit { entry: String, family: &'static str, column: String, distance: String } => Code::BadSample,
             says("{entry}: the fitted {family} distribution is far from the column '{column}': Anderson-Darling \
                   distance {distance}, which samples of this family exceed in less than 5 % of cases"),
-            hint("try another family, or leave fitted out to take the sample as it is");
+            hint("try another family, or omit fitted to use the sample as it is");
         /// Text that is no value with a tolerance. `nominal` is the value of the model where the text is a limit alone.
         NoTolerance { entry: String, text: String, nominal: Option<String> } => Code::BadTolerance,
             says("{entry}: '{text}' is not a nominal value with its limits"),
@@ -53,8 +53,8 @@ problems! {
             says("{entry} {found}; must be > 0");
         /// A Cpk above the Cp.
         CapabilitiesExchanged { entry: String, cpk: String, cp: String } => Code::BadTolerance,
-            says("{entry} {cpk} is greater than cp {cp}; Cpk is Cp less what the mean is off centre"),
-            hint("exchange them, or leave cp out");
+            says("{entry} {cpk} is greater than cp {cp}; Cpk is Cp reduced by the offset of the mean"),
+            hint("exchange them, or omit cp");
         /// Probabilities that do not fit the values.
         Probabilities { entry: String, found: String, due: String } => Code::BadDistribution,
             says("{entry} has {found}; {due}");
@@ -70,35 +70,35 @@ problems! {
             }.map(str::to_owned));
         /// A fit for what is no radial clearance.
         FitElsewhere { path: String } => Code::FitNotPossible,
-            says("'{path}' is neither the radial nor the diametral clearance of a joint; a fit gives nothing else"),
+            says("'{path}' is neither the radial nor the diametral clearance of a joint; a fit gives only these"),
             hint("write a value with its tolerance instead");
         /// A fit at another diameter than that of its bearing.
         OtherDiameter { entry: String, diameter: String, joint: String, bearing: String } => Code::FitNotPossible,
-            says("{entry} {diameter}; the bearing of joint '{joint}' has {bearing}, and tolerances go by the size"),
+            says("{entry} {diameter}, but the bearing of joint '{joint}' has {bearing}, and tolerances depend on the size"),
             hint("write diameter = \"{bearing}\", or correct bearing_radius");
         /// Fewer than two fits.
         SingleFit { entry: String, found: usize } => Code::FitNotPossible,
-            says("{entry} has {found} {}; the loosest of several is asked for", if *found == 1 { "fit" } else { "fits" });
+            says("{entry} has {found} {}; must have several, of which the loosest is sought", if *found == 1 { "fit" } else { "fits" });
         /// Two fits with the same clearances.
         SameFit { fit: String, other: String } => Code::FitNotPossible,
-            says("{fit} has the same clearances as {other}, which is in the list too"),
+            says("{fit} has the same clearances as {other}, which is also in the list"),
             hint("keep one of the two");
         /// A fit that can interfere.
         Interference { entry: String, fit: String, diameter: String, least: String, most: String } =>
             Code::FitNotPossible,
             says("{entry}: {fit} at {diameter} can interfere: radial clearance from {least} to {most}; must be > 0 for \
                   a joint with play"),
-            hint("holes H fit shafts d to g with play at all sizes; a joint without play is another mechanism");
+            hint("holes H with shafts d to g have play at all sizes; a joint without play is another mechanism");
         /// A correlation with an epistemic input.
         Epistemic { entry: String, path: String } => Code::BadCorrelation,
-            says("{entry}: '{path}' is epistemic; only random inputs can be correlated"),
+            says("{entry}: '{path}' is an unknown (epistemic) input; only random inputs can be correlated"),
             hint("a value that is fixed but unknown has no correlation");
         /// A correlation with what is not random.
         NotRandom { entry: String, path: String, known: Vec<String> } => Code::BadCorrelation,
-            says("{entry}: '{path}' is no random input of this study"),
+            says("{entry}: '{path}' is not a random input of this study"),
             hint_of(Some(match known.is_empty() {
                 true => "there are no random inputs".to_owned(),
-                false => format!("there is {}", listed(known, "and")),
+                false => format!("available: {}", listed(known, "and")),
             }));
         /// A correlation of an input with itself.
         WithItself { entry: String, path: String } => Code::BadCorrelation,
@@ -110,27 +110,27 @@ problems! {
         /// A correlation that is none.
         Range { entry: String, found: String } => Code::BadCorrelation,
             says("{entry} {found}; must be between -1 and 1, both excluded"),
-            hint("quantities that always go together follow from one parameter of the model");
+            hint("for a correlation of 1 or -1, define both quantities by one parameter of the model");
         /// A linear correlation that the two distributions cannot have.
         Unattainable { entry: String, found: String, first: String, second: String, least: String, most: String } =>
             Code::BadCorrelation,
             says("{entry} {found}; the distributions of '{first}' and '{second}' can have {least} to {most}");
         /// A linear correlation with a probability box.
         LinearOfBox { entry: String, path: String } => Code::BadCorrelation,
-            says("{entry}: '{path}' has an uncertain parameter, and with it its linear correlations"),
-            hint("write it as a rank correlation, which holds for every value of the parameter");
+            says("{entry}: '{path}' has an uncertain parameter, so its linear correlations are also uncertain"),
+            hint("give a rank correlation, which holds for every value of the parameter");
         /// Correlations that contradict each other.
         NotPositiveDefinite { pairs: Vec<String>, least_eigenvalue: String, factor: String } => Code::BadCorrelation,
-            says("the correlations of {} contradict each other: the least eigenvalue of their matrix is \
+            says("the correlations of {} contradict each other: the smallest eigenvalue of their matrix is \
                   {least_eigenvalue}; must be > 0", listed(pairs, "and")),
-            hint("no quantities can be correlated so; multiplied by less than {factor} they could be");
+            hint("no quantities can have these correlations; multiplied by less than {factor}, they are possible");
     }
 }
 
 fn fit_words(error: &SampleFitError, dimension: Dimension) -> String {
     match error {
         SampleFitError::NotPositive { value } => {
-            format!("it holds {}, and this family has positive values only", format_value(*value, dimension))
+            format!("it contains {}, and this family has positive values only", format_value(*value, dimension))
         }
         _ => error.to_string(),
     }

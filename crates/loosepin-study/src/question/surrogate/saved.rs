@@ -77,7 +77,7 @@ problems! {
             says("no value of '{path}'; the surrogates depend on it");
         /// A value of something else.
         NoInput { path: String } => Code::NoSurrogateAnswer,
-            says("'{path}' is no input of these surrogates");
+            says("'{path}' is not an input of these surrogates");
         /// Outside what was learned.
         Extrapolation { path: String, value: f64, lower: f64, upper: f64, unit: SiUnit } => Code::NoSurrogateAnswer,
             says(

@@ -53,17 +53,17 @@ problems! {
             says("column '{name}' of the runs has {rows} rows; must be {expected}, as in column '{first}'");
         /// Two columns of the runs have the same name.
         RepeatedColumn { name: String } => Code::ResultNotStorable,
-            says("column '{name}' of the runs stands twice; names must differ");
+            says("column '{name}' of the runs appears twice; names must differ");
         /// A stored column has a type that this version does not write.
         ForeignColumn { name: String, stored: String } => Code::NoResults,
-            says("column '{name}' of the runs holds {stored}; must be Float64, UInt64 or Utf8"),
+            says("column '{name}' of the runs has the type {stored}; must be Float64, UInt64 or Utf8"),
             hint("run the study again, or use the version that wrote it");
         /// The Parquet library refused.
         Parquet { source: parquet::errors::ParquetError } => Code::ResultNotStorable,
             says("the runs cannot be stored as Parquet: {source}");
         /// The runs are compressed, as earlier versions wrote them.
         CompressedRuns { codec: String } => Code::NoResults,
-            says("the runs are compressed by {codec}; this version reads runs that are not compressed"),
+            says("the runs are compressed with {codec}; this version reads only uncompressed runs"),
             hint("run the study again, or use the version that wrote it; pyarrow and pandas read the file as it is");
     }
 }

@@ -45,51 +45,50 @@ choices!(
 );
 
 record! {
-    /// a straight uniform beam between two points of the body, in place of mass, inertia and centre of mass
+    /// a straight uniform beam between two points of the body, instead of mass, inertia and centre of mass
     pub(in crate::model) struct BeamTable for PartReader;
     /// point of the body at which the beam begins
     required from: Option<Entry<'t>> = Kind::Text, "\"big_end\"";
     /// point of the body at which it ends
     required to: Option<Entry<'t>> = Kind::Text, "\"small_end\"";
-    /// its section; the height lies in the plane of motion
+    /// cross-section of the beam; the height lies in the plane of motion
     required section: Option<SectionTable<'t>> =
         Kind::Table(&SectionTable::KEYS), "{ width = \"8 mm\", height = \"8 mm\" }";
     /// Young's modulus E
     required youngs_modulus: Option<Entry<'t>> = quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"";
     /// density
     required density: Option<Entry<'t>> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
-    /// floating frame: masses at points of the body beside its own, each under [body.NAME.beam.lumps.NAME]
+    /// floating frame: additional masses at points of the body, each under [body.NAME.beam.lumps.NAME]
     optional lumps: Entry<'t> = Kind::Tables { keys: &LumpTable::KEYS, except: &[] }, "";
-    /// floating-frame: few shapes in a frame that moves with the body, for sections that turn by less than 0.1 rad from it;
-    /// absolute-nodal: elements whose nodes hold position and slope, for beams that bend far
+    /// floating-frame: few mode shapes in a frame that moves with the body, for sections that rotate by less than 0.1 rad against it;
+    /// absolute-nodal: elements whose nodes have position and slope as coordinates, for large bending
     optional formulation: Option<IsNodal> = choice::<IsNodal>(), "\"floating-frame\"", or "floating-frame";
-    /// floating frame: damping ratio of every shape; none if left out
+    /// floating frame: damping ratio of every shape; none if omitted
     optional damping_ratio: Entry<'t> = quantity(D::NUMBER, Rule::NonNegative), "0.005";
     /// absolute nodal coordinates: number of elements
     optional elements: Option<usize> = count(1, MAX_ELEMENTS), "16", or 8;
-    /// absolute nodal coordinates: points of integration in each element for stretch and bending; full: 5 and 3; reduced: 3 and 2, so that
-    /// few elements are less stiff
+    /// absolute nodal coordinates: integration points of each element for stretching and bending; full: 5 and 3; reduced: 3 and 2, so
+    /// that a coarse mesh is less stiff
     optional integration: Option<Integration> = choice::<Integration>(), "\"full\"", or "full";
-    /// absolute nodal coordinates: retardation time of the material, damping ratio ωτ/2 at ω; no damping if left out
+    /// absolute nodal coordinates: retardation time τ of the material; the damping ratio at ω is ωτ/2; no damping if omitted
     optional retardation_time: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"1 us\"";
-    /// floating frame: secant: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a
-    /// rigid joint holds
+    /// floating frame: secant: the x axis of the frame goes through both ends; tangent: the frame turns with the section at from, which
+    /// a drive or a rigid joint holds
     optional frame: Option<FrameChoice> = choice::<FrameChoice>(), "\"secant\"", or "secant";
-    /// floating frame: number of shapes in which it bends
+    /// floating frame: number of bending shapes
     optional lateral_shapes: Option<usize> = count(0, MAX_SHAPES), "2", or 2;
-    /// floating frame: number of shapes in which it stretches, 0 for none
+    /// floating frame: number of stretching shapes, 0 for none
     optional axial_shapes: Option<usize> = count(0, MAX_SHAPES), "2", or 2;
-    /// floating frame: at-points: one more shape of each kind for every point inside on which a joint, a spring, a load or a lump acts;
-    /// none: the shapes of the beam without such points
+    /// floating frame: at-points: one more shape of each kind for every inner point on which a joint, a spring, a load or a lump acts;
+    /// none: only the shapes of the beam without such points
     optional static_shapes: Option<HasStaticShapes> = choice::<HasStaticShapes>(), "\"at-points\"", or "at-points";
-    /// floating frame: frequency above which a shape is condensed: it keeps its static flexibility, and its inertia is raised until it has
-    /// this frequency, so that it needs no shorter steps; no shape is, if left out
+    /// floating frame: frequency above which a shape is condensed. A condensed shape keeps its static flexibility, and its inertia is
+    /// raised until it has this frequency, so that it needs no shorter steps; if omitted, no shape is condensed
     optional condense_above: Entry<'t> = quantity(D::FREQUENCY, Rule::Positive), "\"50 kHz\"";
-    /// floating frame: second-order: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the
-    /// linear form
+    /// floating frame: second-order: bending shortens the beam, so that it stiffens when it rotates and can buckle; none: linear theory
     optional foreshortening: Option<Shortens> = choice::<Shortens>(), "\"second-order\"", or "second-order";
-    /// undeformed: straight and at rest in its frame, so that it rings; settled: bent and stretched as inertia, weight and loads hold it at
-    /// the start
+    /// state at the start: undeformed: straight and at rest in its frame, so that it vibrates afterwards; settled: deformed in equilibrium
+    /// with inertia forces, weight and loads at the start
     optional start: Option<StartsSettled> = choice::<StartsSettled>(), "\"undeformed\"", or "undeformed";
 }
 

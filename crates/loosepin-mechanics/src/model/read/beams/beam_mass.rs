@@ -12,11 +12,11 @@ use loosepin_text::units::{Dimension, Op, Rule};
 record! {
     /// a mass at a point of a flexible body
     pub(in crate::model) struct LumpTable for PartReader;
-    /// point of the body at which its centre of mass lies; it turns with the section there
+    /// point of the body at the centre of mass of the lump; the lump turns with the section there
     required at: Option<Entry<'t>> = Kind::Text, "\"small_end\"";
-    /// its mass
+    /// mass of the lump
     required mass: Option<QuantityId> = quantity(Dimension::MASS, Rule::NonNegative), "\"50 g\"";
-    /// its moment of inertia about its centre of mass; none if left out
+    /// moment of inertia of the lump about its centre of mass; none if omitted
     optional inertia: Option<QuantityId> = quantity(Dimension::INERTIA, Rule::NonNegative), "\"2e-6 kg m^2\"";
 }
 

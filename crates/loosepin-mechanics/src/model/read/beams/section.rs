@@ -10,7 +10,7 @@ use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 use std::f64::consts::PI;
 
 record! {
-    /// the section of a beam: width and height, diameter, outer and inner diameter, or area and second moment
+    /// the cross-section of a beam: width and height, diameter, outer and inner diameter, or area and second moment
     pub(in crate::model) struct SectionTable for PartReader,
         exactly one of [width, diameter, outer_diameter, area],
         exactly one of [height, diameter, inner_diameter, second_moment];
