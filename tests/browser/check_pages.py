@@ -6,8 +6,8 @@
 
 For each page, wide and narrow, light and dark: no error or warning on the console, nothing asked for from outside, every
 chart and mechanism drawn, read-out, legend, zoom, keyboard and animation at work, one cursor for all, no sideways scrolling, no
-complaint of axe-core; on paper, no torn row of a table and no head alone at the foot of a sheet.
-Needs Python's standard library, Chromium, and axe-core where `just page-scripts` puts it. Exit status: 0 all well, 1 complaints,
+diagnostic of axe-core; on paper, no torn row of a table and no head alone at the foot of a sheet.
+Needs Python's standard library, Chromium, and axe-core where `just page-scripts` puts it. Exit status: 0 all well, 1 diagnostics,
 2 no browser, no page or no axe-core.
 """
 
@@ -206,7 +206,7 @@ UNLABELLED = """[...document.querySelectorAll('button, input, select, summary, [
 
 
 def check(browser, path, axe, pictures):
-    """Complaints about one page."""
+    """Diagnostics about one page."""
     name = os.path.splitext(os.path.basename(path))[0]
     found = []
     for width in WIDTHS_PX:
@@ -214,7 +214,7 @@ def check(browser, path, axe, pictures):
             where = f"{name}, {width} px, {'dark' if dark else 'light'}"
             browser.view(width, dark=dark, reduced_motion=True)
             browser.open(path)
-            found += [f"{where}: {text}" for text in browser.complaints()]
+            found += [f"{where}: {text}" for text in browser.diagnostics()]
             found += [f"{where}: asks for {url}" for url in browser.requests()]
             found += [f"{where}: scrolls sideways: {text}" for text in browser.evaluate(SIDEWAYS)]
             charts = browser.evaluate(CHARTS)
@@ -237,7 +237,7 @@ def check(browser, path, axe, pictures):
     for script in (CHART_USE, MECHANISM_USE, CURSOR_USE):
         found += [f"{name}: {text}" for text in browser.evaluate(script)]
     found += [f"{name}: without a name: {text}" for text in browser.evaluate(UNLABELLED)]
-    found += [f"{name}: in use: {text}" for text in browser.complaints()]
+    found += [f"{name}: in use: {text}" for text in browser.diagnostics()]
     browser.open(path, f"#a={OPENED_AT_DEG}")
     found += [f"{name}: {text}" for text in browser.evaluate(CURSOR_OPENED)]
     found += [f"{name}: without scripts: {text}" for text in without_scripts(browser, path)]
@@ -265,7 +265,7 @@ def without_scripts(browser, path):
 
 
 def printed(browser, path, pdf):
-    """Complaints about a page on paper; the number of its sheets is told."""
+    """Diagnostics about a page on paper; the number of its sheets is told."""
     browser.open(path)
     browser.pdf(pdf)
     paper = Paper(pathlib.Path(pdf).read_bytes())
@@ -302,7 +302,7 @@ def main():
         return 2
     for text in found:
         print(text)
-    print(f"{len(options.pages)} pages, {len(found)} complaints")
+    print(f"{len(options.pages)} pages, {len(found)} diagnostics")
     return 1 if found else 0
 
 

@@ -160,7 +160,7 @@ class Chromium:
         self.are_scripts_run = are_run
         self.call("Emulation.setScriptExecutionDisabled", value=not are_run)
 
-    def complaints(self):
+    def diagnostics(self):
         """Errors and warnings that the page or the browser reported since it was opened."""
         self.evaluate("true")
         found = []

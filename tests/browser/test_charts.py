@@ -70,7 +70,7 @@ def test_dots_stay_inside_an_enlarged_chart(browser):
         for above, below in dots:
             assert above >= 0 and below >= 0, (above, below)
     assert seen > 20
-    assert not browser.complaints()
+    assert not browser.diagnostics()
 
 
 def test_a_curve_that_is_shown_again_has_room_in_an_enlarged_chart(browser):
@@ -97,4 +97,4 @@ def test_a_curve_that_is_shown_again_has_room_in_an_enlarged_chart(browser):
     assert again == whole
     for above, below in again:
         assert above >= 0 and below >= 0, again
-    assert not browser.complaints()
+    assert not browser.diagnostics()

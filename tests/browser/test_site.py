@@ -60,7 +60,7 @@ def test_the_site(tmp_path):
                 where = f"{name}, {width} px"
                 browser.view(width, reduced_motion=True)
                 browser.open(str(book / f"{name}.html"))
-                assert browser.complaints() == [], where
+                assert browser.diagnostics() == [], where
                 outside = [url for url in browser.requests() if not url.startswith(("file:", "data:"))]
                 assert outside == [], where
                 assert browser.evaluate(BROKEN_PICTURES) == [], where

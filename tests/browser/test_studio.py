@@ -180,7 +180,7 @@ def test_from_the_gallery_to_a_report_by_eight_clicks(studio):
     studio.click("button, a", "Open the report")
     studio.wait("document.querySelector('iframe')?.getAttribute('src')?.includes('/view/')")
     assert studio.clicks <= 8
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
     model = studio.folder / "slider-crank/model.toml"
     assert 'crank_length = "55 mm"' in model.read_text()
     # The command on the saved files gives the same bytes.
@@ -245,7 +245,7 @@ def test_a_wrong_unit_is_told_at_its_place_and_undone(studio):
     studio.click("[role=tab]", "model.toml")
     studio.wait("document.querySelector('.cm-content')")
     assert "80 mn" not in studio.browser.evaluate("document.querySelector('.cm-content').innerText")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_number_that_is_dragged_moves_the_band_and_is_one_step_to_undo(studio):
@@ -268,7 +268,7 @@ def test_a_number_that_is_dragged_moves_the_band_and_is_one_step_to_undo(studio)
     assert len(bands) > 3, "the band follows while the number is dragged"
     studio.click("button", "Undo")
     studio.wait(f"({FIELD % name})?.querySelector('input').value === {first!r}")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
@@ -299,7 +299,7 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     studio.click("button", "Undo")
     studio.wait(f"({FIELD % repr('crank_length')})?.querySelector('input').value === '80 mm'")
     assert studio.saved("four-bar") == before, "one drag is one step to undo"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
@@ -323,7 +323,7 @@ def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
     while studio.number("base_length") != first:
         studio.click("button", "Undo")
         studio.settle()
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_play_and_scatter_are_said_as_people_say_them(studio):
@@ -362,7 +362,7 @@ def test_play_and_scatter_are_said_as_people_say_them(studio):
         studio.click("button", "Undo")
     studio.wait("document.querySelector('.chosen .kind').classList.contains('none')")
     assert studio.saved("four-bar") == clean, "each is one step to undo"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_link_that_is_taken_turns_the_mechanism(studio):
@@ -377,7 +377,7 @@ def test_a_link_that_is_taken_turns_the_mechanism(studio):
     assert studio.pin("crank_pin")[0] > right + 10, "the crank goes with the mouse"
     studio.settle()
     assert "unsaved" not in studio.browser.evaluate("document.querySelector('.bar').innerText"), "no text changes"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
@@ -412,7 +412,7 @@ def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
     studio.click("button", "Undo")
     studio.wait_until_saved()
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 CANVAS = "document.querySelector('.canvas svg')"
@@ -453,7 +453,7 @@ def test_a_four_bar_is_drawn_from_nothing(studio):
     assert 'crank_length = "76.158 mm"' in (studio.folder / "drawn/model.toml").read_text()
     done = subprocess.run([PROGRAM, "check", "drawn/model.toml", "drawn/study.toml"], cwd=studio.folder, capture_output=True, text=True)
     assert done.returncode == 0 and "1 degree of freedom" in done.stdout, done.stdout + done.stderr
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_drawing_is_imported_and_says_what_is_missing(studio, tmp_path):
@@ -511,7 +511,7 @@ def test_a_slider_crank_is_drawn_by_keyboard_and_lists_alone(studio):
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
     studio.settle()
     assert 'link_2_length = "155.242 mm"' in (studio.folder / "drawn/model.toml").read_text()
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_names_of_files_are_shown_as_text(studio):
@@ -527,7 +527,7 @@ def test_names_of_files_are_shown_as_text(studio):
     studio.click("a, button", "onerror")
     studio.wait("document.querySelector('svg.chart')")
     assert studio.browser.evaluate("document.body.innerText.includes('onerror') && window.isBroken === undefined")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 @pytest.mark.parametrize("width", [1280, 400])
@@ -553,4 +553,4 @@ def test_every_screen_is_accessible(studio, width, dark):
     studio.click("[role=tab]", "study.toml")
     studio.wait("document.querySelector('.cm-content')")
     assert seen_by_axe(studio.browser, axe) == [], "text"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []

@@ -132,7 +132,7 @@ def test_a_dyad_is_drawn_onto_a_four_bar_and_its_study_runs(studio):  # noqa: F8
     undo(studio, 2)
     studio.wait("!document.querySelector('.outline').innerText.includes('link_1')")
     assert studio.saved("four-bar") == before, "a link is one step to undo"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_the_same_by_keys_and_lists_alone(studio):  # noqa: F811
@@ -166,7 +166,7 @@ def test_the_same_by_keys_and_lists_alone(studio):  # noqa: F811
     undo(studio, 3)
     studio.wait("!document.querySelector('.outline').innerText.includes('link_1')")
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa: F811
@@ -201,7 +201,7 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     undo(studio)
     studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_an_output_is_added_by_lists_and_shows_its_band(studio):  # noqa: F811
@@ -219,7 +219,7 @@ def test_an_output_is_added_by_lists_and_shows_its_band(studio):  # noqa: F811
     undo(studio)
     studio.wait("!document.querySelector('.outline').innerText.includes('coupler_angle')")
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
@@ -245,7 +245,7 @@ def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
     undo(studio)
     studio.wait("document.querySelector('.outline').innerText.includes('rocker_pin')")
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
@@ -286,7 +286,7 @@ def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
     undo(studio)
     studio.settle()
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_locked_length_is_not_dragged(studio):  # noqa: F811
@@ -307,7 +307,7 @@ def test_a_locked_length_is_not_dragged(studio):  # noqa: F811
     studio.click(lock)
     studio.wait(f"document.querySelector({lock!r}).getAttribute('aria-pressed') === 'false'")
     assert studio.saved("four-bar") == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_chosen_link_shows_its_length_with_its_tolerance(studio):  # noqa: F811
@@ -321,7 +321,7 @@ def test_a_chosen_link_shows_its_length_with_its_tolerance(studio):  # noqa: F81
     studio.wait(f"({text}).startsWith('150 mm')")
     studio.click(".outline button", "guide")
     studio.wait(f"({text}) === '0 deg'")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 @pytest.mark.parametrize("width", [1280, 400])
@@ -344,4 +344,4 @@ def test_tools_lists_and_questions_are_accessible(studio, width, dark):  # noqa:
     studio.click(".chosen .links button", "Delete")
     studio.wait("document.querySelector('[role=alertdialog]')")
     assert seen_by_axe(studio.browser, axe) == [], "a question"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []

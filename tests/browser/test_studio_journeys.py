@@ -125,7 +125,7 @@ def test_the_first_minute_by_keyboard_alone(studio):
     assert len(changed) == 3, changed
     # Each thing was near: a person would not sit there tabbing.
     assert keyboard.pressed < 250, keyboard.pressed
-    assert studio.clicks == 0 and studio.browser.complaints() == []
+    assert studio.clicks == 0 and studio.browser.diagnostics() == []
 
 
 def reload(studio):
@@ -155,7 +155,7 @@ def test_a_study_is_followed_after_the_page_was_loaded_again(studio):
     studio.wait(DONE, 300)
     found = list((studio.folder / "results").glob("*/*/summary.json"))
     assert len(found) == 1 and json.loads(found[0].read_text())["counts"]["runs"] > 0
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 COARSE = "document.querySelector('.coarse svg.chart .fill')?.getAttribute('d') ?? ''"
@@ -177,7 +177,7 @@ def test_the_band_of_a_study_is_seen_while_it_runs_and_becomes_finer(studio):
     assert studio.browser.evaluate("document.querySelector('.coarse')?.open !== true")
     studio.wait(DONE, 300)
     assert studio.browser.evaluate("document.querySelector('.coarse')") is None, "the report has the band"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_loading_again_in_the_middle_of_a_drag_leaves_the_files_as_they_are(studio):
@@ -283,4 +283,4 @@ def test_an_analysis_that_takes_too_long_is_cut_off_and_the_last_drawing_stays(s
     studio.wait("document.querySelector('.drawing .over') === null", 120)
     studio.settle()
     assert studio.browser.evaluate(bodies) == before
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []

@@ -142,7 +142,7 @@ def test_two_results_are_compared_side_by_side(studio, conducted):
     studio.wait(f"({HEADLINE}).includes('larger')")
     studio.browser.evaluate("(history.back(), true)")
     studio.wait(f"({HEADLINE}) === {before!r}")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_what_is_no_pair_is_refused_with_words(studio, conducted):
@@ -205,7 +205,7 @@ def test_a_value_of_the_report_is_made_the_model(studio, conducted):
     assert all(old.partition("#")[2] == new.partition("#")[2] for old, new in changed), "comments stay"
     studio.click("button", "Undo")
     assert studio.saved("worn") == before, "it is one step to undo"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_page_in_the_frame_cannot_choose_what_is_not_there(studio, conducted):
@@ -218,7 +218,7 @@ def test_a_page_in_the_frame_cannot_choose_what_is_not_there(studio, conducted):
     studio.browser.evaluate("(postMessage({kind: 'loosepin-known', place: 0}, '*'), true)")
     studio.browser.evaluate("new Promise((done) => setTimeout(() => done(true), 200))")
     assert studio.browser.evaluate("document.querySelector('.doings [role=status]') === null")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_report_of_the_studio_is_whole_without_it(browser, conducted, tmp_path):
@@ -261,7 +261,7 @@ def test_screens_of_results_are_accessible(studio, conducted, width, dark):
     in_report(studio.browser, CHOSEN)
     studio.wait("document.querySelector('.doings [role=status]')")
     assert seen_by_axe(studio.browser, axe) == [], "report"
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_one_cursor_reads_both_bands(studio, conducted):
@@ -282,4 +282,4 @@ def test_one_cursor_reads_both_bands(studio, conducted):
     for _ in range(3):
         studio.key("ArrowRight")
     studio.wait(f"{reading} !== {first!r}")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []

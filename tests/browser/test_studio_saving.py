@@ -23,7 +23,7 @@ def test_a_number_without_its_unit_keeps_the_one_that_stood_there(studio):  # no
     for typed, line in [("81", 'crank_length = "81 mm"'), ("80,5", 'crank_length = "80.5 mm"'), ("0.0802 m", 'crank_length = "0.0802 m"')]:
         studio.type_number("crank_length", typed)
         assert line in studio.saved("four-bar")[0], typed
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []
 
 
 def test_a_comma_that_may_separate_thousands_is_not_guessed_at(studio):  # noqa: F811
@@ -79,4 +79,4 @@ def test_a_drawing_is_there_after_a_reload(studio):  # noqa: F811
     assert studio.browser.evaluate("document.querySelector('.name input').value") == "my gripper"
     studio.click("button", "Undo")
     studio.wait(f"{pins} === 2")
-    assert studio.browser.complaints() == []
+    assert studio.browser.diagnostics() == []

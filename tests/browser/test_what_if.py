@@ -96,7 +96,7 @@ def test_every_value_that_was_run_gives_its_own_band(browser):
         assert now["outer"] == before["outer"] and now["outerPath"] == before["outerPath"]
     bands = {browser.evaluate(CHOSEN % place)["innerPath"] for place in range(len(stored["points"]))}
     assert len(bands) == len(stored["points"]), "each value has a band of its own"
-    assert not browser.complaints()
+    assert not browser.diagnostics()
 
 
 def test_caption_and_legend_say_what_is_shown_and_come_back(browser):
@@ -115,7 +115,7 @@ def test_caption_and_legend_say_what_is_shown_and_come_back(browser):
     assert now["legend"][0] == before["legend"][0] and now["paths"] != before["paths"] and now["read"] != before["read"]
     browser.evaluate(BACK)
     assert browser.evaluate(SAID) == before
-    assert not browser.complaints()
+    assert not browser.diagnostics()
 
 
 def test_members_of_a_list_have_values_of_their_own(browser):
@@ -134,4 +134,4 @@ def test_members_of_a_list_have_values_of_their_own(browser):
             assert chosen.startswith(point["words"][0].upper() + point["words"][1:]), (member, place, chosen)
     browser.evaluate(BACK)
     assert browser.evaluate(SAID) == before
-    assert not browser.complaints()
+    assert not browser.diagnostics()

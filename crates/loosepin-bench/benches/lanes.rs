@@ -46,8 +46,8 @@ fn measure(case: &Case) {
             let watch = Watch::start();
             let finished = match way.threads {
                 // On this thread: the system forgets the time of one that has ended.
-                1 => case.conduct(&plan, way.execution),
-                threads => case.conduct_on_threads(&plan, way.execution, threads),
+                1 => case.run_all(&plan, way.execution),
+                threads => case.run_on_threads(&plan, way.execution, threads),
             };
             let seconds = if way.threads == 1 { watch.processor_s() } else { watch.clock_s() };
             way.seconds_a_run.push(seconds / runs as f64);

@@ -105,7 +105,7 @@ fn study(name: &str) -> Study {
     } else {
         templates.join(name).join("study.toml")
     };
-    Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn main() {

@@ -79,7 +79,7 @@ fn main() {
     let kind = given.get(1).map_or(KIND, String::as_str);
     let only = given.get(2);
     let started = Instant::now();
-    let mut complaints: Vec<String> = Vec::new();
+    let mut diagnostics: Vec<String> = Vec::new();
     for regime in REGIMES.iter().filter(|regime| only.is_none_or(|name| name == regime.name)) {
         let reference = run(&regime.study(REFERENCE_SEED, INNER * REFERENCE, "")).result;
         let runs = OUTER * INNER;
@@ -95,20 +95,20 @@ fn main() {
             started.elapsed().as_secs_f64()
         );
         let direct = if regime.name == "smooth" { direct_studies(regime, &reference) } else { Vec::new() };
-        let tallies = surrogate_studies(regime, kind, &reference, (repetitions, runs), &mut complaints);
+        let tallies = surrogate_studies(regime, kind, &reference, (repetitions, runs), &mut diagnostics);
         if regime.name == "smooth" {
-            compare(kind, &direct, &tallies, &mut complaints);
+            compare(kind, &direct, &tallies, &mut diagnostics);
         }
         println!("({:.0} s)", started.elapsed().as_secs_f64());
         if regime.name == "chaotic" {
-            words(regime, &mut complaints);
+            words(regime, &mut diagnostics);
         }
     }
     println!("\n{:.0} s", started.elapsed().as_secs_f64());
-    for complaint in &complaints {
-        println!("not met: {complaint}");
+    for diagnostic in &diagnostics {
+        println!("not met: {diagnostic}");
     }
-    if !complaints.is_empty() {
+    if !diagnostics.is_empty() {
         std::process::exit(1);
     }
     println!("every line is met");
@@ -159,8 +159,8 @@ impl Regime {
             );
         }
         text.push_str(further);
-        let model = Model::from_text("model.toml", &model).unwrap_or_else(|complaints| panic!("{complaints}"));
-        Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+        let model = Model::from_text("model.toml", &model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
     }
 }
 
@@ -183,7 +183,7 @@ fn surrogate_studies(
     kind: &str,
     reference: &StudyResult,
     (repetitions, direct_runs): (usize, usize),
-    complaints: &mut Vec<String>,
+    diagnostics: &mut Vec<String>,
 ) -> Vec<Tally> {
     let further = format!(
         "[surrogate]\nkind = \"{kind}\"\ntraining_runs = {TRAINING}\nconfirming_runs = {CONFIRMING}\ndirect = \"confirming\"\n"
@@ -215,15 +215,15 @@ fn surrogate_studies(
     print_table(&title, &tallies, repetitions, &verdicts);
     let least_ratio = if regime.name == "smooth" { MIN_RATIO_SMOOTH } else { MIN_RATIO };
     if ratio < least_ratio {
-        complaints.push(format!("{}, {}: {most_runs} runs are too many", regime.name, kind));
+        diagnostics.push(format!("{}, {}: {most_runs} runs are too many", regime.name, kind));
     }
     for tally in &tallies {
         if (tally.agree as f64) < MIN_AGREEING * repetitions as f64 {
-            complaints
+            diagnostics
                 .push(format!("{}, {}, {}: {} of {repetitions} agree", regime.name, kind, tally.name, tally.agree));
         }
         if tally.unsaid > 0 {
-            complaints.push(format!(
+            diagnostics.push(format!(
                 "{}, {}, {}: too narrow in {} without the noise test",
                 regime.name, kind, tally.name, tally.unsaid
             ));
@@ -315,7 +315,7 @@ fn counted(said: &[SurrogateVerdict]) -> String {
 }
 
 /// That bounds from a twentieth of the runs lie as near to the reference as a direct study states that its own do.
-fn compare(kind: &str, direct: &[Tally], by_surrogate: &[Tally], complaints: &mut Vec<String>) {
+fn compare(kind: &str, direct: &[Tally], by_surrogate: &[Tally], diagnostics: &mut Vec<String>) {
     println!(
         "\n{kind}, a twentieth of the runs: nearer to the reference than the direct study states; ratios of medians"
     );
@@ -332,13 +332,13 @@ fn compare(kind: &str, direct: &[Tally], by_surrogate: &[Tally], complaints: &mu
             median(&own.distances) / median(&direct.distances)
         );
         if (nearer as f64) < MIN_AGREEING * own.distances.len() as f64 {
-            complaints.push(format!("smooth, {kind}, {}: {nearer} as near as a direct study states", own.name));
+            diagnostics.push(format!("smooth, {kind}, {}: {nearer} as near as a direct study states", own.name));
         }
     }
 }
 
 /// That the program says of the history in words that the surrogate saves nothing for it.
-fn words(regime: &Regime, complaints: &mut Vec<String>) {
+fn words(regime: &Regime, diagnostics: &mut Vec<String>) {
     let further = "
         [[ask]]
         output = \"slider\"
@@ -354,7 +354,7 @@ fn words(regime: &Regime, complaints: &mut Vec<String>) {
     println!("\nwhat it says\n{text}");
     for sentence in ["The surrogate is of no use for this history.", "It is used for statistics of the cycle"] {
         if !text.contains(sentence) {
-            complaints.push(format!("chaotic: the program does not say '{sentence}'"));
+            diagnostics.push(format!("chaotic: the program does not say '{sentence}'"));
         }
     }
 }

@@ -29,7 +29,7 @@ fn plan(runs: usize) -> Plan {
 fn print_history(case: &Case) {
     println!("time_s,slider_x_m");
     // One run alone has the nominal clearance.
-    for run in case.conduct(&plan(1), Execution::best()) {
+    for run in case.run_all(&plan(1), Execution::best()) {
         for (index, slider_x_m) in run.readings.iter().enumerate() {
             println!("{:.12e},{slider_x_m:.15e}", index as f64 * case.turn_s / READINGS_PER_TURN as f64);
         }
@@ -37,9 +37,9 @@ fn print_history(case: &Case) {
 }
 
 fn print_batch(case: &Case, runs: usize) {
-    std::hint::black_box(case.conduct(&plan(RUNS_AHEAD), Execution::best()));
+    std::hint::black_box(case.run_all(&plan(RUNS_AHEAD), Execution::best()));
     let watch = Watch::start();
-    let finished = std::hint::black_box(case.conduct(&plan(runs), Execution::best()));
+    let finished = std::hint::black_box(case.run_all(&plan(runs), Execution::best()));
     let seconds = watch.processor_s();
     let evaluations: u64 = finished.iter().map(|run| run.counters.evaluations).sum();
     let evaluations_per_run = evaluations as f64 / runs as f64;

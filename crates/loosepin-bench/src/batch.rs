@@ -5,7 +5,7 @@ use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{PlayId, QuantityId};
 use loosepin::simulate::{
     Arms, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunCounters, RunFailure, RunReport, Settings,
-    Step, Window, columns, conduct,
+    Step, Window, columns, run_batch,
 };
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -89,30 +89,30 @@ impl Case {
     }
 
     /// Runs the whole plan on this thread and with `execution`; the runs in their order.
-    pub fn conduct(&self, plan: &Plan, execution: Execution) -> Vec<Finished> {
+    pub fn run_all(&self, plan: &Plan, execution: Execution) -> Vec<Finished> {
         let next = AtomicUsize::new(0);
-        in_order(self.conduct_shared(plan, execution, &next))
+        in_order(self.run_shared(plan, execution, &next))
     }
 
     /// Runs the whole plan on `threads` threads, each taking the next run as soon as a lane is free.
     ///
     /// # Panics
     /// Where a thread did.
-    pub fn conduct_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<Finished> {
+    pub fn run_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<Finished> {
         let next = AtomicUsize::new(0);
         let parts: Vec<(usize, Finished)> = std::thread::scope(|scope| {
             let workers: Vec<_> =
-                (0..threads).map(|_| scope.spawn(|| self.conduct_shared(plan, execution, &next))).collect();
+                (0..threads).map(|_| scope.spawn(|| self.run_shared(plan, execution, &next))).collect();
             workers.into_iter().flat_map(|worker| worker.join().expect("no thread panics")).collect()
         });
         in_order(parts)
     }
 
-    fn conduct_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
+    fn run_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
         let interval_s = self.turn_s / plan.readings_per_turn as f64;
         let instants_s = (0..=plan.turns * plan.readings_per_turn).map(|k| k as f64 * interval_s).collect();
         let mut waiting = Waiting { case: self, plan, instants_s, next, finished: Vec::new() };
-        conduct(&self.mechanism, &Follow::readings(&[self.reading]), &plan.settings, execution, &mut waiting);
+        run_batch(&self.mechanism, &Follow::readings(&[self.reading]), &plan.settings, execution, &mut waiting);
         waiting.finished
     }
 }

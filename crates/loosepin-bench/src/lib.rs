@@ -55,7 +55,7 @@ pub fn compiled_with(file: &str, changes: &[(&str, &str)]) -> (Mechanism, Values
         }
         Model::from_text(file, &text)
     };
-    let model = model.unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = model.unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{file}: {error}"));
     let turn_s = model.cycle_input(&nominal).turn_s();

@@ -7,7 +7,7 @@ use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, Motion, PointId, Position, QuantityId, Relative};
 use loosepin::simulate::{
     Arms, Execution, Follow, FollowedRun, Integrator, Observer, Queue, Reading, Run, RunCounters, RunFailure,
-    RunReport, Settings, Step, Window, conduct,
+    RunReport, Settings, Step, Window, run_batch,
 };
 
 /// A model and what is watched in it.
@@ -126,7 +126,7 @@ impl Samples {
         let is_implicit = settings.integrator == Integrator::Implicit;
         let outcomes = self.samples.iter().map(|_| None).collect();
         let mut waiting = Waiting { samples: self, next: 0, is_implicit, outcomes };
-        conduct(&self.mechanism, &Follow::readings(&self.readings), settings, Execution::best(), &mut waiting);
+        run_batch(&self.mechanism, &Follow::readings(&self.readings), settings, Execution::best(), &mut waiting);
         waiting.outcomes.into_iter().map(|outcome| outcome.expect("every run comes back")).collect()
     }
 

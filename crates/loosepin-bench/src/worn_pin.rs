@@ -14,7 +14,7 @@ const REPLICATES: usize = 8;
 /// Where it is not there or is no study.
 pub fn study() -> Study {
     let case = case_file("slider_crank_worn_pin", "study.toml");
-    Study::from_path(&case).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_path(&case).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// Points of a low-discrepancy set inside the box of what is unknown, as shares of it.

@@ -215,7 +215,7 @@ mod tests {
         let shapes = "lateral_shapes = 2\naxial_shapes = 2";
         assert!(text.contains(shapes));
         let text = text.replace(shapes, &format!("{shapes}\n{keys}"));
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
         let sections = beams(&mechanism, &values, 0.04).into_iter().collect();

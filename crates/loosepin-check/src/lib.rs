@@ -29,10 +29,10 @@ use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Model;
 use loosepin_study::{InputFile, Study};
 use loosepin_text::article::Article;
-use loosepin_text::diagnostics::{Complaint, Complaints};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 
 /// What is read in a file and may not be meant, although the file is sound.
-pub fn warnings(file: &InputFile) -> &[Complaint] {
+pub fn warnings(file: &InputFile) -> &[Diagnostic] {
     match file {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
@@ -43,34 +43,34 @@ pub fn warnings(file: &InputFile) -> &[Complaint] {
 ///
 /// # Errors
 /// What keeps it from running.
-pub fn check(file: &InputFile) -> Result<Article, Complaints> {
+pub fn check(file: &InputFile) -> Result<Article, Diagnostics> {
     match file {
         InputFile::Model(model) => check_model(model),
         InputFile::Study(study) => check_study(study),
     }
 }
 
-fn check_model(model: &Model) -> Result<Article, Complaints> {
+fn check_model(model: &Model) -> Result<Article, Diagnostics> {
     let values = model.quantities.nominal();
-    let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+    let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if !mechanism.is_driven() {
         // Forces decide where it goes: without them nothing is known of it.
         model.demand_dynamics()?;
     }
     // A study has a cycle of its own, with limits of its own.
-    trial::check_run(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
-    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
+    trial::check_run(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
+    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
     Ok(mechanism::article(&mechanism, &values, &tried))
 }
 
-fn check_study(study: &Study) -> Result<Article, Complaints> {
+fn check_study(study: &Study) -> Result<Article, Diagnostics> {
     let values = study::middle_values(study)?;
     let model = &study.model;
-    let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+    let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if study.needs_runs() || !mechanism.is_driven() {
         model.demand_dynamics()?;
     }
-    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
+    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
     study::article(study, &values, &tried)
 }
 

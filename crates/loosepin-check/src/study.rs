@@ -6,7 +6,7 @@ use loosepin_study::{
     default_threads, distribution_words, estimate_cost,
 };
 use loosepin_text::article::{Article, Content, Fact, Section};
-use loosepin_text::diagnostics::{Complaint, Complaints};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::units::{Dimension, counted_or_no, duration_words, format_number, format_value};
 use loosepin_uncertainty::EpistemicVariable;
 
@@ -18,19 +18,19 @@ use super::trial::Trial;
 ///
 /// # Errors
 /// They are impossible together.
-pub fn middle_values(study: &Study) -> Result<Values, Complaints> {
+pub fn middle_values(study: &Study) -> Result<Values, Diagnostics> {
     let epistemic = study.epistemic.iter();
     let middle: Vec<(QuantityId, f64)> =
         epistemic.filter_map(|input| Some((input.quantity()?, input.variable.middle()))).collect();
-    let complain = |error: QuantityError| Complaint::error(&error, study.model.place(error.path()));
-    study.model.quantities.evaluate(&middle).map_err(|error| complain(error).into())
+    let report = |error: QuantityError| Diagnostic::error(&error, study.model.place(error.path()));
+    study.model.quantities.evaluate(&middle).map_err(|error| report(error).into())
 }
 
 /// Uncertain inputs, questions, and an estimate of the time.
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
-pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article, Complaints> {
+pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article, Diagnostics> {
     let of_model = format!("of {}: {}", study.model_path.display(), study.model.name);
     let questions = format!(
         "{} and {}",
@@ -54,10 +54,10 @@ pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article,
 }
 
 /// A run, what is promised, and how long all runs take.
-fn plan(study: &Study, tried: &Trial) -> Result<Section, Complaints> {
+fn plan(study: &Study, tried: &Trial) -> Result<Section, Diagnostics> {
     let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
-        StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
-        error => error.complaint(study),
+        StudyError::AllFailed { reason, .. } => reason.diagnostic(&study.model),
+        error => error.diagnostic(study),
     })?;
     let run = format!(
         "A run: {} of start-up, {} recorded, of {} each, positions to {:e} m",

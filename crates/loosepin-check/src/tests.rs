@@ -1,4 +1,4 @@
-//! Whatever sound-looking numbers stand in a model, `check` describes it or complains. No panic, and no endless run.
+//! Whatever sound-looking numbers stand in a model, `check` describes it or reports. No panic, and no endless run.
 //!
 //! `LOOSEPIN_FUZZ_CASES` sets how many files are tried (100 if unset; the long campaign tries 100,000 and more).
 
@@ -136,10 +136,10 @@ fn describe(text: &str) {
     let described = Model::from_text("model.toml", text).and_then(|model| check(&InputFile::Model(Box::new(model))));
     match described {
         Ok(article) => assert!(article_text(&article, None).contains("A run: ")),
-        Err(complaints) => {
-            assert!(!complaints.is_empty());
-            assert!(!complaints.to_string().is_empty());
-            assert!(!complaints.render(Colour::Never).is_empty());
+        Err(diagnostics) => {
+            assert!(!diagnostics.is_empty());
+            assert!(!diagnostics.to_string().is_empty());
+            assert!(!diagnostics.render(Colour::Never).is_empty());
         }
     }
 }
@@ -178,18 +178,18 @@ fn no_mutated_study_makes_check_panic() {
             let model = Model::from_text("model.toml", &model_text).expect("the model is sound");
             let checked = Study::from_text("study.toml", &study_text, model)
                 .and_then(|study| check(&InputFile::Study(Box::new(study))));
-            assert!(checked.is_ok() || checked.is_err_and(|complaints| !complaints.is_empty()));
+            assert!(checked.is_ok() || checked.is_err_and(|diagnostics| !diagnostics.is_empty()));
             Ok(())
         })
         .unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// What `check` says of a model, or complains about.
+/// What `check` says of a model, or reports about.
 fn said(text: &str) -> String {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     match check(&InputFile::Model(Box::new(model))) {
         Ok(article) => article_text(&article, None),
-        Err(complaints) => complaints.to_string(),
+        Err(diagnostics) => diagnostics.to_string(),
     }
 }
 

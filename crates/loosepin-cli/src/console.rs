@@ -3,7 +3,7 @@
 use std::env;
 use std::io::{self, IsTerminal, Write};
 
-use loosepin::diagnostics::{Colour, Complaints, visible};
+use loosepin::diagnostics::{Colour, Diagnostics, visible};
 use loosepin::report::TERMINAL_COLUMNS;
 
 use crate::ending::Failure;
@@ -33,14 +33,14 @@ fn coloured(text: &str) {
 }
 
 /// Writes diagnostics: with the lines of the files on a terminal, otherwise one line each, for programs.
-pub fn complain(complaints: &Complaints) {
+pub fn report(diagnostics: &Diagnostics) {
     if !io::stderr().is_terminal() {
-        message(&complaints.to_string());
+        message(&diagnostics.to_string());
         return;
     }
-    coloured(complaints.render(colour()).trim_end());
-    if let Some(complaint) = complaints.sorted().first() {
-        message(&format!("\n`loosepin explain {}` explains this error", complaint.code));
+    coloured(diagnostics.render(colour()).trim_end());
+    if let Some(diagnostic) = diagnostics.sorted().first() {
+        message(&format!("\n`loosepin explain {}` explains this error", diagnostic.code));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use loosepin::diagnostics::{Complaint, Complaints, Problem};
+use loosepin::diagnostics::{Diagnostic, Diagnostics, Problem};
 use loosepin::results::ResultsError;
 
 /// Outcome of a command that finished or was interrupted.
@@ -26,7 +26,7 @@ pub enum Done {
 #[derive(Debug)]
 pub enum Failure {
     /// Errors in the input.
-    Complaints(Complaints),
+    Diagnostics(Diagnostics),
     /// Standard output cannot be written.
     Output(io::Error),
 }
@@ -37,19 +37,19 @@ pub type Ending = Result<Done, Failure>;
 impl Failure {
     /// A failure without a position in a file.
     pub fn of(problem: &dyn Problem) -> Failure {
-        Failure::Complaints(Complaints::one(problem, None))
+        Failure::Diagnostics(Diagnostics::one(problem, None))
     }
 }
 
-impl From<Complaints> for Failure {
-    fn from(complaints: Complaints) -> Failure {
-        Failure::Complaints(complaints)
+impl From<Diagnostics> for Failure {
+    fn from(diagnostics: Diagnostics) -> Failure {
+        Failure::Diagnostics(diagnostics)
     }
 }
 
-impl From<Complaint> for Failure {
-    fn from(complaint: Complaint) -> Failure {
-        Failure::Complaints(complaint.into())
+impl From<Diagnostic> for Failure {
+    fn from(diagnostic: Diagnostic) -> Failure {
+        Failure::Diagnostics(diagnostic.into())
     }
 }
 

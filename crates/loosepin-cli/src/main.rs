@@ -22,13 +22,13 @@ use std::process::ExitCode;
 use arguments::{Arguments, Command};
 use clap::Parser;
 use ending::{Done, Ending, Failure};
-use loosepin::diagnostics::{Code, Complaints};
+use loosepin::diagnostics::{Code, Diagnostics};
 
 fn main() -> ExitCode {
     system_limits::prepare();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => return told(&error),
+        Err(error) => return print_usage_message(&error),
     };
     let ending = match &arguments.command {
         Command::New(new) => command::new::run(new),
@@ -55,7 +55,7 @@ fn main() -> ExitCode {
 }
 
 /// Shows help, the version, or what is wrong with the arguments.
-fn told(message: &clap::Error) -> ExitCode {
+fn print_usage_message(message: &clap::Error) -> ExitCode {
     if message.use_stderr() {
         message.exit();
     }
@@ -75,9 +75,9 @@ fn exit_code(ending: Ending) -> ExitCode {
         Ok(Done::RunFailed) => ExitCode::from(2),
         Ok(Done::RoundOpen) => ExitCode::from(3),
         Ok(Done::Interrupted) => ExitCode::from(130),
-        Err(Failure::Complaints(complaints)) => {
-            console::complain(&complaints);
-            ExitCode::from(if is_out_of_memory(&complaints) { system_limits::OUT_OF_MEMORY_STATUS } else { 2 })
+        Err(Failure::Diagnostics(diagnostics)) => {
+            console::report(&diagnostics);
+            ExitCode::from(if is_out_of_memory(&diagnostics) { system_limits::OUT_OF_MEMORY_STATUS } else { 2 })
         }
         Err(Failure::Output(error)) => {
             console::message(&format!(
@@ -90,6 +90,6 @@ fn exit_code(ending: Ending) -> ExitCode {
 }
 
 /// Whether one of the errors is that memory ran out.
-fn is_out_of_memory(complaints: &Complaints) -> bool {
-    complaints.sorted().iter().any(|complaint| complaint.code == Code::OutOfMemory)
+fn is_out_of_memory(diagnostics: &Diagnostics) -> bool {
+    diagnostics.sorted().iter().any(|diagnostic| diagnostic.code == Code::OutOfMemory)
 }

@@ -27,13 +27,13 @@ fn processor_s() -> f64 {
 fn main() {
     let Some(path) = std::env::args().nth(1) else { panic!("name the table of runs that is to be written") };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
-    let study = Study::from_path(&folder.join("measured.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_path(&folder.join("measured.toml")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let features: Vec<&MeasuredMotion> = study.motion.iter().collect();
     let asked =
         MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: true, with_lengths: false };
-    let mut bank = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut bank = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let start_s = processor_s();
-    let all = bank.predicted(&[PLAYS]).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let all = bank.predicted(&[PLAYS]).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let seconds = processor_s() - start_s;
     let mut table = "play_mm,peak_m_s2,rms_m_s2\n".to_owned();
     for (play_m, run) in all.iter().flat_map(|(values, runs)| runs.iter().map(|run| (values[0], run))) {
@@ -50,7 +50,7 @@ fn main() {
         let cells: Vec<&str> = line.split(',').collect();
         let number = |place: usize| cells[place].parse::<f64>().unwrap_or_else(|error| panic!("{line}: {error}"));
         let values_si = [number(7), number(8)];
-        let mut ask = || bank.invert(None, &values_si, true).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let mut ask = || bank.invert(None, &values_si, true).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         // Its runs are kept: the second time the seconds are those of the test and of the distribution alone.
         let found = ask();
         let start_s = processor_s();

@@ -1,11 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 mod combinations;
-mod conduct;
 mod consistent;
 mod error;
 mod friction;
 mod further;
+mod identify;
 mod influence;
 mod linear_program;
 mod locked;
@@ -18,8 +18,8 @@ mod specimen_file;
 mod states;
 mod yielding;
 
-pub use conduct::{CONFIDENCE, Options, POINTS, identify};
 pub use error::IdentifyProblem;
+pub use identify::{CONFIDENCE, Options, POINTS, identify};
 pub use loosepin_result::identification as record;
 pub use loosepin_result::motion_identification as motion_record;
 pub use motion::{MotionRig, MotionValues, NO_CALLBACK, ProgressCallback, RunsOfValue, plan_motion};

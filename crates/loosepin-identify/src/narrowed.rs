@@ -4,7 +4,7 @@ use super::error::IdentifyProblem;
 use loosepin_files::{io_error_words, write_new_files};
 use loosepin_result::identification::{Identification, Outcome, PlayBounds};
 use loosepin_study::{Study, number_and_unit};
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::parse_toml;
 use loosepin_text::units::{Dimension, ReadableUnit, decimal_exponent, parse_quantity};
 use std::io;
@@ -74,13 +74,13 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) 
 ///
 /// # Errors
 /// Several specimens, or one that nothing explains.
-pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Complaints> {
+pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Diagnostics> {
     let all = answer.specimens.iter().map(|specimen| &specimen.name);
     let mut names: Vec<&Option<String>> = all.chain(answer.motion.iter().map(|specimen| &specimen.name)).collect();
     names.sort_unstable();
     names.dedup();
     if names.len() != 1 {
-        return Err(Complaints::one(&IdentifyProblem::SeveralSpecimens { found: names.len() }, None));
+        return Err(Diagnostics::one(&IdentifyProblem::SeveralSpecimens { found: names.len() }, None));
     }
     let mut known: Vec<PlayBounds> = Vec::new();
     for specimen in &answer.specimens {
@@ -99,15 +99,15 @@ pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Complain
         };
         let both = [same.after_si[0].max(bounds.after_si[0]), same.after_si[1].min(bounds.after_si[1])];
         if both[0] > both[1] {
-            return Err(Complaints::one(&IdentifyProblem::Contradiction { path: same.path.clone() }, None));
+            return Err(Diagnostics::one(&IdentifyProblem::Contradiction { path: same.path.clone() }, None));
         }
         same.after_si = both;
     }
     Ok(known)
 }
 
-fn unexplained(specimen: &Option<String>) -> Complaints {
-    Complaints::one(&IdentifyProblem::Unexplained { specimen: specimen.clone() }, None)
+fn unexplained(specimen: &Option<String>) -> Diagnostics {
+    Diagnostics::one(&IdentifyProblem::Unexplained { specimen: specimen.clone() }, None)
 }
 
 /// Both ends of `interval` as they are written, with their places.
@@ -149,8 +149,8 @@ fn outwards(value_si: f64, is_upper: bool, like: &str, dimension: Dimension) -> 
 ///
 /// # Errors
 /// A path in another folder, from which the model would not be found; a file that is there already; one that cannot be written.
-pub fn write_narrowed(study: &Study, files: &[(&Path, &str)]) -> Result<(), Complaints> {
-    let refused = |problem: IdentifyProblem| Complaints::one(&problem, None);
+pub fn write_narrowed(study: &Study, files: &[(&Path, &str)]) -> Result<(), Diagnostics> {
+    let refused = |problem: IdentifyProblem| Diagnostics::one(&problem, None);
     let folder_of = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         folder.canonicalize()

@@ -5,7 +5,7 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::{QuantityId, Values};
 use loosepin_simulate::accuracy::{AccuracyError, dimension_direction};
 use loosepin_study::{EpistemicSubject, RandomInput, Study};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::document::parse_toml;
 use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::EpistemicVariable;
@@ -69,7 +69,7 @@ impl<'s> Rig<'s> {
     ///
     /// # Errors
     /// No play among the inputs, or one that is a dimension as well; a mechanism that drives do not move alone.
-    pub fn new(study: &'s Study, random_share: f64) -> Result<Self, Complaints> {
+    pub fn new(study: &'s Study, random_share: f64) -> Result<Self, Diagnostics> {
         let model = &study.model;
         let (mut plays, mut others, mut middle) = (Vec::new(), Vec::new(), Vec::new());
         for input in &study.epistemic {
@@ -86,18 +86,18 @@ impl<'s> Rig<'s> {
         }
         if plays.is_empty() {
             let place = Place::new(study.source(), place_of_table(study, "epistemic"));
-            return Err(Complaint::error(&IdentifyProblem::NoPlay, Some(place)).into());
+            return Err(Diagnostic::error(&IdentifyProblem::NoPlay, Some(place)).into());
         }
-        let at = |error| Complaints::one(&IdentifyProblem::Values { error }, None);
+        let at = |error| Diagnostics::one(&IdentifyProblem::Values { error }, None);
         let values = model.quantities.evaluate(&middle).map_err(at)?;
-        let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+        let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
         if let Some(body) = mechanism.real.flexible_bodies().next() {
             let body = model.bodies[body.0].name.clone();
             let place = model.place(&format!("body.{body}"));
-            return Err(Complaint::error(&IdentifyProblem::Flexible { body }, place).into());
+            return Err(Diagnostic::error(&IdentifyProblem::Flexible { body }, place).into());
         }
         if !mechanism.is_driven() {
-            return Err(AccuracyError::NotDriven.complaint(model).into());
+            return Err(AccuracyError::NotDriven.diagnostic(model).into());
         }
         let mut rig =
             Self { study, mechanism, middle, values, plays, others, clearances: Vec::new(), other_laws: Vec::new() };
@@ -177,30 +177,32 @@ impl<'s> Rig<'s> {
         corners
     }
 
-    fn refuse_what_is_not_covered(&self) -> Result<(), Complaints> {
+    fn refuse_what_is_not_covered(&self) -> Result<(), Diagnostics> {
         let model = &self.mechanism.model;
-        let sample = Sample::<f64>::new(&self.mechanism, &self.values).map_err(|error| error.complaint(model))?;
+        let sample = Sample::<f64>::new(&self.mechanism, &self.values).map_err(|error| error.diagnostic(model))?;
         for (play, id) in sample.plays.iter().zip(&self.mechanism.plays) {
             if play.shape.may_lift() {
                 let problem = IdentifyProblem::LiftOff { play: model.play_words(*id) };
-                return Err(Complaints::one(&problem, None));
+                return Err(Diagnostics::one(&problem, None));
             }
         }
         for play in &self.plays {
             let direction = dimension_direction(&self.mechanism, &self.values, play.quantity)
-                .map_err(|error| error.complaint(model))?;
+                .map_err(|error| error.diagnostic(model))?;
             if !direction.leaves_motion_alone(&self.mechanism) {
-                return Err(self.complaint(&play.path, &IdentifyProblem::PlayMovesGeometry { path: play.path.clone() }));
+                return Err(
+                    self.diagnostic(&play.path, &IdentifyProblem::PlayMovesGeometry { path: play.path.clone() })
+                );
             }
         }
         Ok(())
     }
 
-    fn clearances(&self) -> Result<Vec<Clearance>, Complaints> {
+    fn clearances(&self) -> Result<Vec<Clearance>, Diagnostics> {
         let model = &self.mechanism.model;
-        let at = |changes: &[(QuantityId, f64)]| -> Result<Vec<f64>, Complaints> {
-            let values = self.values_with(changes).map_err(|error| error.complaint(model))?;
-            clearances_of(&self.mechanism, &values).map_err(|error| error.complaint(model).into())
+        let at = |changes: &[(QuantityId, f64)]| -> Result<Vec<f64>, Diagnostics> {
+            let values = self.values_with(changes).map_err(|error| error.diagnostic(model))?;
+            clearances_of(&self.mechanism, &values).map_err(|error| error.diagnostic(model).into())
         };
         let end = |which: usize| -> Vec<(QuantityId, f64)> {
             self.plays.iter().map(|play| (play.quantity, play.interval_si[which])).collect()
@@ -226,7 +228,7 @@ impl<'s> Rig<'s> {
                 (half[k] - expected).abs() <= STRAIGHT * highest[k].max(lowest[k])
             });
             if !is_straight {
-                return Err(self.complaint(&play.path, &IdentifyProblem::PlayNotLinear { path: play.path.clone() }));
+                return Err(self.diagnostic(&play.path, &IdentifyProblem::PlayNotLinear { path: play.path.clone() }));
             }
         }
         let tops: Vec<f64> = self.plays.iter().map(|play| play.interval_si[1]).collect();
@@ -235,7 +237,7 @@ impl<'s> Rig<'s> {
             if (top_m - highest[k]).abs() > STRAIGHT * highest[k]
                 && let Some(play) = self.plays.first()
             {
-                return Err(self.complaint(&play.path, &IdentifyProblem::PlayNotLinear { path: play.path.clone() }));
+                return Err(self.diagnostic(&play.path, &IdentifyProblem::PlayNotLinear { path: play.path.clone() }));
             }
         }
         let middle = at(&[])?;
@@ -252,32 +254,32 @@ impl<'s> Rig<'s> {
     }
 
     /// The mechanism with each other law that the study lists for a contact.
-    fn other_laws(&self) -> Result<Vec<Mechanism>, Complaints> {
+    fn other_laws(&self) -> Result<Vec<Mechanism>, Diagnostics> {
         let model = &self.study.model;
         let mut all = Vec::new();
         for input in &self.study.epistemic {
             let EpistemicSubject::Law { contact, laws } = &input.subject else { continue };
             for law in laws {
-                let changed = model.with_law(*contact, *law).map_err(|error| Complaints::one(&error, None))?;
+                let changed = model.with_law(*contact, *law).map_err(|error| Diagnostics::one(&error, None))?;
                 let values = changed
                     .quantities
                     .evaluate(&self.middle)
-                    .map_err(|error| Complaints::one(&IdentifyProblem::Values { error }, None))?;
-                let mechanism = Mechanism::new(&changed, &values).map_err(|error| error.complaint(model))?;
+                    .map_err(|error| Diagnostics::one(&IdentifyProblem::Values { error }, None))?;
+                let mechanism = Mechanism::new(&changed, &values).map_err(|error| error.diagnostic(model))?;
                 all.push(mechanism);
             }
         }
         Ok(all)
     }
 
-    /// A complaint about an input, at its place in the study.
-    fn complaint(&self, path: &str, problem: &IdentifyProblem) -> Complaints {
+    /// A diagnostic about an input, at its place in the study.
+    fn diagnostic(&self, path: &str, problem: &IdentifyProblem) -> Diagnostics {
         let span = ["epistemic", "random"].into_iter().find_map(|table| {
             let toml = parse_toml(self.study.source()).ok()?;
             let inputs = toml.get_ref().get(table)?.get_ref().as_table()?;
             inputs.iter().find(|(key, _)| key.get_ref() == path).map(|(key, _)| key.span())
         });
-        Complaints::one(problem, span.map(|span| Place::new(self.study.source(), span)))
+        Diagnostics::one(problem, span.map(|span| Place::new(self.study.source(), span)))
     }
 }
 

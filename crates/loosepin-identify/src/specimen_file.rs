@@ -5,7 +5,7 @@ use super::narrowed::{Narrowed, known_bounds, narrowed};
 use loosepin_result::identification::Identification;
 use loosepin_result::motion_identification::{MechanismRows, SpecimenLengths};
 use loosepin_study::Study;
-use loosepin_text::diagnostics::{Complaints, Source};
+use loosepin_text::diagnostics::{Diagnostics, Source};
 use loosepin_text::units::{ReadableUnit, counted};
 use std::fmt::Write;
 use std::path::Path;
@@ -31,14 +31,14 @@ impl SpecimenStudy {
     /// # Errors
     /// Several specimens, or one that nothing explains; mechanisms were asked for and there are none; a study in which rows cannot take the
     /// place of distributions.
-    pub fn new(study: &Study, answer: &Identification, file: &Path) -> Result<Self, Complaints> {
+    pub fn new(study: &Study, answer: &Identification, file: &Path) -> Result<Self, Diagnostics> {
         let (mut text, narrowed) = narrowed(study, &known_bounds(answer)?);
         let lengths = answer.motion.iter().find_map(|specimen| specimen.lengths.as_ref());
         let mechanisms = match lengths {
             None => None,
             Some(SpecimenLengths::Refused(refusal)) => {
                 let problem = IdentifyProblem::NoLengths { reason: refusal.to_string() };
-                return Err(Complaints::one(&problem, None));
+                return Err(Diagnostics::one(&problem, None));
             }
             Some(SpecimenLengths::Given(rows)) => {
                 let stem = file.file_stem().map_or_else(|| "narrowed".into(), |stem| stem.to_string_lossy());

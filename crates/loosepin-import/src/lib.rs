@@ -27,7 +27,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use loosepin_files::{read_stream, write_new_files};
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
@@ -59,7 +59,7 @@ const MAX_DRAWING_BYTES: u64 = 256 << 20;
 ///
 /// # Errors
 /// The file cannot be read, with the name that was probably meant.
-pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Complaints> {
+pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Diagnostics> {
     read_stream(path, MAX_DRAWING_BYTES).map_err(|error| not_readable(path, &error))
 }
 

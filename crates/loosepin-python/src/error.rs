@@ -1,6 +1,6 @@
 //! Errors of inputs, as exceptions.
 
-use loosepin::diagnostics::{self, Complaints, Severity};
+use loosepin::diagnostics::{self, Diagnostics, Severity};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -10,13 +10,13 @@ pyo3::create_exception!(
     LoosepinError,
     PyException,
     "An input that cannot be used, or a result that cannot be had; the text is that of the command line.\n\n\
-     `code` is the code of the first error, for example \"E0201\" (`loosepin explain E0201` says more); `complaints` holds\n\
-     everything that is wrong, one `Complaint` each."
+     `code` is the code of the first error, for example \"E0201\" (`loosepin explain E0201` says more); `diagnostics` holds\n\
+     everything that is wrong, one `Diagnostic` each."
 );
 
 /// One thing that is wrong: what, where, and the way out.
 #[pyclass(frozen, get_all, module = "loosepin")]
-pub struct Complaint {
+pub struct Diagnostic {
     /// The code, which does not change between versions.
     code: &'static str,
     /// "error" or "warning".
@@ -36,46 +36,46 @@ pub struct Complaint {
 }
 
 #[pymethods]
-impl Complaint {
+impl Diagnostic {
     fn __str__(&self) -> &str {
         &self.text
     }
 
     fn __repr__(&self) -> String {
-        format!("<Complaint {}>", self.text)
+        format!("<Diagnostic {}>", self.text)
     }
 }
 
-impl Complaint {
-    /// The complaint as Python sees it.
-    pub fn new(complaint: &diagnostics::Complaint) -> Self {
-        let place = complaint.place.as_ref();
+impl Diagnostic {
+    /// The diagnostic as Python sees it.
+    pub fn new(diagnostic: &diagnostics::Diagnostic) -> Self {
+        let place = diagnostic.place.as_ref();
         let (line, column) = place.map(diagnostics::Place::line_and_column).unzip();
         Self {
-            code: complaint.code.as_str(),
-            severity: complaint.severity.to_string(),
-            message: complaint.message.clone(),
-            hint: complaint.hint.clone(),
+            code: diagnostic.code.as_str(),
+            severity: diagnostic.severity.to_string(),
+            message: diagnostic.message.clone(),
+            hint: diagnostic.hint.clone(),
             file: place.map(|place| place.source.name().to_owned()),
             line,
             column,
-            text: complaint.to_string(),
+            text: diagnostic.to_string(),
         }
     }
 }
 
-/// The exception for `complaints`.
-pub fn raise(complaints: impl Into<Complaints>) -> PyErr {
-    let complaints = complaints.into();
+/// The exception for `diagnostics`.
+pub fn raise(diagnostics: impl Into<Diagnostics>) -> PyErr {
+    let diagnostics = diagnostics.into();
     Python::attach(|py| {
-        let error = LoosepinError::new_err(complaints.to_string());
-        let sorted = complaints.sorted();
-        let first = sorted.iter().find(|complaint| complaint.severity == Severity::Error).or(sorted.first());
+        let error = LoosepinError::new_err(diagnostics.to_string());
+        let sorted = diagnostics.sorted();
+        let first = sorted.iter().find(|diagnostic| diagnostic.severity == Severity::Error).or(sorted.first());
         let of_each = || {
-            let list = sorted.iter().map(|complaint| Bound::new(py, Complaint::new(complaint)));
+            let list = sorted.iter().map(|diagnostic| Bound::new(py, Diagnostic::new(diagnostic)));
             let value = error.value(py);
-            value.setattr("code", first.map(|complaint| complaint.code.as_str()))?;
-            value.setattr("complaints", PyTuple::new(py, list.collect::<PyResult<Vec<_>>>()?)?)
+            value.setattr("code", first.map(|diagnostic| diagnostic.code.as_str()))?;
+            value.setattr("diagnostics", PyTuple::new(py, list.collect::<PyResult<Vec<_>>>()?)?)
         };
         match of_each() {
             Ok(()) => error,
@@ -86,5 +86,5 @@ pub fn raise(complaints: impl Into<Complaints>) -> PyErr {
 
 /// The exception for a problem that no place in a file is to blame for.
 pub fn raise_problem(problem: &dyn diagnostics::Problem) -> PyErr {
-    raise(Complaints::one(problem, None))
+    raise(Diagnostics::one(problem, None))
 }

@@ -44,7 +44,7 @@ pub fn bounds<'py>(
     let Asked { columns, statistics } = *asked;
     let fail = |error: StudyError| match error {
         StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
-        error => raise(error.complaint(study)),
+        error => raise(error.diagnostic(study)),
     };
     let asked = requests(statistics)?;
     let further = unlocked(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;

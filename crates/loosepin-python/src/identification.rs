@@ -66,7 +66,7 @@ pub fn identified(
     let MotionValues { confidence, points, threads, with_posterior, with_lengths } = *values;
     let specimen = specimen.clone();
     let options = Options { confidence, points, threads, with_posterior, with_lengths, specimen, ..Options::default() };
-    let answer = told(py, progress, |heard| identify(study, &options, heard).map_err(raise))?;
+    let answer = with_progress(py, progress, |heard| identify(study, &options, heard).map_err(raise))?;
     Ok(Identification { answer, study: study.clone() })
 }
 
@@ -77,29 +77,30 @@ pub fn planned(
     asked: &Asked,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<(String, String)> {
-    let plan =
-        told(py, progress, |heard| plan_motion(study, asked.specimen.as_deref(), &asked.values, heard).map_err(raise))?;
+    let plan = with_progress(py, progress, |heard| {
+        plan_motion(study, asked.specimen.as_deref(), &asked.values, heard).map_err(raise)
+    })?;
     let text = motion_plan_text(&plan, &study.model.shown_in(DisplayUnits::default()));
     let json = to_json(&plan).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok((json, text))
 }
 
 /// Does `work`, which hears of values that have their runs, while Python listens to Ctrl-C.
-fn told<T: Send>(
+fn with_progress<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,
     work: impl FnOnce(loosepin::identify::ProgressCallback<'_>) -> PyResult<T> + Send,
 ) -> PyResult<T> {
-    let (stop, told) = (AtomicBool::new(false), RunCounts::default());
+    let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
     let heard = |finished: usize, most: usize| {
-        told.runs(finished, most);
+        counts.runs(finished, most);
         !stop.load(Ordering::Relaxed)
     };
-    let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress), || work(&heard));
+    let (outcome, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), || work(&heard));
     match raised {
         Some(error) => Err(error),
         None => {
-            told.tell(py, progress)?;
+            counts.tell(py, progress)?;
             outcome
         }
     }

@@ -24,7 +24,7 @@ use pyo3::prelude::*;
 fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", loosepin::VERSION)?;
     module.add("LoosepinError", module.py().get_type::<error::LoosepinError>())?;
-    module.add_class::<error::Complaint>()?;
+    module.add_class::<error::Diagnostic>()?;
     module.add_class::<column::Column>()?;
     module.add_class::<model::Model>()?;
     module.add_class::<simulation::Simulation>()?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::accuracy::check_quasi_static;
-use loosepin::diagnostics::{self, Complaints};
+use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Rule, measured_argument};
 use loosepin::simulate::record::Override;
@@ -15,7 +15,7 @@ use loosepin::units::Dimension;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::error::{Complaint, raise, raise_problem};
+use crate::error::{Diagnostic, raise, raise_problem};
 use crate::simulation::Simulation;
 use crate::waiting::wait_for;
 
@@ -55,14 +55,14 @@ impl Model {
 
     /// Warnings about it.
     #[getter]
-    fn warnings(&self) -> Vec<Complaint> {
-        self.0.warnings.iter().map(Complaint::new).collect()
+    fn warnings(&self) -> Vec<Diagnostic> {
+        self.0.warnings.iter().map(Diagnostic::new).collect()
     }
 
     /// Name, words and SI unit of each output.
     fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
         let values = self.0.set_values(&[]).map_err(raise)?.values;
-        let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.complaint(&self.0)))?;
+        let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.diagnostic(&self.0)))?;
         let outputs = columns(&mechanism.model).into_iter();
         Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
     }
@@ -113,19 +113,19 @@ impl Model {
         let stop = AtomicBool::new(false);
         let work = || {
             let mechanism = Mechanism::new(&set_values.model, &set_values.values)
-                .map_err(|error| Complaints::from(error.complaint(&set_values.model)))?;
+                .map_err(|error| Diagnostics::from(error.diagnostic(&set_values.model)))?;
             let mut simulation = simulate_until(&mechanism, &set_values.values, &plan, &stop)
-                .map_err(|failure| Complaints::from(failure.complaint(&mechanism.model)))?;
+                .map_err(|failure| Diagnostics::from(failure.diagnostic(&mechanism.model)))?;
             check_quasi_static(&mechanism, &set_values.values, &mut simulation.record)
-                .map_err(|error| Complaints::from(error.complaint(&mechanism.model)))?;
-            let failure = simulation.failure.as_ref().map(|failure| failure.complaint(&mechanism.model).into());
-            let warnings = coarse.iter().map(|warning| diagnostics::Complaint::warning(warning, None)).collect();
+                .map_err(|error| Diagnostics::from(error.diagnostic(&mechanism.model)))?;
+            let failure = simulation.failure.as_ref().map(|failure| failure.diagnostic(&mechanism.model).into());
+            let warnings = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None)).collect();
             Ok(Simulation::new(simulation, failure, warnings))
         };
         let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
         match raised {
             Some(error) => Err(error),
-            None => outcome.map_err(|complaints: Complaints| raise(complaints)),
+            None => outcome.map_err(|diagnostics: Diagnostics| raise(diagnostics)),
         }
     }
 }

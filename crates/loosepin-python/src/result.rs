@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use loosepin::diagnostics::Complaints;
+use loosepin::diagnostics::Diagnostics;
 use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
 use loosepin::result::json::Stored;
 use loosepin::results::write_whole;
@@ -77,7 +77,7 @@ impl StudyResult {
 
     /// Writes `report.html`, whole or not at all.
     fn write_page(&self, path: PathBuf) -> PyResult<()> {
-        write_whole(&path, study_page(&self.result).as_bytes()).map_err(|error| raise(Complaints::one(&error, None)))
+        write_whole(&path, study_page(&self.result).as_bytes()).map_err(|error| raise(Diagnostics::one(&error, None)))
     }
 
     /// The mechanism in one pose, as SVG.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::SystemTime;
 
-use loosepin::diagnostics::{Complaints, Problem};
+use loosepin::diagnostics::{Diagnostics, Problem};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
 use loosepin::store::{Beginning, RunStore};
@@ -32,14 +32,14 @@ pub enum Ended {
 }
 
 /// Runs `study` without leaving anything on disk.
-pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Complaints> {
+pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Diagnostics> {
     match run_study(study, &inputs.to_string(), options) {
         Ok(run) => Ok(Ended::Finished(run.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
             Ok(Ended::Interrupted(format!("{words}; nothing is kept without a folder")))
         }
-        Err(error) => Err(error.complaint(study).into()),
+        Err(error) => Err(error.diagnostic(study).into()),
     }
 }
 
@@ -50,7 +50,7 @@ pub fn run_in_folder(
     folder: PathBuf,
     meeting: Meeting,
     options: &RunOptions<'_>,
-) -> Result<Ended, Complaints> {
+) -> Result<Ended, Diagnostics> {
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
@@ -59,8 +59,8 @@ pub fn run_in_folder(
         with_force: meeting.with_force,
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
-    if !claim.is_finished().map_err(complain)? {
-        loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
+    if !claim.is_finished().map_err(report)? {
+        loosepin::study::plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
@@ -82,12 +82,12 @@ pub fn run_in_folder(
 }
 
 /// The finished result that is in `folder`.
-fn read(folder: &ResultsFolder) -> Result<StudyRun, Complaints> {
-    let result = read_summary(folder).map_err(complain)?;
-    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(complain)?).map_err(complain)?;
+fn read(folder: &ResultsFolder) -> Result<StudyRun, Diagnostics> {
+    let result = read_summary(folder).map_err(report)?;
+    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(report)?).map_err(report)?;
     let surrogates = if folder.has(SURROGATES_FILE) {
-        let text = folder.read_text(SURROGATES_FILE).map_err(complain)?;
-        Some(SavedSurrogates::from_json(&text).map_err(complain)?)
+        let text = folder.read_text(SURROGATES_FILE).map_err(report)?;
+        Some(SavedSurrogates::from_json(&text).map_err(report)?)
     } else {
         None
     };
@@ -101,6 +101,6 @@ fn interrupted(finished: &RunsTable, most_runs: usize) -> String {
     format!("interrupted after {count}{of_most} runs")
 }
 
-fn complain(problem: impl Problem) -> Complaints {
-    Complaints::one(&problem, None)
+fn report(problem: impl Problem) -> Diagnostics {
+    Diagnostics::one(&problem, None)
 }

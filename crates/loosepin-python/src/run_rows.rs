@@ -26,7 +26,7 @@ impl RunRows {
         let study =
             stated(study::Study::from_texts(&study_texts(texts)).map_err(raise)?, &accuracy, budget.as_deref())?;
         let rows = py.detach(|| study::RunRows::new(study.clone(), 1));
-        Ok(Self { rows: rows.map_err(|error| raise(error.complaint(&study)))?, study })
+        Ok(Self { rows: rows.map_err(|error| raise(error.diagnostic(&study)))?, study })
     }
 
     /// Makes a run for each row of `random` and `epistemic`, the values of its inputs.
@@ -48,7 +48,7 @@ impl RunRows {
         let of_each: Vec<[Vec<f64>; 2]> =
             random.rows().into_iter().zip(epistemic.rows()).map(|(x, u)| [x.to_vec(), u.to_vec()]).collect();
         let made = py.detach(|| self.rows.make(&loosened, of_each));
-        let made = made.map_err(|error: StudyError| raise(error.complaint(&self.study)))?;
+        let made = made.map_err(|error: StudyError| raise(error.diagnostic(&self.study)))?;
         let length = made.iter().flatten().map(Vec::len).next().unwrap_or(0);
         let mut rows = Array2::from_elem((made.len(), length), f64::NAN);
         for (mut row, numbers) in rows.rows_mut().into_iter().zip(&made) {

@@ -1,6 +1,6 @@
 //! One run, recorded.
 
-use loosepin::diagnostics::{self, Complaints};
+use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
 use loosepin::result::json::Stored;
 use loosepin::simulate::record::OutputHistory;
@@ -10,18 +10,18 @@ use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
 use crate::column::Column;
-use crate::error::{Complaint, raise, raise_problem};
+use crate::error::{Diagnostic, raise, raise_problem};
 
 /// A finished run.
 #[pyclass(frozen, module = "loosepin._loosepin")]
-pub struct Simulation(simulate::Simulation, Option<Complaints>, Vec<diagnostics::Complaint>);
+pub struct Simulation(simulate::Simulation, Option<Diagnostics>, Vec<diagnostics::Diagnostic>);
 
 impl Simulation {
     /// The run as Python sees it, why it counts as failed though it came to its end, and warnings about what was asked for.
     pub fn new(
         simulation: simulate::Simulation,
-        failure: Option<Complaints>,
-        warnings: Vec<diagnostics::Complaint>,
+        failure: Option<Diagnostics>,
+        warnings: Vec<diagnostics::Diagnostic>,
     ) -> Self {
         Self(simulation, failure, warnings)
     }
@@ -37,13 +37,13 @@ impl Simulation {
 
     /// Warnings about what was asked for.
     #[getter]
-    fn warnings(&self) -> Vec<Complaint> {
-        self.2.iter().map(Complaint::new).collect()
+    fn warnings(&self) -> Vec<Diagnostic> {
+        self.2.iter().map(Diagnostic::new).collect()
     }
 
     /// The exception of a run that came to its end and counts as failed.
     fn failure(&self, py: Python<'_>) -> Option<Py<PyBaseException>> {
-        self.1.clone().map(|complaints| raise(complaints).into_value(py))
+        self.1.clone().map(|diagnostics| raise(diagnostics).into_value(py))
     }
 
     /// The columns of `history.csv`, with its names.

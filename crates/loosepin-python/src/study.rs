@@ -9,7 +9,7 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{Complaint, raise};
+use crate::error::{Diagnostic, raise};
 use crate::further_outputs::{self, Asked, MadeBy};
 use crate::identification::{self, Identification, identified, planned};
 use crate::made_in_python::MadeInPython;
@@ -71,14 +71,14 @@ impl Study {
 
     /// Warnings about it or its model.
     #[getter]
-    fn warnings(&self) -> Vec<Complaint> {
-        self.0.warnings.iter().map(Complaint::new).collect()
+    fn warnings(&self) -> Vec<Diagnostic> {
+        self.0.warnings.iter().map(Diagnostic::new).collect()
     }
 
     /// How many runs it comes to at most.
     fn most_runs(&self, py: Python<'_>) -> PyResult<usize> {
         let planned = py.detach(|| study::plan_runs(&self.0));
-        planned.map_err(|error| raise(error.complaint(&self.0)))
+        planned.map_err(|error| raise(error.diagnostic(&self.0)))
     }
 
     /// Runs it.
@@ -117,7 +117,7 @@ impl Study {
                 Err(PyKeyboardInterrupt::new_err(words))
             }
             // What went wrong is told even where a signal came as well.
-            (Err(complaints), _) => Err(raise(complaints)),
+            (Err(diagnostics), _) => Err(raise(diagnostics)),
             (_, Some(error)) => Err(error),
             (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
             (Ok(Ended::Finished(run)), None) => {
@@ -179,7 +179,7 @@ impl Study {
     /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
-        let recorded = recorded.map_err(|error| raise(error.complaint(&self.0)))?.into_iter();
+        let recorded = recorded.map_err(|error| raise(error.diagnostic(&self.0)))?.into_iter();
         Ok(recorded.map(|output| (output.name, output.unit.symbol().to_owned(), output.pose_rad)).collect())
     }
 

@@ -16,12 +16,12 @@ def test_text_place_code_and_hint(tmp_path):
     (tmp_path / "model.toml").write_text('name = "x"\ngravity = 3\n', encoding="utf-8")
     error = refusal(tmp_path / "model.toml")
     assert str(error) == command("check", str(tmp_path / "model.toml"), cwd=tmp_path).stderr.strip()
-    complaint = error.complaints[-1]
-    assert (complaint.code, complaint.severity, complaint.line, complaint.column) == ("E0303", "error", 2, 11)
-    assert complaint.message == "gravity is 3 without a unit; must be an acceleration"
-    assert complaint.hint == 'write the unit, for example "3 m/s^2"'
-    assert complaint.file == str(tmp_path / "model.toml")
-    assert error.code == error.complaints[0].code == "E0202"
+    diagnostic = error.diagnostics[-1]
+    assert (diagnostic.code, diagnostic.severity, diagnostic.line, diagnostic.column) == ("E0303", "error", 2, 11)
+    assert diagnostic.message == "gravity is 3 without a unit; must be an acceleration"
+    assert diagnostic.hint == 'write the unit, for example "3 m/s^2"'
+    assert diagnostic.file == str(tmp_path / "model.toml")
+    assert error.code == error.diagnostics[0].code == "E0202"
 
 
 def test_kinds_of_files_are_not_mixed_up(tmp_path):
@@ -94,7 +94,7 @@ def test_mutated_files_raise_and_never_panic(seed):
         try:
             read("".join(characters))
         except lp.LoosepinError as error:
-            assert error.code is not None and error.complaints
+            assert error.code is not None and error.diagnostics
 
 
 def read_study(text):

@@ -61,19 +61,19 @@ pub(super) fn run_from<'m>(
     };
     let mut queue = One { run: Some(run), outcome: None };
     if mechanism.is_ideal() {
-        conduct(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
+        run_batch(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
     } else {
         let later = match execution_of(mechanism, Execution::best()) {
             execution @ Execution::MachineCode(_) if settings.integrator != Integrator::Implicit => Some(execution),
             _ => None,
         };
-        Batch::conduct_alone(mechanism, settings, later, kept, &mut HandledQueue::new(&mut queue));
+        Batch::run_alone(mechanism, settings, later, kept, &mut HandledQueue::new(&mut queue));
     }
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))
 }
 
 /// Runs everything in `queue` on this thread, following what `follow` says. Each run has the same bits whatever the execution.
-pub fn conduct<O: Observer>(
+pub fn run_batch<O: Observer>(
     mechanism: &Mechanism,
     follow: &Follow,
     settings: &Settings,
@@ -97,7 +97,7 @@ pub fn conduct<O: Observer>(
     }
     let is_implicit = settings.integrator == Integrator::Implicit;
     let execution = if is_implicit { Execution::Scalar } else { execution_of(mechanism, execution) };
-    Batch::conduct(mechanism, follow, settings, execution, &mut HandledQueue::new(queue));
+    Batch::run(mechanism, follow, settings, execution, &mut HandledQueue::new(queue));
 }
 
 /// Refuses a model that is complete for its motion only.
@@ -371,7 +371,7 @@ mod tests {
              {}{elements}[cycle]\nduration = \"1 s\"\n",
             (0..links).map(link).collect::<String>()
         );
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         Mechanism::new(&model, &model.quantities.nominal()).unwrap_or_else(|error| panic!("{error}"))
     }
 

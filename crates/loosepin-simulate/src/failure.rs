@@ -4,7 +4,7 @@ use super::settings::MAX_ENERGY_RESIDUAL;
 use loosepin_mechanics::dynamics::WithoutValue;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Code, Complaint, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, problems};
 use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, format_value};
 
@@ -345,45 +345,45 @@ impl RunFailure {
 }
 
 impl RunFailure {
-    /// The complaint about the model whose run failed, at what it is about.
-    pub fn complaint(&self, model: &Model) -> Complaint {
+    /// The diagnostic about the model whose run failed, at what it is about.
+    pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         match self {
-            Self::Sample(error) => error.complaint(model),
-            Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
+            Self::Sample(error) => error.diagnostic(model),
+            Self::StandsStill { drive } => Diagnostic::error(self, model.place(&format!("drive.{drive}.speed"))),
             Self::LeavesBearing { joint, .. }
             | Self::LeavesGuide { joint, .. }
             | Self::BeyondGuide { joint, .. }
             | Self::BeyondLaw { joint, .. }
             | Self::WornWithoutPlay { joint }
             | Self::WearNotFinite { joint }
-            | Self::Jams { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            | Self::Jams { joint, .. } => Diagnostic::error(self, model.place(&format!("joint.{joint}"))),
             Self::NotFinite { element, .. } => {
-                Complaint::error(self, element.as_ref().and_then(|path| model.place(path)))
+                Diagnostic::error(self, element.as_ref().and_then(|path| model.place(path)))
             }
             Self::StepTooSmall { .. }
             | Self::TooManyEvaluations { .. }
             | Self::EnergyNotBalanced { .. }
-            | Self::Stopped { .. } => Complaint::error(self, None),
+            | Self::Stopped { .. } => Diagnostic::error(self, None),
             Self::NoDynamics { .. } => {
                 let first = model.missing_for_runs.first();
-                Complaint::error(self, first.and_then(|missing| missing.place.clone()))
+                Diagnostic::error(self, first.and_then(|missing| missing.place.clone()))
             }
             Self::LawGainsEnergy { joint, .. } => {
                 let place = joint.as_ref().and_then(|joint| model.place(&format!("joint.{joint}")));
-                Complaint::error(self, place)
+                Diagnostic::error(self, place)
             }
             Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
-                Complaint::error(self, model.place("cycle"))
+                Diagnostic::error(self, model.place("cycle"))
             }
             Self::NothingPresses { joint } | Self::NotResting { joint } => {
-                Complaint::error(self, model.place(&format!("initial.joint.{joint}")))
+                Diagnostic::error(self, model.place(&format!("initial.joint.{joint}")))
             }
             Self::SpringWithoutDirection { spring, .. } => {
-                Complaint::error(self, model.place(&format!("spring.{spring}")))
+                Diagnostic::error(self, model.place(&format!("spring.{spring}")))
             }
-            Self::SettledOpen { path } => Complaint::error(self, model.place(path)),
-            Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Complaint::error(self, model.place("wear")),
-            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes => Complaint::error(self, None),
+            Self::SettledOpen { path } => Diagnostic::error(self, model.place(path)),
+            Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Diagnostic::error(self, model.place("wear")),
+            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes => Diagnostic::error(self, None),
         }
     }
 }

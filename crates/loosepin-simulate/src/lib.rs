@@ -23,7 +23,7 @@ mod stepping;
 mod watched;
 mod wear;
 
-pub use engine::{conduct, demand_dynamics, run};
+pub use engine::{demand_dynamics, run, run_batch};
 pub use failure::RunFailure;
 pub use follow::{
     DeviationRange, Findings, Follow, FollowedDeviation, FollowedPath, FollowedRun, GAUSS, extremes_within,

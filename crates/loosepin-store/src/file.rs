@@ -132,7 +132,7 @@ impl StoreFile {
     /// Whether it has no table: just made, or left before its first commit.
     fn is_empty(&self) -> Result<bool, StoreError> {
         let tables = self.connection.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get::<_, i64>(0));
-        Ok(self.or_told(tables)? == 0)
+        Ok(self.or_store_error(tables)? == 0)
     }
 
     fn begin(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
@@ -148,13 +148,14 @@ impl StoreFile {
             transaction.pragma_update(None, "user_version", FORMAT)?;
             transaction.commit()
         };
-        self.or_told(written())
+        self.or_store_error(written())
     }
 
     /// That it is a store of this format, whole, and of this identity.
     fn check(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
-        let number =
-            |name: &str| self.or_told(self.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)));
+        let number = |name: &str| {
+            self.or_store_error(self.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)))
+        };
         match (number("application_id")?, number("user_version")?) {
             (APPLICATION, FORMAT) => {}
             (APPLICATION, format) => {
@@ -168,7 +169,7 @@ impl StoreFile {
         }
         self.check_tables()?;
         let said = self.connection.query_row("PRAGMA quick_check(1)", [], |row| row.get::<_, String>(0));
-        let said = self.or_told(said)?;
+        let said = self.or_store_error(said)?;
         if said != "ok" {
             return Err(StoreError::Damaged { path: self.path.clone(), reason: said });
         }
@@ -178,7 +179,7 @@ impl StoreFile {
                 .connection
                 .query_row("SELECT value FROM identity WHERE name = ?1", [name], |row| row.get::<_, String>(0))
                 .optional();
-            let found = self.or_told(found)?.unwrap_or_default();
+            let found = self.or_store_error(found)?.unwrap_or_default();
             if found != *expected {
                 let [found, expected] = [&found, expected].map(|text| text.chars().take(8).collect());
                 return Err(StoreError::OfOther { path: self.path.clone(), what, found, expected });
@@ -194,11 +195,12 @@ impl StoreFile {
     fn check_tables(&self) -> Result<(), StoreError> {
         let damaged = |reason: String| StoreError::Damaged { path: self.path.clone(), reason };
         let statement = self.connection.prepare("SELECT name, sql FROM sqlite_schema");
-        let mut statement = self.or_told(statement)?;
-        let mut rows = self.or_told(statement.query([]))?;
+        let mut statement = self.or_store_error(statement)?;
+        let mut rows = self.or_store_error(statement.query([]))?;
         let mut found = [false; TABLES.len()];
-        while let Some(row) = self.or_told(rows.next())? {
-            let (name, made): (String, String) = self.or_told(row.get(0).and_then(|name| Ok((name, row.get(1)?))))?;
+        while let Some(row) = self.or_store_error(rows.next())? {
+            let (name, made): (String, String) =
+                self.or_store_error(row.get(0).and_then(|name| Ok((name, row.get(1)?))))?;
             match TABLES.iter().position(|table| *table == (name.as_str(), made.as_str())) {
                 Some(table) => found[table] = true,
                 None => return Err(damaged(format!("'{}' in it is no table of a store", shortened(&name)))),
@@ -218,7 +220,7 @@ impl StoreFile {
     /// How many runs it holds.
     pub fn runs(&self) -> Result<u64, StoreError> {
         let count = self.connection.query_row("SELECT count(*) FROM run", [], |row| row.get::<_, i64>(0));
-        Ok(self.or_told(count)?.max(0).cast_unsigned())
+        Ok(self.or_store_error(count)?.max(0).cast_unsigned())
     }
 
     /// Writes these rows together, and waits until they are on the device.
@@ -239,7 +241,7 @@ impl StoreFile {
             transaction.commit()
         };
         let written = written();
-        self.or_told(written)
+        self.or_store_error(written)
     }
 
     /// The runs at `places` of a list.
@@ -248,10 +250,10 @@ impl StoreFile {
         let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run \
             WHERE list = ?1 AND place >= ?2 AND place < ?3";
         let statement = self.connection.prepare_cached(query);
-        let mut statement = self.or_told(statement)?;
+        let mut statement = self.or_store_error(statement)?;
         let rows = statement.query(params![list, places.start.cast_signed(), places.end.cast_signed()]);
-        let mut rows = self.or_told(rows)?;
-        while let Some(row) = self.or_told(rows.next())? {
+        let mut rows = self.or_store_error(rows)?;
+        while let Some(row) = self.or_store_error(rows.next())? {
             let (_, place, run) = self.read(row)?;
             found[(place - places.start) as usize] = Some(run);
         }
@@ -265,9 +267,9 @@ impl StoreFile {
     ) -> Result<(), StoreError> {
         let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run ORDER BY list, place";
         let statement = self.connection.prepare(query);
-        let mut statement = self.or_told(statement)?;
-        let mut rows = self.or_told(statement.query([]))?;
-        while let Some(row) = self.or_told(rows.next())? {
+        let mut statement = self.or_store_error(statement)?;
+        let mut rows = self.or_store_error(statement.query([]))?;
+        while let Some(row) = self.or_store_error(rows.next())? {
             let (list, place, run) = self.read(row)?;
             take(list, place, run)?;
         }
@@ -276,13 +278,13 @@ impl StoreFile {
 
     /// A row with its list and place, once its checksum is right.
     fn read(&self, row: &Row<'_>) -> Result<(u32, u64, StoredRun), StoreError> {
-        let list: u32 = self.or_told(row.get(0))?;
-        let place: i64 = self.or_told(row.get(1))?;
+        let list: u32 = self.or_store_error(row.get(0))?;
+        let place: i64 = self.or_store_error(row.get(1))?;
         let place = place.cast_unsigned();
-        let inputs: Vec<u8> = self.or_told(row.get(2))?;
-        let failure: Option<u16> = self.or_told(row.get(3))?;
-        let numbers: Vec<u8> = self.or_told(row.get(4))?;
-        let sum: Vec<u8> = self.or_told(row.get(5))?;
+        let inputs: Vec<u8> = self.or_store_error(row.get(2))?;
+        let failure: Option<u16> = self.or_store_error(row.get(3))?;
+        let numbers: Vec<u8> = self.or_store_error(row.get(4))?;
+        let sum: Vec<u8> = self.or_store_error(row.get(5))?;
         let damaged = |what: &str| StoreError::Damaged {
             path: self.path.clone(),
             reason: format!("run {place} of list {list} {what}"),
@@ -315,7 +317,7 @@ impl StoreFile {
         lock.adopt(&temporary, PUBLISHED_FILE).map_err(refused)
     }
 
-    fn or_told<T>(&self, result: rusqlite::Result<T>) -> Result<T, StoreError> {
+    fn or_store_error<T>(&self, result: rusqlite::Result<T>) -> Result<T, StoreError> {
         result.map_err(|error| StoreError::of(&self.path, &error))
     }
 }

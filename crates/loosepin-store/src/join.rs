@@ -93,7 +93,7 @@ mod tests {
         for list in [0, 2] {
             (0..ROWS).filter(|&place| shard.makes(place)).for_each(|place| store.keep(list, place, run(list, place)));
         }
-        store.settle().unwrap();
+        store.flush().unwrap();
         (shard, lock.folder().clone())
     }
 

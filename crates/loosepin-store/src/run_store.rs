@@ -169,7 +169,7 @@ impl RunStore {
         }
     }
 
-    /// Whether rows can no longer be written; [`RunStore::settle`] says why.
+    /// Whether rows can no longer be written; [`RunStore::flush`] says why.
     pub fn is_broken(&self) -> bool {
         self.is_broken.load(Ordering::Relaxed)
     }
@@ -186,7 +186,7 @@ impl RunStore {
     ///
     /// # Errors
     /// [`StoreError`]: what the file system has refused since.
-    pub fn settle(&self) -> Result<u64, StoreError> {
+    pub fn flush(&self) -> Result<u64, StoreError> {
         self.ask(|reply| Request::Settle { reply })
     }
 

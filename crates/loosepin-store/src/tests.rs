@@ -43,7 +43,7 @@ fn fill(lock: &Arc<FolderLock>) {
         store.keep(0, place, run(0, place));
         store.keep(4, place + 1_000_000_007, run(4, place + 1_000_000_007));
     }
-    assert_eq!(store.settle().unwrap(), 2 * ROWS);
+    assert_eq!(store.flush().unwrap(), 2 * ROWS);
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn a_file_of_a_format_that_does_not_exist_is_damaged() {
         fs::write(&path, bytes).unwrap();
         let written = RunStore::open(&lock, &identity()).and_then(|store| {
             store.keep(0, ROWS, run(0, ROWS));
-            store.settle()
+            store.flush()
         });
         let error = written.unwrap_err();
         assert!(matches!(&error, StoreError::Damaged { reason, .. } if reason.contains(expected)), "{place}: {error}");
@@ -191,7 +191,7 @@ fn killed(with_log: bool) -> Vec<(&'static str, Vec<u8>)> {
         for place in 0..ROWS {
             store.keep(0, place, run(0, place));
             if place % 20 == 19 {
-                store.settle().unwrap();
+                store.flush().unwrap();
             }
         }
         names.push(super::STORE_COMPANIONS[0]);
@@ -291,16 +291,16 @@ fn a_store_that_was_replaced_is_left_alone_by_the_old_process() {
     let (_desk, lock, path) = folder();
     let old = RunStore::open(&lock, &identity()).unwrap();
     old.keep(0, 1, run(0, 1));
-    old.settle().unwrap();
+    old.flush().unwrap();
     for entry in fs::read_dir(path.parent().unwrap()).unwrap() {
         fs::remove_file(entry.unwrap().path()).unwrap();
     }
     let new_lock = Arc::new(FolderLock::take(path.parent().unwrap(), LockKind::Result, "test").unwrap());
     let new = RunStore::open(&new_lock, &identity()).unwrap();
     new.keep(0, 2, run(0, 2));
-    assert_eq!(new.settle().unwrap(), 1);
+    assert_eq!(new.flush().unwrap(), 1);
     old.keep(0, 3, run(0, 3));
-    assert!(old.settle().is_err() && old.publish().is_err());
+    assert!(old.flush().is_err() && old.publish().is_err());
     let log = path.with_file_name("runs.sqlite-wal");
     assert!(log.exists());
     drop(old);

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use loosepin::templates::find_template;
 
 use crate::drawing::still::NamedPoses;
-use crate::edit::{Edit, know, restructured};
+use crate::edit::{Edit, restructured, set_uncertainty};
 use crate::files::folder::Folder;
 use crate::messages::{Grip, Held, Look, SentText};
 use crate::view::look::look_until;
@@ -340,7 +340,7 @@ fn known(folder: &Folder, model: &str, study: &str, path: &str, text: &str) {
         grip: None,
         poses: None,
     };
-    let _ = know(folder, &Texts::sent(folder, &look), path, text);
+    let _ = set_uncertainty(folder, &Texts::sent(folder, &look), path, text);
 }
 
 macro_rules! edit {

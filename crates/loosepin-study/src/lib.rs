@@ -7,7 +7,7 @@ mod written;
 pub use written::tables as files;
 
 mod assemble;
-mod complaint;
+mod diagnostic;
 mod distribution_words;
 mod drafts;
 mod error;

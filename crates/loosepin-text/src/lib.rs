@@ -1,5 +1,5 @@
 //! From files to numbers: text with units to SI and back ([`units`]), TOML files walked by hand
-//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]). The other way: what people read ([`article`]), dates
+//! ([`document`]), diagnostics with their place, code and hint ([`diagnostics`]). The other way: what people read ([`article`]), dates
 //! ([`date`]).
 
 pub mod article;

@@ -1,11 +1,11 @@
-//! Reads a model file: complaints that can be shown, or a model.
+//! Reads a model file: diagnostics that can be shown, or a model.
 
-use loosepin::diagnostics::{Colour, Complaint, Complaints, Source};
+use loosepin::diagnostics::{Colour, Diagnostic, Diagnostics, Source};
 use loosepin::model::Model;
 
 use super::files::Files;
 
-/// The name by which complaints report the file.
+/// The name by which diagnostics report the file.
 pub const FILE: &str = "fuzzed.toml";
 
 /// Reads a model file with its tables; what is read is possible.
@@ -14,7 +14,7 @@ pub fn read(bytes: &[u8]) -> Option<Model> {
         Some(files) => Model::from_source(source(&files)),
         None => Model::from_bytes(FILE, bytes.to_vec()),
     };
-    let model = read.map_err(|complaints| show(&complaints)).ok()?;
+    let model = read.map_err(|diagnostics| show(&diagnostics)).ok()?;
     for warning in &model.warnings {
         assert!(!warning.to_string().is_empty());
     }
@@ -31,22 +31,22 @@ pub fn source(files: &Files) -> std::sync::Arc<Source> {
     Source::with_files(FILE, &files.text, tables)
 }
 
-/// A picture of every complaint costs more than reading the file: of many complaints one file in this many has pictures.
+/// A picture of every diagnostic costs more than reading the file: of many diagnostics one file in this many has pictures.
 const PICTURES: usize = 16;
 /// So few always have them.
 const FEW: usize = 2;
 
-/// That complaints can be shown, and that one of them is an error.
-pub fn show(complaints: &Complaints) {
-    assert!(complaints.has_errors(), "refused without an error");
-    let text = complaints.to_string();
+/// That diagnostics can be shown, and that one of them is an error.
+pub fn show(diagnostics: &Diagnostics) {
+    assert!(diagnostics.has_errors(), "refused without an error");
+    let text = diagnostics.to_string();
     assert!(!text.is_empty());
-    if complaints.len() <= FEW || text.bytes().map(usize::from).sum::<usize>() % PICTURES == 0 {
-        assert!(!complaints.render(Colour::Never).is_empty());
+    if diagnostics.len() <= FEW || text.bytes().map(usize::from).sum::<usize>() % PICTURES == 0 {
+        assert!(!diagnostics.render(Colour::Never).is_empty());
     }
 }
 
-/// That a complaint about what was read can be shown.
-pub fn show_one(complaint: Complaint) {
-    show(&complaint.into());
+/// That a diagnostic about what was read can be shown.
+pub fn show_one(diagnostic: Diagnostic) {
+    show(&diagnostic.into());
 }

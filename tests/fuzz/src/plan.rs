@@ -18,11 +18,11 @@ pub fn read(bytes: &[u8]) {
 /// Only models have them.
 const BODY: &[u8] = b"[body.";
 
-/// The mechanism is compiled or complained about.
+/// The mechanism is compiled or reported.
 pub fn compile(model: &Model) {
     let values = model.quantities.nominal();
     match Mechanism::new(model, &values) {
-        Err(error) => show_one(error.complaint(model)),
+        Err(error) => show_one(error.diagnostic(model)),
         Ok(mechanism) => {
             if let Err(failure) = Sample::<f64>::new(&mechanism, &values) {
                 assert!(!failure.to_string().is_empty());
@@ -31,9 +31,9 @@ pub fn compile(model: &Model) {
     }
 }
 
-/// The runs are counted, or the study is complained about.
+/// The runs are counted, or the study is reported.
 pub fn plan(study: &Study) {
     if let Err(error) = plan_runs(study) {
-        show_one(error.complaint(study));
+        show_one(error.diagnostic(study));
     }
 }

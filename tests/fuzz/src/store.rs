@@ -50,7 +50,7 @@ pub fn read(bytes: &[u8], folder: &Path) {
                 StoreError::NotUsable { .. } if may_fail => {}
                 _ => panic!("{refused}"),
             }
-            super::model::show_one(loosepin::diagnostics::Complaint::error(&refused, None));
+            super::model::show_one(loosepin::diagnostics::Diagnostic::error(&refused, None));
         }
     }
 }
@@ -91,7 +91,7 @@ fn read_rows(lock: &Arc<FolderLock>) -> Result<(), StoreError> {
         let found = store.find(list, 0..PLACES)?;
         assert_eq!(found.len() as u64, PLACES);
     }
-    store.settle().map(|_| ())
+    store.flush().map(|_| ())
 }
 
 /// Takes all rows over into another store, as `merge` does.

@@ -1,4 +1,4 @@
-//! Reads a study file: complaints that can be shown, or a study.
+//! Reads a study file: diagnostics that can be shown, or a study.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,7 +25,7 @@ pub fn read(bytes: &[u8]) -> Option<Study> {
         }
         None => Study::from_text(FILE, &String::from_utf8_lossy(bytes), models()[USUAL].clone()),
     };
-    let study = read.map_err(|complaints| show(&complaints)).ok()?;
+    let study = read.map_err(|diagnostics| show(&diagnostics)).ok()?;
     assert!(!study.random.is_empty() || !study.epistemic.is_empty());
     for input in &study.random {
         let dimension = study.model.quantities[input.quantity].dimension;
@@ -49,7 +49,7 @@ fn models() -> &'static BTreeMap<&'static str, Model> {
     static MODELS: OnceLock<BTreeMap<&'static str, Model>> = OnceLock::new();
     MODELS.get_or_init(|| {
         let templates = TEMPLATES.iter().map(|template| (template.name, template.model));
-        let read = |text: &str| Model::from_text(FILE, text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let read = |text: &str| Model::from_text(FILE, text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         templates.chain([("every-table", EVERY_TABLE)]).map(|(name, text)| (name, read(text))).collect()
     })
 }

@@ -40,7 +40,7 @@ pub struct Finished {
 
 /// The runs of a plan, and how much was computed.
 #[derive(Debug, Clone)]
-pub struct Conducted {
+pub struct CompletedBatch {
     /// In the order of the plan.
     pub runs: Vec<Finished>,
     /// Evaluations of the equations, of the lanes with a run.
@@ -104,12 +104,12 @@ struct Batch<'p, const G: usize, const ACCOUNT: bool> {
     end_rad: f64,
     /// Readings in a radian.
     readings_per_rad: f64,
-    conducted: Conducted,
+    conducted: CompletedBatch,
 }
 
 /// Conducts a plan on 8 · `G` lanes, the runs in its order; with `ACCOUNT` positions are read and energies kept.
 #[target_feature(enable = "avx512f")]
-pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &Plan) -> Conducted {
+pub fn run_batch<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &Plan) -> CompletedBatch {
     let zero = Lanes::all(0.0);
     let one = Lanes::all(1.0);
     let mut batch = Batch::<G, ACCOUNT> {
@@ -130,7 +130,7 @@ pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &
         next: 0,
         end_rad: TAU * plan.turns as f64,
         readings_per_rad: plan.readings_per_turn as f64 / TAU,
-        conducted: Conducted {
+        conducted: CompletedBatch {
             runs: Vec::with_capacity(plan.runs),
             evaluations: 0,
             accepted: 0,

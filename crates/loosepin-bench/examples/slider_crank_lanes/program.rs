@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::batch::{Conducted, Plan, conduct};
+use crate::batch::{CompletedBatch, Plan, run_batch};
 use crate::model::SliderCrank;
 use loosepin_bench::{Watch, largest};
 use std::process::ExitCode;
@@ -43,13 +43,13 @@ pub fn is_possible() -> bool {
 /// # Panics
 /// Where the processor has no AVX-512.
 #[allow(unsafe_code, reason = "instructions may be named only where the processor was found to have them")]
-pub fn conducted(model: &SliderCrank, plan: &Plan, work: Work) -> Conducted {
+pub fn conducted(model: &SliderCrank, plan: &Plan, work: Work) -> CompletedBatch {
     assert!(is_possible(), "the processor has no AVX-512");
     // SAFETY: the processor has AVX-512, as was just asserted.
     unsafe {
         match work {
-            Work::Full => conduct::<1, true>(model, plan),
-            Work::Bare => conduct::<2, false>(model, plan),
+            Work::Full => run_batch::<1, true>(model, plan),
+            Work::Bare => run_batch::<2, false>(model, plan),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers of 8 · `G` runs side by side: `G` vectors of AVX-512.
 //!
-//! Everything here may be called only where the processor has AVX-512; [`crate::batch::conduct`] asks once.
+//! Everything here may be called only where the processor has AVX-512; [`crate::batch::run_batch`] asks once.
 
 #![allow(unsafe_code, reason = "vectors and arrays of the same eight numbers are read as each other")]
 

@@ -46,8 +46,8 @@ fn option<T: FromStr<Err: Display>>(words: &[String], name: &str) -> Option<T> {
     Some(word.parse().unwrap_or_else(|error| stop(&format!("{name} {word}: {error}"))))
 }
 
-fn stop(complaint: &str) -> ! {
-    eprintln!("error: {complaint}");
+fn stop(diagnostic: &str) -> ! {
+    eprintln!("error: {diagnostic}");
     eprintln!(
         "usage: fresh-bounds N SEED [--threads T] [--only INDEX] [--seeds K] [--widths | --growth | --intervals | --draw]"
     );

@@ -88,7 +88,7 @@ pub struct Refinement {
     goals: Vec<Goal>,
     plan: DoubleLoop,
     /// A larger plan, and the round that it begins with, which was given out last.
-    grown: Option<(u32, DoubleLoop)>,
+    larger: Option<(u32, DoubleLoop)>,
     /// Sizes of the inner sample that its end has depended on, that of `plan` included.
     looks: u32,
     history: Vec<Assessment>,
@@ -110,13 +110,13 @@ impl Refinement {
     pub fn try_new(problem: Problem, goals: Vec<Goal>) -> Result<Self, PlanError> {
         let plan = DoubleLoop::try_new(problem)?;
         let plan = if goals.is_empty() { plan } else { at_look(plan, 1) };
-        Ok(Self { goals, plan, grown: None, looks: 1, history: Vec::new(), standing: Standing::Growing })
+        Ok(Self { goals, plan, larger: None, looks: 1, history: Vec::new(), standing: Standing::Growing })
     }
 
     /// The plan that the rounds in `table` belong to: it gives their results, at whatever round they end.
     pub fn plan(&self, table: &SampleTable) -> &DoubleLoop {
-        match &self.grown {
-            Some((round, grown)) if table.rounds() > *round => grown,
+        match &self.larger {
+            Some((round, larger)) if table.rounds() > *round => larger,
             _ => &self.plan,
         }
     }
@@ -137,11 +137,11 @@ impl Refinement {
     /// # Errors
     /// [`PlanError`] where the table lacks runs of a round before or belongs to another problem.
     pub fn next_round(&mut self, table: &SampleTable) -> Result<Vec<RunInputs>, PlanError> {
-        if let Some((round, grown)) = self.grown.take()
+        if let Some((round, larger)) = self.larger.take()
             && table.rounds() > round
         {
-            self.looks += u32::from(grown.inner_runs() > self.plan.inner_runs());
-            self.plan = grown;
+            self.looks += u32::from(larger.inner_runs() > self.plan.inner_runs());
+            self.plan = larger;
         }
         let round = self.plan.next_round(table)?;
         if !round.is_empty() || self.goals.is_empty() {
@@ -159,13 +159,13 @@ impl Refinement {
             [Growth::Outer, Growth::Inner]
         };
         for growth in first {
-            let Some(grown) = self.grown(growth, &assessment) else { continue };
-            let mut round = grown.next_round(table)?;
+            let Some(larger) = self.enlarged(growth, &assessment) else { continue };
+            let mut round = larger.next_round(table)?;
             if round.is_empty() && growth == Growth::Outer {
-                round = filling_round(&grown, table, (assessment.outer / FILLING_SHARE).max(MIN_FILLING))?;
+                round = filling_round(&larger, table, (assessment.outer / FILLING_SHARE).max(MIN_FILLING))?;
             }
             if !round.is_empty() {
-                self.grown = Some((table.rounds(), grown));
+                self.larger = Some((table.rounds(), larger));
                 return Ok(round);
             }
         }
@@ -216,7 +216,7 @@ impl Refinement {
     }
 
     /// The plan with more of `growth`; nothing where there cannot be more.
-    fn grown(&self, growth: Growth, assessment: &Assessment) -> Option<DoubleLoop> {
+    fn enlarged(&self, growth: Growth, assessment: &Assessment) -> Option<DoubleLoop> {
         let problem = self.plan.problem();
         let sampling = problem.sampling;
         let sampling = match growth {

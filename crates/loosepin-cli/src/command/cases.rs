@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use loosepin::cases::{Case, CaseProblem, case_names, compare_all};
-use loosepin::diagnostics::{Complaints, nearest_name};
+use loosepin::diagnostics::{Diagnostics, nearest_name};
 use loosepin::files::{io_error_words, replace_named};
 use loosepin::report::{cases_page, cases_text};
 use loosepin::units::counted_or_no;
@@ -52,14 +52,14 @@ fn run_cases(arguments: &CasesRunArguments) -> Ending {
 }
 
 /// Reads cases; the errors of all of them are reported together.
-fn read(folder: &Path, names: &[String]) -> Result<Vec<Case>, Complaints> {
+fn read(folder: &Path, names: &[String]) -> Result<Vec<Case>, Diagnostics> {
     let mut cases = Vec::new();
-    let mut complaints = Complaints::new();
+    let mut diagnostics = Diagnostics::new();
     for name in names {
         match Case::from_folder(&folder.join(name)) {
             Ok(case) => cases.push(case),
-            Err(others) => complaints.extend(others),
+            Err(others) => diagnostics.extend(others),
         }
     }
-    if complaints.is_empty() { Ok(cases) } else { Err(complaints) }
+    if diagnostics.is_empty() { Ok(cases) } else { Err(diagnostics) }
 }

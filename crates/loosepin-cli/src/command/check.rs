@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use loosepin::check::{check, warnings};
-use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::report::article_text;
 use loosepin::study::InputFile;
 
@@ -14,7 +14,7 @@ use crate::ending::{Done, Ending};
 
 /// Describes each file; the remaining files are checked even if one has errors.
 pub fn run(arguments: &CheckArguments) -> Ending {
-    let mut complaints = Complaints::new();
+    let mut diagnostics = Diagnostics::new();
     // A study repeats what its model says, which may be one of the files.
     let mut seen = HashSet::new();
     let mut gap = "";
@@ -26,14 +26,14 @@ pub fn run(arguments: &CheckArguments) -> Ending {
             }
             Err(mut found) => {
                 found.remove_repeats(&mut seen);
-                complaints.extend(found);
+                diagnostics.extend(found);
             }
         }
     }
-    if complaints.is_empty() { Ok(Done::Well) } else { Err(complaints.into()) }
+    if diagnostics.is_empty() { Ok(Done::Well) } else { Err(diagnostics.into()) }
 }
 
-fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Complaints> {
+fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Diagnostics> {
     let file = InputFile::from_path(path)?;
     warn_once(warnings(&file), seen);
     // Lines as they are: programs look for them.
@@ -41,10 +41,10 @@ fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Complaint
 }
 
 /// Shows the warnings that were not shown for an earlier file.
-fn warn_once(warnings: &[Complaint], seen: &mut HashSet<String>) {
-    let mut complaints: Complaints = warnings.iter().cloned().collect();
-    complaints.remove_repeats(seen);
-    if !complaints.is_empty() {
-        console::complain(&complaints);
+fn warn_once(warnings: &[Diagnostic], seen: &mut HashSet<String>) {
+    let mut diagnostics: Diagnostics = warnings.iter().cloned().collect();
+    diagnostics.remove_repeats(seen);
+    if !diagnostics.is_empty() {
+        console::report(&diagnostics);
     }
 }

@@ -103,7 +103,7 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
             match SpecimenStudy::new(study, &answer, &study_path(arguments)) {
                 Ok(after) => answer.gain = Some(gain(study, &after.study, options.threads)?),
                 // The identification is shown even so.
-                Err(complaints) => console::complain(&complaints),
+                Err(diagnostics) => console::report(&diagnostics),
             }
         }
     }
@@ -128,7 +128,7 @@ fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
         let options = RunOptions::new(threads, &bar, &stop);
         let outcome = run_study(study, &study_inputs(study, &[], None).to_string(), &options);
         bar.finish();
-        Ok(outcome.map_err(|error| error.complaint(study))?.result)
+        Ok(outcome.map_err(|error| error.diagnostic(study))?.result)
     };
     Ok(identification_gain(&run(study)?, &run(after)?))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::simulate::SmallestClearance;
 use loosepin::study::{InputFile, Study};
@@ -40,15 +40,15 @@ pub fn read_study(path: &Path) -> Result<Study, Failure> {
 pub fn check_tolerance(tolerance_m: f64, smallest: Option<SmallestClearance>) -> Result<(), Failure> {
     let Some(smallest) = smallest else { return Ok(()) };
     if let Some(warning) = smallest.check(tolerance_m).map_err(|error| Failure::of(&error))? {
-        warn(&[Complaint::warning(&warning, None)]);
+        warn(&[Diagnostic::warning(&warning, None)]);
     }
     Ok(())
 }
 
 /// Shows warnings.
-pub fn warn(warnings: &[Complaint]) {
-    let complaints: Complaints = warnings.iter().cloned().collect();
-    if !complaints.is_empty() {
-        console::complain(&complaints);
+pub fn warn(warnings: &[Diagnostic]) {
+    let diagnostics: Diagnostics = warnings.iter().cloned().collect();
+    if !diagnostics.is_empty() {
+        console::report(&diagnostics);
     }
 }

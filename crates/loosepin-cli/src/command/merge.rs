@@ -45,7 +45,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         with_force: arguments.output.force,
     };
     if !claim.is_finished()? {
-        plan_shards(&study, threads(arguments.threads)).map_err(|error| error.complaint(&study))?;
+        plan_shards(&study, threads(arguments.threads)).map_err(|error| error.diagnostic(&study))?;
     }
     let stop = stop_on_signals("Ctrl-C ends the merge at once; the shards keep their runs");
     let of = record.of;

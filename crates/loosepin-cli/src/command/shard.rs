@@ -30,7 +30,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         ));
         return Ok(Done::Well);
     }
-    plan_shards(study, threads(arguments.threads)).map_err(|error| error.complaint(study))?;
+    plan_shards(study, threads(arguments.threads)).map_err(|error| error.diagnostic(study))?;
     let claim = Claim { place: Place::Folder(shard.folder(&results)), ..whole };
     let record = ShardRecord {
         shard: shard.index(),
@@ -82,7 +82,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
             Ok(Done::Well)
         }
         Err(StudyError::Interrupted { .. }) => {
-            let kept = store.settle().map_err(|error| Failure::of(&error))?;
+            let kept = store.flush().map_err(|error| Failure::of(&error))?;
             console::message(&format!(
                 "interrupted; {kept} runs of shard {shard} are kept in {}\nhint: continue with the same command and --resume",
                 folder.path().display()
@@ -90,6 +90,6 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
             Ok(Done::Interrupted)
         }
         // Finished runs are kept after any error.
-        Err(error) => Err(error.complaint(study).into()),
+        Err(error) => Err(error.diagnostic(study).into()),
     }
 }

@@ -36,7 +36,7 @@ pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateA
         &arguments.output,
     );
     // Compiled first, so that no folder is created for a model that cannot run.
-    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(&model))?;
     let outputs = columns(&mechanism.model);
     let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
     for table in &measured {

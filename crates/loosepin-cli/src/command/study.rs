@@ -35,7 +35,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     }
     // Planned first, so that no folder is created for a study that cannot start.
     if !claim.is_finished()? {
-        loosepin::study::plan_runs_on(&study, threads(arguments.threads)).map_err(|error| error.complaint(&study))?;
+        loosepin::study::plan_runs_on(&study, threads(arguments.threads)).map_err(|error| error.diagnostic(&study))?;
     }
     let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
     let beginning = Beginning::stated(claim.with_force, arguments.resume);

@@ -30,7 +30,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
     // Compiled at the middle of the range: a clearance that begins at zero then has play, as for most values.
     let middle = middle_values(&model, &set, &plan)?;
-    let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.diagnostic(&model))?;
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<SweepRecord>(folder);

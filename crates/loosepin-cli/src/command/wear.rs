@@ -1,6 +1,6 @@
 //! `loosepin wear`.
 
-use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::ModelProblem;
 use loosepin::report::{simulation_page, wear_text};
 use loosepin::result::json::Stored;
@@ -18,9 +18,9 @@ pub fn run(arguments: &WearArguments) -> Ending {
     let read = read_model(&model)?;
     if read.wear.is_none() {
         let place = read.joints.first().and_then(|joint| read.place(&format!("joint.{}", joint.name)));
-        let mut complaints = Complaints::new();
-        complaints.push(Complaint::error(&ModelProblem::NoJointWears, place));
-        return Err(complaints.into());
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.push(Diagnostic::error(&ModelProblem::NoJointWears, place));
+        return Err(diagnostics.into());
     }
     let simulation = SimulateArguments {
         model,

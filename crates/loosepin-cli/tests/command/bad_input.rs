@@ -204,7 +204,7 @@ fn two_drives_on_one_freedom_are_named_whether_the_loop_closes_or_not() {
              hint: keep one of them, and drive a joint of another freedom by the other",
         );
     }
-    // The second freedom driven as well: nothing to complain of.
+    // The second freedom driven as well: nothing to report of.
     let desk = Desk::new();
     desk.write("model.toml", &with_pendulum("0 deg").replace("joint = \"crank_pin\"", "joint = \"hang\""));
     desk.succeed(&["check", "model.toml"]);
@@ -458,7 +458,7 @@ fn a_model_where_a_study_is_due_and_the_other_way_round() {
 }
 
 #[test]
-fn settings_are_complained_about_with_the_column_in_their_text() {
+fn settings_are_reported_with_the_column_in_their_text() {
     let desk = Desk::with_model("slider_crank_5000");
     for (settings, messages) in [
         (

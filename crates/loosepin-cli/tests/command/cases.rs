@@ -62,7 +62,7 @@ fn a_number_outside_of_its_tolerance_gives_status_1_and_is_named() {
 
 #[test]
 fn what_is_wrong_with_a_case_is_said_with_its_place() {
-    for (from, to, complaint) in [
+    for (from, to, diagnostic) in [
         (
             "contact_stiffness",
             "contact_stifness",
@@ -95,7 +95,7 @@ fn what_is_wrong_with_a_case_is_said_with_its_place() {
         let desk = desk_with_case(|text| text.replace(from, to));
         let said = desk.run(&["cases", "run"]);
         assert_eq!((said.status, said.output.as_str()), (2, ""), "{to}");
-        assert!(said.messages.starts_with(complaint), "{}", said.messages);
+        assert!(said.messages.starts_with(diagnostic), "{}", said.messages);
     }
 }
 

@@ -182,7 +182,7 @@ fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
 }
 
 #[test]
-fn accuracies_and_budgets_are_complained_about_with_the_column_in_their_text() {
+fn accuracies_and_budgets_are_reported_with_the_column_in_their_text() {
     let desk = desk(SHORT_STUDY);
     for (argument, value, messages) in [
         (

@@ -69,7 +69,7 @@ pub(crate) struct Half {
 }
 
 /// Tests the middles of the cells that it is given, and settles them.
-pub type SettleCells<'t, E> = dyn FnMut(&mut Grid, &[usize]) -> Result<(), E> + 't;
+pub type DecideCells<'t, E> = dyn FnMut(&mut Grid, &[usize]) -> Result<(), E> + 't;
 
 impl Grid {
     /// Cells that were not tested.
@@ -87,7 +87,7 @@ impl Grid {
     }
 
     /// Notes what the test says of the middle of a cell.
-    pub fn settle(&mut self, cell: usize, verdict: Verdict) {
+    pub fn decide(&mut self, cell: usize, verdict: Verdict) {
         self.cells[cell] = verdict;
         self.is_own[cell] = true;
         self.tests[cell] = self.settled;
@@ -103,7 +103,7 @@ impl Grid {
         axes: &[Axis],
         points: usize,
         with_inside: bool,
-        test: &mut SettleCells<'_, E>,
+        test: &mut DecideCells<'_, E>,
     ) -> Result<(Self, bool), E> {
         let mut grid = Self::untested(axes, Self::counts_at_start(axes));
         let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
@@ -113,7 +113,7 @@ impl Grid {
             while !waiting.is_empty() {
                 test(&mut grid, &waiting)?;
                 tested += waiting.len();
-                waiting = grid.unsettled_beside();
+                waiting = grid.undecided_neighbours();
             }
             let Some((finer, open)) = grid.finer(with_inside) else { return Ok((grid, false)) };
             if tested + open.len() > points {
@@ -125,9 +125,9 @@ impl Grid {
     }
 
     /// Cells beside the consistent ones that are rejected and were not tested at their own middle.
-    fn unsettled_beside(&self) -> Vec<usize> {
+    fn undecided_neighbours(&self) -> Vec<usize> {
         let is_due = |cell: &usize| !self.is_own[*cell] && !self.cells[*cell].is_consistent;
-        let mut due: Vec<usize> = self.consistent().flat_map(|cell| self.beside(cell)).filter(is_due).collect();
+        let mut due: Vec<usize> = self.consistent().flat_map(|cell| self.neighbours(cell)).filter(is_due).collect();
         due.sort_unstable();
         due.dedup();
         due
@@ -200,7 +200,7 @@ impl Grid {
     }
 
     /// Cells that touch one, corners included; members of a list touch none.
-    pub fn beside(&self, cell: usize) -> Vec<usize> {
+    pub fn neighbours(&self, cell: usize) -> Vec<usize> {
         let mut all = vec![Vec::new()];
         for (k, at) in self.place(cell).into_iter().enumerate() {
             let range = match self.axes[k] {
@@ -236,7 +236,7 @@ impl Grid {
     /// Whether a cell may hold a part of the boundary: it, or one beside it, is consistent, and not all of them are; or the distance
     /// falls so fast towards it that it would be reached within the cell.
     fn is_open(&self, cell: usize) -> bool {
-        let beside = self.beside(cell);
+        let beside = self.neighbours(cell);
         let own = self.cells[cell];
         let others = beside.iter().map(|other| self.cells[*other]);
         if own.is_consistent || others.clone().any(|other| other.is_consistent) {
@@ -323,7 +323,7 @@ impl Grid {
     }
 
     /// Notes what the test says of the middle of a half, for all its cells.
-    pub fn settle_half(&mut self, half: &Half, verdict: Verdict) {
+    pub fn decide_half(&mut self, half: &Half, verdict: Verdict) {
         for cell in &half.cells {
             self.cells[*cell] = verdict;
             self.tests[*cell] = self.settled;
@@ -376,7 +376,7 @@ mod tests {
                     Grid::refined(&axes, usize::MAX, false, &mut |grid: &mut Grid, waiting: &[usize]| {
                         for cell in waiting {
                             let verdict = at(grid, *cell);
-                            grid.settle(*cell, verdict);
+                            grid.decide(*cell, verdict);
                         }
                         Ok::<(), Infallible>(())
                     })
@@ -385,13 +385,13 @@ mod tests {
                 let mut all = Grid::untested(&axes, grid.counts.clone());
                 for cell in 0..all.cells.len() {
                     let verdict = at(&all, cell);
-                    all.settle(cell, verdict);
+                    all.decide(cell, verdict);
                 }
                 for unknown in 0..unknowns {
                     assert_eq!(grid.extent(unknown), all.extent(unknown), "{unknowns} unknowns, trial {trial}");
                 }
                 assert_eq!(grid.consistent().count(), all.consistent().count(), "{unknowns} unknowns, trial {trial}");
-                assert!(grid.unsettled_beside().is_empty());
+                assert!(grid.undecided_neighbours().is_empty());
             }
         }
     }

@@ -12,7 +12,7 @@ use loosepin_result::motion_identification::{
     ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
 };
 use loosepin_study::{EpistemicInput, MeasuredMotion, Study, StudyError};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use std::rc::Rc;
 
 /// Unknowns, at most: cells grow as a power of them.
@@ -57,17 +57,17 @@ impl<'s> MotionRig<'s> {
         features: &[&'s MeasuredMotion],
         asked: &MotionValues,
         beside: usize,
-    ) -> Result<Self, Complaints> {
+    ) -> Result<Self, Diagnostics> {
         let alpha = 1.0 - asked.confidence;
         let runs = runs_for(alpha);
         if !(0.5..1.0).contains(&asked.confidence) || !(runs <= MAX_RUNS) {
-            return Err(Complaints::one(&IdentifyProblem::MotionConfidence { found: asked.confidence }, None));
+            return Err(Diagnostics::one(&IdentifyProblem::MotionConfidence { found: asked.confidence }, None));
         }
         let axes: Vec<Axis> = study.epistemic.iter().map(axis).collect();
         if axes.is_empty() || axes.len() > MAX_UNKNOWNS {
             let place = Place::new(study.source(), 0..0);
             let problem = IdentifyProblem::Unknowns { found: axes.len(), most: MAX_UNKNOWNS };
-            return Err(Complaint::error(&problem, Some(place)).into());
+            return Err(Diagnostic::error(&problem, Some(place)).into());
         }
         let is_fixed = study.random.is_empty() && features.iter().all(|feature| feature.scatter.size == 0.0);
         let runs = if is_fixed { 1 } else { runs as usize };
@@ -80,7 +80,7 @@ impl<'s> MotionRig<'s> {
         self.bank.study.epistemic.iter().zip(shares).map(|(input, share)| value(input, *share)).collect()
     }
 
-    pub(super) fn runs_at(&mut self, points: &[Vec<f64>]) -> Result<Vec<Runs>, Complaints> {
+    pub(super) fn runs_at(&mut self, points: &[Vec<f64>]) -> Result<Vec<Runs>, Diagnostics> {
         let study = self.bank.study;
         let all = self.bank.at(points).map_err(|error| refused(study, &error))?;
         if all.len() != points.len() {
@@ -118,7 +118,7 @@ impl<'s> MotionRig<'s> {
         name: Option<String>,
         values_si: &[f64],
         with_posterior: bool,
-    ) -> Result<MotionSpecimen, Complaints> {
+    ) -> Result<MotionSpecimen, Diagnostics> {
         let seen = self.observation(values_si.to_vec());
         let places: Vec<usize> = (0..values_si.len()).collect();
         let mut tested: Vec<(Vec<f64>, Verdict, Runs)> = Vec::new();
@@ -133,16 +133,16 @@ impl<'s> MotionRig<'s> {
             tested.extend(
                 values.into_iter().zip(&found).map(|(point, (verdict, runs))| (point, *verdict, Rc::clone(runs))),
             );
-            Ok::<_, Complaints>(found)
+            Ok::<_, Diagnostics>(found)
         };
         let (grid, is_coarse) =
             Grid::refined(&axes, points, with_posterior, &mut |grid: &mut Grid, waiting: &[usize]| {
                 let found = test(waiting.iter().map(|cell| grid.middle(*cell)).collect())?;
                 for (cell, (verdict, runs)) in waiting.iter().zip(found) {
-                    grid.settle(*cell, verdict);
+                    grid.decide(*cell, verdict);
                     cells.push((TestedCell { at: grid.middle(*cell), widths: grid.widths() }, runs));
                 }
-                Ok::<(), Complaints>(())
+                Ok::<(), Diagnostics>(())
             })?;
         // What is tested further does not change the set.
         let given = if with_posterior {
@@ -166,7 +166,7 @@ impl<'s> MotionRig<'s> {
     ///
     /// # Errors
     /// The study cannot begin.
-    pub fn kept(&mut self, counts: &[usize], values_si: &[f64]) -> Result<Vec<Vec<f64>>, Complaints> {
+    pub fn kept(&mut self, counts: &[usize], values_si: &[f64]) -> Result<Vec<Vec<f64>>, Diagnostics> {
         let grid = Grid::untested(&self.axes, counts.to_vec());
         let cells = grid.cells.len();
         let points: Vec<Vec<f64>> = (0..cells).map(|cell| self.values(&grid.middle(cell))).collect();
@@ -180,7 +180,7 @@ impl<'s> MotionRig<'s> {
     ///
     /// # Errors
     /// The study cannot begin.
-    pub fn predicted(&mut self, counts: &[usize]) -> Result<Vec<RunsOfValue>, Complaints> {
+    pub fn predicted(&mut self, counts: &[usize]) -> Result<Vec<RunsOfValue>, Diagnostics> {
         let grid = Grid::untested(&self.axes, counts.to_vec());
         let points: Vec<Vec<f64>> = (0..grid.cells.len()).map(|cell| self.values(&grid.middle(cell))).collect();
         let all = self.runs_at(&points)?;
@@ -220,7 +220,7 @@ impl<'s> MotionRig<'s> {
         };
         let consistent: Vec<usize> = grid.consistent().collect();
         let mut widened: Vec<usize> =
-            consistent.iter().flat_map(|cell| grid.beside(*cell)).chain(consistent.clone()).collect();
+            consistent.iter().flat_map(|cell| grid.neighbours(*cell)).chain(consistent.clone()).collect();
         widened.sort_unstable();
         widened.dedup();
         let cells = grid.cells.len() as f64;
@@ -294,8 +294,8 @@ impl<'s> MotionRig<'s> {
 }
 
 /// Why the runs of a study cannot be made, with code and hint of what was refused.
-fn refused(study: &Study, error: &StudyError) -> Complaints {
-    error.complaint(study).into()
+fn refused(study: &Study, error: &StudyError) -> Diagnostics {
+    error.diagnostic(study).into()
 }
 
 /// The consistent values of each specimen of `study`, in the order of the file, or of the one that is named.
@@ -307,7 +307,7 @@ pub(crate) fn identify_motion(
     specimen: Option<&String>,
     asked: &MotionValues,
     heard: ProgressCallback<'_>,
-) -> Result<Vec<MotionSpecimen>, Complaints> {
+) -> Result<Vec<MotionSpecimen>, Diagnostics> {
     let mut names: Vec<&Option<String>> = Vec::new();
     for feature in &study.motion {
         let is_asked = specimen.is_none_or(|wanted| feature.specimen.as_ref() == Some(wanted));
@@ -321,7 +321,7 @@ pub(crate) fn identify_motion(
         let values = features.iter().map(|feature| {
             feature.mean_si().ok_or_else(|| {
                 let problem = IdentifyProblem::NotMeasured { feature: feature.name.clone() };
-                Complaints::from(Complaint::error(&problem, Some(feature.place.clone())))
+                Diagnostics::from(Diagnostic::error(&problem, Some(feature.place.clone())))
             })
         });
         let values: Vec<f64> = values.collect::<Result<_, _>>()?;

@@ -61,7 +61,7 @@ fn drawn(
 ) -> Result<Result<MechanismRows, LengthsRefusal>, StudyError> {
     let study = bank.study;
     let mut cells: Vec<usize> = grid.consistent().collect();
-    cells.extend(cells.clone().into_iter().flat_map(|cell| grid.beside(cell)));
+    cells.extend(cells.clone().into_iter().flat_map(|cell| grid.neighbours(cell)));
     cells.sort_unstable();
     cells.dedup();
     if cells.is_empty() {

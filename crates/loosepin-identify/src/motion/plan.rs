@@ -4,11 +4,11 @@ use super::bank::ProgressCallback;
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
 use super::unknowns::name;
-use crate::conduct::known_specimen;
 use crate::error::IdentifyProblem;
+use crate::identify::known_specimen;
 use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
-use loosepin_text::diagnostics::{Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostics, Place};
 use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::{hash, uniform};
 
@@ -73,7 +73,7 @@ pub fn plan_motion(
     specimen: Option<&str>,
     asked: &MotionValues,
     heard: ProgressCallback<'_>,
-) -> Result<MotionPlan, Complaints> {
+) -> Result<MotionPlan, Diagnostics> {
     if let Some(wanted) = specimen {
         known_specimen(study, wanted)?;
     }
@@ -92,7 +92,7 @@ pub fn plan_motion(
     let imagined = || all.iter().flat_map(|runs| &runs[counted..]);
     let failed = imagined().filter(|run| has_failed(run)).count();
     if failed == imagined().count() {
-        return Err(Complaints::one(&IdentifyProblem::NothingImagined { runs: failed }, None));
+        return Err(Diagnostics::one(&IdentifyProblem::NothingImagined { runs: failed }, None));
     }
     // Whether each value is kept, by the true value, the measurement, and the value.
     let kept_by = |places: &[usize]| -> Vec<(usize, Vec<bool>)> {

@@ -108,7 +108,7 @@ fn shown<E>(
         points -= halves.len();
         for (half, (verdict, value)) in halves.iter().zip(test(halves.iter().map(|half| half.cell.clone()).collect())?)
         {
-            grid.settle_half(half, verdict);
+            grid.decide_half(half, verdict);
             values.push(value);
         }
     }
@@ -211,7 +211,7 @@ mod tests {
             for cell in waiting {
                 let at = grid.middle(*cell);
                 let log = of(&at);
-                grid.settle(*cell, verdict(log));
+                grid.decide(*cell, verdict(log));
                 values.push(weighed(TestedCell { at, widths: grid.widths() }, log, 0.0));
             }
             Ok::<(), Infallible>(())
@@ -386,7 +386,7 @@ mod tests {
             let mut grid = Grid::untested(&[Axis::Continuous], vec![16]);
             let cells: Vec<TestedCell> =
                 (0..16).map(|cell| TestedCell { at: grid.middle(cell), widths: grid.widths() }).collect();
-            (0..16).for_each(|cell| grid.settle(cell, Verdict { is_consistent: cell == 8, distance: 1.0 }));
+            (0..16).for_each(|cell| grid.decide(cell, Verdict { is_consistent: cell == 8, distance: 1.0 }));
             let values = cells.into_iter().map(|cell| {
                 let log = narrow(&cell.at);
                 weighed(cell, log, 0.0)
@@ -400,7 +400,7 @@ mod tests {
         let mut grid = Grid::untested(&[Axis::Continuous], vec![4]);
         let cells: Vec<TestedCell> =
             (0..4).map(|cell| TestedCell { at: grid.middle(cell), widths: grid.widths() }).collect();
-        (0..4).for_each(|cell| grid.settle(cell, Verdict { is_consistent: true, distance: 0.5 }));
+        (0..4).for_each(|cell| grid.decide(cell, Verdict { is_consistent: true, distance: 0.5 }));
         // A fifth of the runs of one of four equally probable values: exactly the share that is allowed, and a little more.
         for (failed, is_given) in [(0.19, true), (0.21, false)] {
             let values = cells

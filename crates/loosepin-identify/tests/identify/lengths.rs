@@ -61,7 +61,7 @@ fn options() -> Options {
 }
 
 fn answer(study: &Study, options: &Options) -> record::Identification {
-    identify(study, options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"))
+    identify(study, options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn given(answer: &record::Identification) -> &MechanismRows {
@@ -223,9 +223,9 @@ fn check_study(answer: &record::Identification, study: &Study) {
         assert!((found[0] - exact).abs() < 4.0 * deviation, "{found:?} {exact}");
     }
     assert!(found[0][1] <= exact[0] && found[1][1] >= exact[1], "{found:?} {exact:?}");
-    let known = known_bounds(answer).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let known = known_bounds(answer).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let series = Study::from_text("study.toml", &narrowed(&of_ends(3, [70.35, 170.55]), &known).0, study.model.clone());
-    let wider = band_of(&series.unwrap_or_else(|complaints| panic!("{complaints}")));
+    let wider = band_of(&series.unwrap_or_else(|diagnostics| panic!("{diagnostics}")));
     let [width, before] = [found, wider].map(|band| band[1][0] - band[0][0]);
     // 2 · 1.96 (√(0.3² + 0.2²) - 0.069) mm.
     println!("band {width:.3} mm, with the lengths of the series {before:.3} mm");

@@ -28,14 +28,14 @@ pub(crate) fn text_of(file: &str) -> String {
 
 /// A study of a model, both from text.
 pub(crate) fn study(model: &str, study: &str) -> Study {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// What the readings of the only specimen say; further readings are not looked for.
 pub(crate) fn answer(study: &Study) -> Specimen {
     let options = Options { looks_further: false, ..Options::default() };
-    let mut answer = identify(study, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut answer = identify(study, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(answer.specimens.len(), 1);
     answer.specimens.remove(0)
 }

@@ -43,11 +43,11 @@ fn identity_readings_of_other_specimens_do_not_count() {
     );
     let options = Options { looks_further: false, specimen: Some("A".to_owned()), ..Options::default() };
     let both = study(&model, &named);
-    let of_a = identify(&both, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let of_a = identify(&both, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(of_a.specimens.len(), 1);
     assert_eq!(known(&of_a.specimens[0]).plays, known(&alone).plays);
     let all = identify(&both, &Options { specimen: None, ..options.clone() }, NO_CALLBACK)
-        .unwrap_or_else(|complaints| panic!("{complaints}"));
+        .unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(all.specimens.len(), 2);
     let unknown = identify(&both, &Options { specimen: Some("C".to_owned()), ..options }, NO_CALLBACK)
         .expect_err("no such specimen");

@@ -37,7 +37,7 @@ pub fn stroke(value: &str, errors: &str) -> String {
 
 fn only(study: &Study) -> MotionSpecimen {
     let mut answer =
-        identify(study, &Options::default(), NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+        identify(study, &Options::default(), NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(answer.motion.len(), 1);
     answer.motion.remove(0)
 }
@@ -86,8 +86,9 @@ fn analytic_a_stroke_that_no_crank_has_is_a_misfit_with_its_distance() {
 #[test]
 fn a_motion_narrows_the_study_as_written() {
     let study = of_crank(&stroke("\"100.3 mm\"", "error = \"± 0.2 mm\""));
-    let answer = identify(&study, &Options::default(), NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let known = known_bounds(&answer).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let answer =
+        identify(&study, &Options::default(), NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let known = known_bounds(&answer).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let (text, changes) = narrowed(&study, &known);
     assert_eq!(changes.len(), 1);
     assert!(text.contains("# of the shop") && !text.contains("49 mm"), "{text}");
@@ -98,13 +99,13 @@ fn no_study_is_narrowed_by_several_specimens_or_by_a_misfit() {
     let of = |specimen: &str, value: &str| stroke(value, &format!("error = \"± 0.2 mm\"\nspecimen = \"{specimen}\""));
     let two = of_crank(&format!("{}{}", of("A", "\"100.3 mm\""), of("B", "\"100.1 mm\"")));
     let options = Options { points: 30, ..Options::default() };
-    let mut answer = identify(&two, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut answer = identify(&two, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     // A and B of the readings, and A and B of the motion: two specimens, not four.
     answer.motion.extend(answer.motion.clone());
     let refused = known_bounds(&answer).expect_err("two specimens").to_string();
     assert!(refused.contains("of 2 specimens"), "{refused}");
     let wrong = of_crank(&of("A", "\"103 mm\""));
-    let answer = identify(&wrong, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let answer = identify(&wrong, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let refused = known_bounds(&answer).expect_err("a misfit").to_string();
     assert!(refused.contains("no values explain what was measured at specimen 'A'"), "{refused}");
 }
@@ -130,7 +131,7 @@ fn refusals_of_a_motion_name_its_specimens_and_keep_code_and_hint() {
         &format!("{text}{}", stroke("\"400 mm\"", "error = \"± 0.2 mm\"")),
         loosepin_mechanics::model::Model::from_text("model.toml", &ideal_model()).expect("a model"),
     );
-    let long = long.unwrap_or_else(|complaints| panic!("{complaints}"));
+    let long = long.unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let refused = identify(&long, &Options::default(), NO_CALLBACK).expect_err("it does not turn").to_string();
     assert!(
         refused.contains("error[E0704]") && refused.contains("hint: that is 'parameter.crank_length'"),
@@ -143,7 +144,7 @@ fn identity_the_set_is_the_same_for_any_number_of_threads() {
     let study = of_crank(&format!("{ROD}{}", stroke("\"100.3 mm\"", "scatter = \"0.1 mm\"")));
     let with = |threads: usize| {
         let options = Options { threads, points: 30, ..Options::default() };
-        identify(&study, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"))
+        identify(&study, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
     };
     assert_eq!(with(1), with(3));
 }
@@ -158,7 +159,7 @@ fn a_plan_says_which_feature_tells() {
     // The mean of the drive's turn counts the rod, whose length is known far better than the error; the stroke counts the crank.
     let study = of_crank(&format!("{ROD}{}{}", at("range", ""), at("order", "order = 7")));
     let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false, with_lengths: false };
-    let plan = plan_motion(&study, None, &asked, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let plan = plan_motion(&study, None, &asked, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(plan.features[0].name, "slider, range");
     assert!(plan.features[0].share_of_box < 0.5, "{plan:?}");
     assert!(plan.features[1].share_of_box > 0.99, "{plan:?}");

@@ -87,8 +87,9 @@ fn study(folder: &Path, [low_mm, high_mm]: [f64; 2]) -> Study {
     let text = read("measured.toml");
     assert_eq!(text.matches(written).count(), 1, "the play of measured.toml is {FILE_PLAY_MM:?} mm");
     let text = text.replace(written, &format!("interval = [\"{low_mm} mm\", \"{high_mm} mm\"]"));
-    let model = Model::from_text("model.toml", &read("model.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("measured.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    let model =
+        Model::from_text("model.toml", &read("model.toml")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("measured.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 #[test]
@@ -100,15 +101,15 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
     let features: Vec<&MeasuredMotion> = of_file.motion.iter().collect();
     let asked =
         MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: false, with_lengths: false };
-    let mut rig = MotionRig::new(&of_file, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let runs = rig.predicted(&[BRUTE_FORCE]).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut rig = MotionRig::new(&of_file, &features, &asked, 0).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let runs = rig.predicted(&[BRUTE_FORCE]).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let cell_m = (0.5e-3 - 0.1e-3) / BRUTE_FORCE as f64;
     let readings = readings(&folder);
     let (mut count, mut missed, mut narrowed, mut widths) = (0, 0, Vec::new(), Vec::new());
     // Credible intervals: given, missed, and their widths over that of the set.
     let (mut given, mut not_held, mut credible) = (0, 0, Vec::new());
     for reading in readings.iter().filter(|reading| reading.alternative == "none") {
-        let found = rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let found = rig.invert(None, &reading.values_si, false).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let [low_m, high_m] = found.unknowns[0].after_si;
         let words = match &found.misfit {
             Some(misfit) => format!("misfit, distance {:.3}", misfit.least_distance),
@@ -116,7 +117,7 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         };
         count += 1;
         missed += usize::from(found.misfit.is_some() || reading.play_m < low_m || reading.play_m > high_m);
-        let kept = rig.kept(&[BRUTE_FORCE], &reading.values_si).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let kept = rig.kept(&[BRUTE_FORCE], &reading.values_si).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let plays = kept.iter().map(|values| values[0]);
         let [least, most] = plays.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], play| [a.min(play), b.max(play)]);
         let mut ratio = f64::NAN;
@@ -127,7 +128,7 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
             narrowed.push((high_m - low_m) / 0.4e-3);
         }
         println!("play {:.4} mm: {words}; width over brute force {ratio:.3}", 1e3 * reading.play_m);
-        let weighed = rig.invert(None, &reading.values_si, true).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let weighed = rig.invert(None, &reading.values_si, true).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         if let Some(MotionPosterior::Given(posterior)) = &weighed.posterior {
             let [least, most] = posterior.marginals[0].summary.expect("the play is no list").credible_si;
             given += 1;
@@ -142,7 +143,7 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         let mut narrower = if play_mm == FILE_PLAY_MM {
             None
         } else {
-            Some(MotionRig::new(own, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}")))
+            Some(MotionRig::new(own, &features, &asked, 0).unwrap_or_else(|diagnostics| panic!("{diagnostics}")))
         };
         let ours = within(&runs, play_mm);
         // The independent program's own runs of mechanisms that the study allows.
@@ -156,13 +157,13 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         for reading in readings.iter().filter(|reading| reading.alternative == alternative) {
             let asked_rig = narrower.as_mut().unwrap_or(&mut rig);
             let found =
-                asked_rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
+                asked_rig.invert(None, &reading.values_si, false).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
             let outside = is_outside(&ours, reading.values_si) && is_outside(&theirs, reading.values_si);
             let mut one = [1, usize::from(found.misfit.is_some()), 0];
             if play_mm == FILE_PLAY_MM {
                 let kept = asked_rig
                     .kept(&[BRUTE_FORCE], &reading.values_si)
-                    .unwrap_or_else(|complaints| panic!("{complaints}"));
+                    .unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
                 one[2] = usize::from(kept.is_empty());
             }
             let is_counted = (alternative, true) != (CHOSEN_BY.0, reading.seed < CHOSEN_BY.1);

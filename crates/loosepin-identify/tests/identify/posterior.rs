@@ -6,7 +6,7 @@ use loosepin_identify::{NO_CALLBACK, Options, identify};
 
 fn with_posterior(tables: &str, options: &Options) -> MotionSpecimen {
     let study = of_crank(tables);
-    let mut answer = identify(&study, options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let mut answer = identify(&study, options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     answer.motion.remove(0)
 }
 

@@ -69,9 +69,10 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
     for file in ["model.toml", "first.toml"] {
         std::fs::copy(case().join(file), folder.path().join(file)).expect("a copy");
     }
-    let first = Study::from_path(&folder.path().join("first.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let first =
+        Study::from_path(&folder.path().join("first.toml")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let target = folder.path().join("narrowed.toml");
-    write_narrowed(&first, &[(&target, "a = 1\n")]).unwrap_or_else(|complaints| panic!("{complaints}"));
+    write_narrowed(&first, &[(&target, "a = 1\n")]).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let twice = write_narrowed(&first, &[(&target, "b = 1\n")]).expect_err("it is there").to_string();
     assert!(twice.contains("exists already; nothing is overwritten"), "{twice}");
     assert_eq!(std::fs::read_to_string(&target).expect("it is there"), "a = 1\n");
@@ -84,7 +85,8 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
 #[test]
 fn identity_the_named_reading_tells_apart_what_one_reading_does_not() {
     let first = study(&text_of("model.toml"), &text_of("first.toml"));
-    let answer = identify(&first, &Options::default(), NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let answer =
+        identify(&first, &Options::default(), NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let Outcome::Consistent(known) = &answer.specimens[0].outcome else { panic!("it fits") };
     assert_eq!(known.alike, [[0, 1, 2]]);
     let further = known.further.as_ref().expect("there is a better place");

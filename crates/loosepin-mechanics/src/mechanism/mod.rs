@@ -5,7 +5,7 @@
 
 mod beginning;
 mod compile;
-mod complaint;
+mod diagnostic;
 mod error;
 mod ideal;
 mod lane_sample;

@@ -8,7 +8,7 @@ use loosepin_text::units::{Dimension, Rule};
 /// A column of a table of points: its name in paths, and its dimension.
 pub type Column = (&'static str, Dimension);
 
-/// The reader of a model. What returns nothing has complained.
+/// The reader of a model. What returns nothing has reported.
 pub trait EntryReader: JointReader {
     /// The quantity at an entry, of a given dimension.
     fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId>;

@@ -5,7 +5,7 @@ use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Reads, Table, Usual, Value};
 use loosepin_text::units::parse_quantity;
 
-/// The reader of a model with the parts that stand above. What returns nothing has complained.
+/// The reader of a model with the parts that stand above. What returns nothing has reported.
 pub trait PartReader: Reads {
     /// A point, written `body.point`.
     fn point(&mut self, entry: &Entry<'_>) -> Option<PointId>;
@@ -54,7 +54,7 @@ pub enum Later<'t> {
 }
 
 impl Later<'_> {
-    /// Reads it; `None` after a complaint.
+    /// Reads it; `None` after a diagnostic.
     pub fn quantity<R: PartReader + ?Sized>(&self, reader: &mut R) -> Option<QuantityId> {
         match self {
             Self::Written(entry) => reader.quantity_at(entry),

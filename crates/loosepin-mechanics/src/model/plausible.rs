@@ -4,7 +4,7 @@ use super::contact::Contact;
 use crate::contact::delivered_restitution;
 use crate::model::parts::topology::{Body, Model};
 use crate::model::values::quantity::{Origin, QuantityId, Values};
-use loosepin_text::diagnostics::{Code, Complaint, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, problems};
 use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, format_number, format_value, parse_quantity};
 
@@ -84,7 +84,7 @@ fn or_meant(slip: &Option<String>) -> String {
 
 impl Model {
     /// Warnings of numbers that are hardly possible, at the values of the file.
-    pub(super) fn hardly_possible(&self) -> Vec<Complaint> {
+    pub(super) fn hardly_possible(&self) -> Vec<Diagnostic> {
         let values = self.quantities.nominal();
         let mut found: Vec<(String, HardlyPossible)> = Vec::new();
         self.judge_quantities(&values, &mut found);
@@ -99,7 +99,7 @@ impl Model {
             self.judge_restitution(contact, &values, &mut found);
         }
         self.judge_clearances(&values, &mut found);
-        found.iter().map(|(path, problem)| Complaint::warning(problem, self.place(path))).collect()
+        found.iter().map(|(path, problem)| Diagnostic::warning(problem, self.place(path))).collect()
     }
 
     /// The extent of the points of the largest body, ground included, m: the scale of the mechanism.

@@ -30,7 +30,7 @@ from ._inputs import (
     Uniform,
     Weibull,
 )
-from ._loosepin import Complaint, LoosepinError, __version__
+from ._loosepin import Diagnostic, LoosepinError, __version__
 from ._model import Model, Output, Simulation
 from ._records import Bound, BoundEnd, Curve
 from ._result import Samples, StudyResult
@@ -46,7 +46,7 @@ __all__ = [
     "BoundEnd",
     "bounds",
     "Box",
-    "Complaint",
+    "Diagnostic",
     "Curve",
     "Discrete",
     "Empirical",

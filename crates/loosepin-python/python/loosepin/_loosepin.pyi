@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 __all__ = [
     "Column",
-    "Complaint",
+    "Diagnostic",
     "Identification",
     "LoosepinError",
     "Model",
@@ -30,11 +30,11 @@ _Texts = tuple[tuple[str, str], tuple[str, str], str, list[tuple[str, str]]]
 
 class LoosepinError(Exception):
     code: str | None
-    complaints: tuple[Complaint, ...]
+    diagnostics: tuple[Diagnostic, ...]
     simulation: object
 
 @final
-class Complaint:
+class Diagnostic:
     @property
     def code(self) -> str: ...
     @property
@@ -72,7 +72,7 @@ class Model:
     @property
     def text(self) -> str: ...
     @property
-    def warnings(self) -> list[Complaint]: ...
+    def warnings(self) -> list[Diagnostic]: ...
     def outputs(self) -> list[tuple[str, str, str]]: ...
     def simulate(
         self,
@@ -90,7 +90,7 @@ class Simulation:
     @property
     def model(self) -> str: ...
     @property
-    def warnings(self) -> list[Complaint]: ...
+    def warnings(self) -> list[Diagnostic]: ...
     def failure(self) -> LoosepinError | None: ...
     def history(self) -> list[Column]: ...
     def outputs(self) -> list[tuple[str, str]]: ...
@@ -122,7 +122,7 @@ class Study:
     @property
     def model(self) -> Model: ...
     @property
-    def warnings(self) -> list[Complaint]: ...
+    def warnings(self) -> list[Diagnostic]: ...
     def most_runs(self) -> int: ...
     def run(
         self,

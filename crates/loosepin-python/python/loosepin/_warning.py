@@ -5,14 +5,14 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable
 
-from ._loosepin import Complaint
+from ._loosepin import Diagnostic
 
 
 class LoosepinWarning(UserWarning):
     """Something in a model or study that is allowed and looks like an oversight; the text is that of the command line."""
 
 
-def warn(complaints: Iterable[Complaint], stacklevel: int = 3) -> None:
-    """Shows each complaint at the line that called the function which calls this one."""
-    for complaint in complaints:
-        warnings.warn(str(complaint), LoosepinWarning, stacklevel=stacklevel)
+def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
+    """Shows each diagnostic at the line that called the function which calls this one."""
+    for diagnostic in diagnostics:
+        warnings.warn(str(diagnostic), LoosepinWarning, stacklevel=stacklevel)

@@ -8,11 +8,11 @@ use std::f64::consts::TAU;
 
 /// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
 pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
-    writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
+    writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
 }
 
 /// An angle of the drive as it is told: within its turn where the record holds a whole one.
-pub(super) fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
+pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-9;
     let span_rad = match record.drive_angle_rad[..] {
         [first, .., last] => last - first,

@@ -7,7 +7,7 @@ use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMot
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
-use super::angles::{largest, told_rad, turn_angle};
+use super::angles::{largest, shown_angle_rad, turn_angle};
 use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
 use super::verdicts::{verdict_headline, verdict_sentences};
 
@@ -81,7 +81,7 @@ pub(super) fn scatter_words(record: &MotionRecord, output: &OutputMotion, writer
 /// The angle of the drive at which the mechanism is singular.
 pub(super) fn singular_place(record: &MotionRecord, position: &SingularPosition, writer: &NumberWriter) -> String {
     let tag = Tag::whole("singular", &position.drive_angle_rad.to_string());
-    writer.about(&tag).value_trimmed(told_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)
+    writer.about(&tag).value_trimmed(shown_angle_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)
 }
 
 /// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`
@@ -92,7 +92,7 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
         .map(|[from_rad, to_rad]| {
             let [from, to] = [from_rad, to_rad].map(|angle_rad| {
                 let tag = Tag::joint(&overhang.joint, "overhang", &angle_rad.to_string());
-                writer.about(&tag).value_trimmed(told_rad(record, *angle_rad), &SiUnit::ANGLE)
+                writer.about(&tag).value_trimmed(shown_angle_rad(record, *angle_rad), &SiUnit::ANGLE)
             });
             if from == to { from } else { format!("{from} to {to}") }
         })

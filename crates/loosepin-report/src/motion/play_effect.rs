@@ -6,7 +6,7 @@ use crate::words::wording::listed;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
 
-use super::angles::{largest, told_rad, turn_angle};
+use super::angles::{largest, shown_angle_rad, turn_angle};
 
 /// The largest effect of play on one output over the cycle.
 pub(super) struct PlayEffect {
@@ -98,7 +98,7 @@ pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_
         let spans = record.unproven_spans.iter().filter(|span| span.words == words).map(|span| {
             let [from, to] = span.span_rad.map(|angle_rad| {
                 let tag = Tag::whole("unproven", &angle_rad.to_string());
-                writer.about(&tag).rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
+                writer.about(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
             });
             if from == to { format!("at {from}") } else { format!("from {from} to {to}") }
         });

@@ -4,10 +4,10 @@
 //! equations by the implicit function theorem on dual numbers. The same way gives the effect of every dimension.
 
 mod check;
-mod complaint;
 mod cycle;
 mod cycle_worst_case;
 mod deviation_ends;
+mod diagnostic;
 mod dimension;
 mod efforts;
 mod error;

@@ -6,7 +6,7 @@ use super::between::interpolated;
 use super::problem::MeasuredProblem;
 use super::table::MeasuredTable;
 use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::units::{Dimension, format_apart};
 
 /// Round-off of the ends of a record, as a share of its length.
@@ -24,7 +24,7 @@ const ROUND_OFF: f64 = 1e-9;
 ///
 /// # Errors
 /// A row outside what was recorded.
-pub fn lay_over(table: &MeasuredTable, record: &mut SimulationRecord) -> Result<(), Complaints> {
+pub fn lay_over(table: &MeasuredTable, record: &mut SimulationRecord) -> Result<(), Diagnostics> {
     let (axis, at_si) = match table.abscissa {
         Abscissa::Time => (record.time_s.clone(), table.at_si.clone()),
         Abscissa::DriveAngle => {
@@ -81,7 +81,7 @@ fn moved_by_turns(at_rad: &[f64], axis: &[f64]) -> Vec<f64> {
     at_rad.iter().map(|at| at + turns * TAU).collect()
 }
 
-fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(), Complaints> {
+fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(), Diagnostics> {
     let (Some(&start), Some(&end)) = (axis.first(), axis.last()) else { return Ok(()) };
     let (from, to) = (start.min(end), start.max(end));
     let margin = ROUND_OFF * (to - from);
@@ -93,5 +93,5 @@ fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(),
     };
     let [found, from, to] = format_apart([at_si[row], from, to], dimension);
     let problem = MeasuredProblem::OutsideRecord { name: table.name.clone(), found, from, to };
-    Err(Complaint::error(&problem, Some(Place::new(&table.source, table.places[row]))).into())
+    Err(Diagnostic::error(&problem, Some(Place::new(&table.source, table.places[row]))).into())
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::problem::MeasuredProblem;
 use super::table::{Header, TableReader};
-use loosepin_text::diagnostics::{Complaints, Place, Source, Span};
+use loosepin_text::diagnostics::{Diagnostics, Place, Source, Span};
 use loosepin_text::units::Dimension;
 
 /// Rows of values of several quantities, SI, none of them empty.
@@ -35,11 +35,11 @@ impl JointSample {
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its place.
-    pub fn from_source(source: Arc<Source>) -> Result<Self, Complaints> {
-        let mut reader = TableReader { source: Arc::clone(&source), complaints: Complaints::new() };
+    pub fn from_source(source: Arc<Source>) -> Result<Self, Diagnostics> {
+        let mut reader = TableReader { source: Arc::clone(&source), diagnostics: Diagnostics::new() };
         match reader.joint() {
-            Some(sample) if !reader.complaints.has_errors() => Ok(sample),
-            _ => Err(reader.complaints),
+            Some(sample) if !reader.diagnostics.has_errors() => Ok(sample),
+            _ => Err(reader.diagnostics),
         }
     }
 
@@ -73,7 +73,7 @@ impl TableReader {
             let mut values_si = Vec::with_capacity(headers.len());
             for (cell, header) in row.cells.iter().zip(&headers) {
                 if cell.0.is_empty() {
-                    self.complain(&MeasuredProblem::EmptyCell { name: header.name.clone() }, cell.1);
+                    self.report(&MeasuredProblem::EmptyCell { name: header.name.clone() }, cell.1);
                 } else {
                     values_si.extend(self.number(cell).map(|value| value * header.factor_si));
                 }
@@ -82,8 +82,8 @@ impl TableReader {
             rows_si.push(values_si);
             row_places.push(Span { start: row.start, end });
         }
-        if rows_si.is_empty() && !self.complaints.has_errors() {
-            self.complain(&MeasuredProblem::Empty { what: "row below its header" }, header_place);
+        if rows_si.is_empty() && !self.diagnostics.has_errors() {
+            self.report(&MeasuredProblem::Empty { what: "row below its header" }, header_place);
         }
         let column =
             |header: Header| JointColumn { name: header.name, dimension: header.dimension, place: header.place };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::problem::MeasuredProblem;
 use super::table::TableReader;
-use loosepin_text::diagnostics::{Complaints, Source, Span, nearest_name};
+use loosepin_text::diagnostics::{Diagnostics, Source, Span, nearest_name};
 
 use loosepin_text::units::Dimension;
 
@@ -27,11 +27,11 @@ impl SampleColumn {
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its place.
-    pub fn from_source(source: Arc<Source>, name: Option<&str>) -> Result<Self, Complaints> {
-        let mut reader = TableReader { source: Arc::clone(&source), complaints: Complaints::new() };
+    pub fn from_source(source: Arc<Source>, name: Option<&str>) -> Result<Self, Diagnostics> {
+        let mut reader = TableReader { source: Arc::clone(&source), diagnostics: Diagnostics::new() };
         match reader.sample(name) {
-            Some(column) if !reader.complaints.has_errors() => Ok(column),
-            _ => Err(reader.complaints),
+            Some(column) if !reader.diagnostics.has_errors() => Ok(column),
+            _ => Err(reader.diagnostics),
         }
     }
 }
@@ -49,8 +49,8 @@ impl TableReader {
                 values_si.extend(self.number(&row.cells[place]).map(|value| value * header.factor_si));
             }
         }
-        if values_si.is_empty() && !self.complaints.has_errors() {
-            self.complain(&MeasuredProblem::NoValue { name: header.name.clone() }, header.place);
+        if values_si.is_empty() && !self.diagnostics.has_errors() {
+            self.report(&MeasuredProblem::NoValue { name: header.name.clone() }, header.place);
         }
         Some(SampleColumn { name: header.name, dimension: header.dimension, values_si, source })
     }
@@ -65,20 +65,20 @@ impl TableReader {
                 return Some(0);
             }
             let known = known.into_iter().map(str::to_owned).collect();
-            self.complain(&MeasuredProblem::WhichColumn { known }, whole);
+            self.report(&MeasuredProblem::WhichColumn { known }, whole);
             return None;
         };
         let mut places = known.iter().enumerate().filter(|(_, known)| **known == name).map(|(place, _)| place);
         match (places.next(), places.next()) {
             (Some(place), None) => Some(place),
             (Some(_), Some(second)) => {
-                self.complain(&MeasuredProblem::ColumnTwice { name: name.to_owned() }, cells[second].1);
+                self.report(&MeasuredProblem::ColumnTwice { name: name.to_owned() }, cells[second].1);
                 None
             }
             (None, _) => {
                 let nearest = nearest_name(name, known.iter().copied()).map(str::to_owned);
                 let known = known.into_iter().map(str::to_owned).collect();
-                self.complain(&MeasuredProblem::NoColumn { name: name.to_owned(), nearest, known }, whole);
+                self.report(&MeasuredProblem::NoColumn { name: name.to_owned(), nearest, known }, whole);
                 None
             }
         }

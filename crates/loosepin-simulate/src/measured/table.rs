@@ -1,4 +1,4 @@
-//! From the text of a table to SI numbers, with all complaints at once.
+//! From the text of a table to SI numbers, with all diagnostics at once.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::between::interpolated;
 use super::problem::MeasuredProblem;
 use loosepin_result::simulation::Abscissa;
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span, nearest_name};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, Span, nearest_name};
 use loosepin_text::document::read_source;
 use loosepin_text::units::{Dimension, SiUnit, parse_unit};
 
@@ -66,7 +66,7 @@ pub(super) struct Row {
 /// A table in the making.
 pub(super) struct TableReader {
     pub source: Arc<Source>,
-    pub complaints: Complaints,
+    pub diagnostics: Diagnostics,
 }
 
 impl MeasuredTable {
@@ -75,7 +75,7 @@ impl MeasuredTable {
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its place.
-    pub fn from_path(path: &Path) -> Result<Self, Complaints> {
+    pub fn from_path(path: &Path) -> Result<Self, Diagnostics> {
         Self::from_source(&read_source(path)?)
     }
 
@@ -83,7 +83,7 @@ impl MeasuredTable {
     ///
     /// # Errors
     /// As [`Self::from_path`].
-    pub fn from_text(name: &str, text: &str) -> Result<Self, Complaints> {
+    pub fn from_text(name: &str, text: &str) -> Result<Self, Diagnostics> {
         Self::from_source(&Source::new(name, text))
     }
 
@@ -91,12 +91,12 @@ impl MeasuredTable {
     ///
     /// # Errors
     /// As [`Self::from_path`].
-    pub fn from_source(source: &Arc<Source>) -> Result<Self, Complaints> {
-        let mut reader = TableReader { source: Arc::clone(source), complaints: Complaints::new() };
+    pub fn from_source(source: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let mut reader = TableReader { source: Arc::clone(source), diagnostics: Diagnostics::new() };
         let table = reader.table();
         match table {
-            Some(table) if !reader.complaints.has_errors() => Ok(table),
-            _ => Err(reader.complaints),
+            Some(table) if !reader.diagnostics.has_errors() => Ok(table),
+            _ => Err(reader.diagnostics),
         }
     }
 
@@ -124,8 +124,8 @@ impl MeasuredTable {
     ///
     /// # Errors
     /// Each column that is none, or measures something else.
-    pub fn check(&self, outputs: &[(&str, &SiUnit)]) -> Result<(), Complaints> {
-        let mut complaints = Complaints::new();
+    pub fn check(&self, outputs: &[(&str, &SiUnit)]) -> Result<(), Diagnostics> {
+        let mut diagnostics = Diagnostics::new();
         for column in &self.columns {
             let name = column.name.clone();
             let problem = match outputs.iter().find(|(output, _)| column.is_of(output)) {
@@ -140,16 +140,16 @@ impl MeasuredTable {
                 }
                 Some(_) => continue,
             };
-            complaints.push(Complaint::error(&problem, Some(Place::new(&self.source, column.place))));
+            diagnostics.push(Diagnostic::error(&problem, Some(Place::new(&self.source, column.place))));
         }
-        if complaints.is_empty() { Ok(()) } else { Err(complaints) }
+        if diagnostics.is_empty() { Ok(()) } else { Err(diagnostics) }
     }
 }
 
 impl TableReader {
-    pub fn complain(&mut self, problem: &MeasuredProblem, place: Span) {
+    pub fn report(&mut self, problem: &MeasuredProblem, place: Span) {
         let place = Place::new(&self.source, place);
-        self.complaints.push(Complaint::error(problem, Some(place)));
+        self.diagnostics.push(Diagnostic::error(problem, Some(place)));
     }
 
     fn table(&mut self) -> Option<MeasuredTable> {
@@ -161,12 +161,12 @@ impl TableReader {
             found if found == Dimension::TIME => Abscissa::Time,
             found if found == Dimension::ANGLE => Abscissa::DriveAngle,
             found => {
-                self.complain(&MeasuredProblem::FirstColumn { name: first.name.clone(), found }, first.place);
+                self.report(&MeasuredProblem::FirstColumn { name: first.name.clone(), found }, first.place);
                 return None;
             }
         };
         if others.is_empty() {
-            self.complain(&MeasuredProblem::NothingMeasured { name: first.name.clone() }, first.place);
+            self.report(&MeasuredProblem::NothingMeasured { name: first.name.clone() }, first.place);
         }
         let (mut at_si, mut places) = (Vec::new(), Vec::new());
         let mut values_si = vec![Vec::new(); others.len()];
@@ -180,7 +180,7 @@ impl TableReader {
             if let Some((_, written)) = before.as_ref().filter(|(last, _)| at <= *last) {
                 let (found, before) = (cells[0].0.clone(), written.clone());
                 let problem = MeasuredProblem::NotIncreasing { name: first.name.clone(), found, before };
-                self.complain(&problem, cells[0].1);
+                self.report(&problem, cells[0].1);
             }
             before = Some((at, cells[0].0.clone()));
             at_si.push(at * first.factor_si);
@@ -190,8 +190,8 @@ impl TableReader {
                 values.push(value.unwrap_or(f64::NAN) * header.factor_si);
             }
         }
-        if at_si.is_empty() && !self.complaints.has_errors() {
-            self.complain(&MeasuredProblem::Empty { what: "row below its header" }, first.place);
+        if at_si.is_empty() && !self.diagnostics.has_errors() {
+            self.report(&MeasuredProblem::Empty { what: "row below its header" }, first.place);
         }
         let columns = others.iter().zip(values_si).map(|(header, values_si)| MeasuredColumn {
             name: header.name.clone(),
@@ -214,7 +214,7 @@ impl TableReader {
             let line = text.lines().map(str::trim).filter(|line| !line.is_empty()).nth(1).unwrap_or(first_line.trim());
             let (line, meant) = (line.to_owned(), line.replace(',', ".").replace(';', ","));
             let at = start + text.find(first_line).unwrap_or(0);
-            self.complain(&MeasuredProblem::Semicolons { line, meant }, (at..at + first_line.len()).into());
+            self.report(&MeasuredProblem::Semicolons { line, meant }, (at..at + first_line.len()).into());
             return None;
         }
         let mut records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
@@ -231,26 +231,26 @@ impl TableReader {
                 Err(error) => {
                     let place = error.position().map_or(0, |position| position.byte() as usize);
                     let problem = MeasuredProblem::NoTable { reason: error.to_string() };
-                    self.complain(&problem, (place..place + 1).into());
+                    self.report(&problem, (place..place + 1).into());
                     return None;
                 }
             }
         }
         if rows.is_empty() {
-            self.complain(&MeasuredProblem::Empty { what: "header" }, Span::default());
+            self.report(&MeasuredProblem::Empty { what: "header" }, Span::default());
             return None;
         }
         Some(rows)
     }
 
-    /// Whether a row has as many cells as the header; complains where it has not.
+    /// Whether a row has as many cells as the header; reports where it has not.
     pub fn has_length(&mut self, row: &Row, due: usize) -> bool {
         let found = row.cells.len();
         if found != due {
             let is_comment = row.cells.first().is_some_and(|(text, _)| text.starts_with('#'));
             let problem = if is_comment { MeasuredProblem::Comment } else { MeasuredProblem::RowLength { found, due } };
             let end = row.cells.last().map_or(row.start, |(_, place)| place.end);
-            self.complain(&problem, Span { start: row.start, end });
+            self.report(&problem, Span { start: row.start, end });
         }
         found == due
     }
@@ -260,7 +260,7 @@ impl TableReader {
         let headers = headers.into_iter().collect::<Option<Vec<Header>>>()?;
         for (index, header) in headers.iter().enumerate() {
             if headers[..index].iter().any(|earlier| earlier.name == header.name) {
-                self.complain(&MeasuredProblem::ColumnTwice { name: header.name.clone() }, header.place);
+                self.report(&MeasuredProblem::ColumnTwice { name: header.name.clone() }, header.place);
             }
         }
         Some(headers)
@@ -270,7 +270,7 @@ impl TableReader {
         let parts = text.strip_suffix(']').and_then(|text| text.split_once('['));
         let Some((name, unit)) = parts.filter(|(name, unit)| !name.trim().is_empty() && !unit.contains(['[', ']']))
         else {
-            self.complain(&MeasuredProblem::NoUnit { text: text.clone() }, *place);
+            self.report(&MeasuredProblem::NoUnit { text: text.clone() }, *place);
             return None;
         };
         let unit = if unit.trim() == "1" { "" } else { unit };
@@ -282,7 +282,7 @@ impl TableReader {
                 place: *place,
             }),
             Err(error) => {
-                self.complain(&MeasuredProblem::Unit(error.problem), *place);
+                self.report(&MeasuredProblem::Unit(error.problem), *place);
                 None
             }
         }
@@ -312,7 +312,7 @@ impl TableReader {
     pub fn number(&mut self, (text, place): &(String, Span)) -> Option<f64> {
         let value = text.parse().ok().filter(|value: &f64| value.is_finite());
         if value.is_none() {
-            self.complain(&MeasuredProblem::NotANumber { text: text.clone() }, *place);
+            self.report(&MeasuredProblem::NotANumber { text: text.clone() }, *place);
         }
         value
     }

@@ -303,7 +303,7 @@ mod tests {
     #[test]
     fn identity_pieces_by_kept_machine_code_are_those_without() {
         let text = include_str!("../../../../cases/slider_crank_5000/model.toml");
-        let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
         let sample = Sample::<f64>::new(&mechanism, &values).unwrap_or_else(|error| panic!("{error}"));

@@ -3,5 +3,5 @@
 
 pub(crate) mod bending_estimate;
 pub(crate) mod resting;
-pub(crate) mod settle;
+pub(crate) mod static_equilibrium;
 pub(crate) mod supports;

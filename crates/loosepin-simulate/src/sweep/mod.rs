@@ -4,10 +4,10 @@
 //! The motion is looked at once a turn, when the drive is back where it started (Poincaré section). A motion that repeats itself
 //! after p turns shows p points, one that never does a cloud.
 
-mod conduct;
+mod plan;
 pub use loosepin_result::sweep as record;
 mod tables;
 mod turns;
 
-pub use conduct::{SweepError, SweepPlan, sweep};
+pub use plan::{SweepError, SweepPlan, sweep};
 pub use tables::{SECTIONS_FILE, SWEEP_FILE, sections_csv, sweep_csv};

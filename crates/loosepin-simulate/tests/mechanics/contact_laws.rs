@@ -18,7 +18,7 @@ fn slider_crank(law: &str, youngs_modulus: &str) -> Mechanism {
         .replace("lankarani-nikravesh", law)
         .replace("207 GPa", youngs_modulus)
         .replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     Mechanism::new(&model, &model.quantities.nominal()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -44,8 +44,8 @@ fn a_clearance_outside_of_the_fit_is_refused() {
         "joint 'gudgeon' has a radial clearance of 0.0049 mm; 'pereira' was fitted to clearances from 0.005 mm to 10 mm"
     );
     assert!(matches!(error, SampleError::ClearanceOutsideFit { .. }));
-    let complaint = error.complaint(&mechanism.model).to_string();
-    assert!(complaint.contains("error[E0810]") && complaint.contains("hint: take another law"), "{complaint}");
+    let diagnostic = error.diagnostic(&mechanism.model).to_string();
+    assert!(diagnostic.contains("error[E0810]") && diagnostic.contains("hint: take another law"), "{diagnostic}");
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
     /// Round-off of accelerations that differ by much more than their size.
     const ROUND_OFF: f64 = 1e-9;
     for name in ["slider_crank_two_clearances", "six_bar", "four_bar_floating_coupler", "five_bar_driven_slider"] {
-        let model = Model::from_text(name, &case_text(name)).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text(name, &case_text(name)).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it moves");
         let mut sample = Sample::<f64>::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
         // Friction pushes too.
@@ -147,7 +147,7 @@ fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
     let after = after.replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
     for law in laws {
         let text = format!("{before}[contact.steel_pin]\n{law}\n[joint.main]{after}");
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it moves");
         let sample = Sample::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
         let delivered = sample.plays[0].delivered_restitution.expect("it is known");

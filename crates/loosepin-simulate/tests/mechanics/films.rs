@@ -11,7 +11,7 @@ use std::path::Path;
 const ENERGY_RESIDUAL: f64 = 1e-7;
 
 fn compiled(text: &str) -> Mechanism {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     Mechanism::new(&model, &model.quantities.nominal()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -201,8 +201,8 @@ fn a_roughness_that_does_not_go_with_the_clearance_is_refused() {
          must lie between 0.0004 mm and 0.1 mm"
     );
     assert!(matches!(sample(101e-6), Err(SampleError::RoughnessOutsideFilm { .. })));
-    let complaint = error.complaint(&mechanism.model).to_string();
-    assert!(complaint.contains("error[E0811]") && complaint.contains("hint: the roughness is"), "{complaint}");
+    let diagnostic = error.diagnostic(&mechanism.model).to_string();
+    assert!(diagnostic.contains("error[E0811]") && diagnostic.contains("hint: the roughness is"), "{diagnostic}");
 }
 
 /// The load that Butenschön's table gives for ε = 0.8, L/D = 1 holds a shaft there; the half-Sommerfeld film lets it sink.
@@ -240,6 +240,6 @@ fn a_bearing_that_is_too_long_for_its_film_is_refused() {
         error.to_string(),
         "joint 'gudgeon' has a film by reynolds with a bearing of 4.5 times its diameter; at most 4 times are possible"
     );
-    let complaint = error.complaint(&mechanism.model).to_string();
-    assert!(complaint.contains("error[E0825]") && complaint.contains("hint: take the film"), "{complaint}");
+    let diagnostic = error.diagnostic(&mechanism.model).to_string();
+    assert!(diagnostic.contains("error[E0825]") && diagnostic.contains("hint: take the film"), "{diagnostic}");
 }

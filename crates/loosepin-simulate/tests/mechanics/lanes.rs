@@ -6,7 +6,7 @@ use loosepin_mechanics::model::{Model, Motion, NormalDescription, QuantityId};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{
     Arms, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue, Reading,
-    Run, RunCounters, RunFailure, RunReport, Separation, Settings, Step, Window, columns, conduct,
+    Run, RunCounters, RunFailure, RunReport, Separation, Settings, Step, Window, columns, run_batch,
 };
 use loosepin_tape::native::OperationCounts;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn case(name: &str) -> Case {
 }
 
 fn compiled(name: &str, text: &str) -> Case {
-    let model = Model::from_text(name, text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text(name, text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
     let all = columns(&mechanism.model).into_iter().map(|column| column.reading);
@@ -154,7 +154,7 @@ impl Queue for Waiting<'_> {
 fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, settings: &Settings) -> Vec<Seen> {
     let instants = INSTANTS;
     let mut waiting = Waiting { case, order, turns, is_attentive: true, instants, seen: vec![Seen::default(); RUNS] };
-    conduct(&case.mechanism, &follow(case), settings, execution, &mut waiting);
+    run_batch(&case.mechanism, &follow(case), settings, execution, &mut waiting);
     waiting.seen
 }
 
@@ -177,7 +177,7 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
             let order = (0..8).collect();
             let seen = vec![Seen::default(); 8];
             let mut waiting = Waiting { case: &case, order, turns, is_attentive, instants: INSTANTS, seen };
-            conduct(&case.mechanism, &follow(&case), &Settings::for_study(), Execution::best(), &mut waiting);
+            run_batch(&case.mechanism, &follow(&case), &Settings::for_study(), Execution::best(), &mut waiting);
             waiting.seen
         };
         for (run, (watched, quiet)) in of(true).iter().zip(of(false)).enumerate() {
@@ -210,7 +210,7 @@ fn identity_many_instants_have_the_same_bits_in_every_lane() {
     let found = |execution| {
         let (order, seen) = ((0..RUNS).collect(), vec![Seen::default(); RUNS]);
         let mut waiting = Waiting { case: &case, order, turns: 1.0, is_attentive: false, instants: MANY, seen };
-        conduct(&case.mechanism, &Follow::readings(&case.readings), &Settings::for_study(), execution, &mut waiting);
+        run_batch(&case.mechanism, &Follow::readings(&case.readings), &Settings::for_study(), execution, &mut waiting);
         let of_run = |seen: &Seen| {
             let findings = &seen.report.as_ref().expect("a report").findings;
             findings.at_instants.iter().map(|value| value.to_bits()).collect::<Vec<u64>>()

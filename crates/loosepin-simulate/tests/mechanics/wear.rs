@@ -198,11 +198,11 @@ fn identity_wear_leaves_the_motion_as_it_is_within_the_tolerance() {
 #[test]
 fn identity_coefficients_and_cycles_can_be_set() {
     let text = slider_crank("0.5 mm", "wear.journal = { archard = 1e-6, hardness = \"2 GPa\" }");
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let built = build(&text);
     let wear = |settings: &[&str]| {
         let settings: Vec<String> = settings.iter().map(|text| (*text).to_owned()).collect();
-        let set = model.set_values(&settings).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let set = model.set_values(&settings).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         run_with(&built, &set.values, 0.2, 1e-9).record.wear.remove(0)
     };
     let nominal = wear(&[]);

@@ -426,8 +426,8 @@ export interface Stretch {
   to: number;
 }
 
-/** A second place that matters to a complaint. */
-export interface SeenLabel extends Partial<Stretch> {
+/** A second place that matters to a diagnostic. */
+export interface LabelView extends Partial<Stretch> {
   /** The text; nothing where it is none of the two. */
   document: Document | null;
   /** What is said of it. */
@@ -435,7 +435,7 @@ export interface SeenLabel extends Partial<Stretch> {
 }
 
 /** Something wrong, or worth a warning. */
-export interface SeenComplaint extends Partial<Stretch> {
+export interface DiagnosticView extends Partial<Stretch> {
   /** The text at fault; nothing where it is none of the two. */
   document: Document | null;
   /** Path of the file at fault. */
@@ -449,18 +449,18 @@ export interface SeenComplaint extends Partial<Stretch> {
   /** The way out. */
   hint: string | null;
   /** Other places. */
-  labels: SeenLabel[];
+  labels: LabelView[];
   /** A change that mends it, where one is known. */
   fix: Fix | null;
 }
 
-/** A change that mends a complaint. */
+/** A change that mends a diagnostic. */
 export interface Fix extends Change {
   /** What it does, in words. */
   words: string;
 }
 
-/** How grave a complaint is. */
+/** How grave a diagnostic is. */
 export type Severity =
   /** The file can be used. */
   | 'warning'
@@ -510,7 +510,7 @@ export interface Job {
   /** What is known before it is finished. */
   draft: JobDraft | null;
   /** What is wrong, where it failed. */
-  complaints: string[];
+  diagnostics: string[];
   /** Folder of its results, in the served folder. */
   result: string | null;
   /** Over all requirements. */
@@ -535,7 +535,7 @@ export interface DraftBand {
   figure: string;
 }
 
-/** A text with the path of its file, by which complaints name it. */
+/** A text with the path of its file, by which diagnostics name it. */
 export interface SentText {
   /** Path in the served folder. */
   path: string;
@@ -648,7 +648,7 @@ export type ToPage =
       jobs: Job[];
     }
   /** What was read. */
-  | ({ kind: 'seen' } & Seen)
+  | ({ kind: 'seen' } & LookAnswer)
   /** How far a job is. */
   | {
       kind: 'job';
@@ -669,14 +669,14 @@ export type ToPage =
     };
 
 /** The answer to a look. */
-export interface Seen {
+export interface LookAnswer {
   /** That of the look. */
   seq: number;
   /** Everything wrong, and warnings. */
-  complaints: SeenComplaint[];
+  diagnostics: DiagnosticView[];
   /** The mechanism; nothing where the model cannot be read, or does not move. */
   view: View | null;
-  /** What a drag did: `complaints` and `view` are of the texts with its changes. */
+  /** What a drag did: `diagnostics` and `view` are of the texts with its changes. */
   reshaped: Reshaped | null;
   /** How long it took. */
   cost_ms: number;
@@ -713,11 +713,11 @@ export interface View {
   /** The band of each output that has one. */
   bands: LiveBand[];
   /** The limits among them. */
-  limits: SeenLimit[];
+  limits: LimitView[];
   /** What it is made of. */
   outline: Outline;
   /** Its numbers. */
-  quantities: SeenQuantity[];
+  quantities: QuantityView[];
 }
 
 /** The band of one output. */
@@ -766,29 +766,29 @@ export interface Outline {
   /** Bodies that move. */
   bodies: string[];
   /** Joints. */
-  joints: SeenJoint[];
+  joints: JointView[];
   /** Drives. */
   drives: string[];
   /** Outputs. */
-  outputs: SeenOutput[];
+  outputs: OutputView[];
   /** Springs and loads. */
-  forces: SeenForce[];
+  forces: ForceView[];
   /** All bodies with their points, in the order of the drawing. */
-  parts: SeenBody[];
+  parts: BodyView[];
   /** Dimensions of bodies and joints. */
-  dimensions: SeenDimension[];
+  dimensions: DimensionView[];
 }
 
 /** A body with its points; the ground too. */
-export interface SeenBody {
+export interface BodyView {
   /** Its name. */
   name: string;
   /** Its points. */
-  points: SeenPoint[];
+  points: PointView[];
 }
 
 /** A point of a body. */
-export interface SeenPoint {
+export interface PointView {
   /** Its name. */
   name: string;
   /** x in the frame of its body, mm. */
@@ -798,7 +798,7 @@ export interface SeenPoint {
 }
 
 /** A dimension of a body or a joint. */
-export interface SeenDimension {
+export interface DimensionView {
   /** What it is. */
   kind: DimensionKind;
   /** Name of the body, or of the joint whose line it is. */
@@ -823,7 +823,7 @@ export type DimensionKind =
   | 'angle';
 
 /** A spring or a load, with where it stands in the drawing. */
-export interface SeenForce {
+export interface ForceView {
   /** Which of both. */
   table: ForceTable;
   /** Its name. */
@@ -831,7 +831,7 @@ export interface SeenForce {
   /** What it is, in words. */
   kind: string;
   /** Both ends of a spring along a line; the one place of all others; nothing where no point says where. */
-  ends: SeenPin[];
+  ends: PinView[];
   /** Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees. */
   direction_deg: number | null;
   /** The direction turns with the body. */
@@ -846,7 +846,7 @@ export type ForceTable =
   | 'load';
 
 /** Where a pin is. */
-export interface SeenPin {
+export interface PinView {
   /** Index of a body that carries it, in the drawing. */
   body: number;
   /** x in the frame of that body, mm. */
@@ -856,7 +856,7 @@ export interface SeenPin {
 }
 
 /** A joint in the outline. */
-export interface SeenJoint {
+export interface JointView {
   /** Its name. */
   name: string;
   /** What it is, in words. */
@@ -864,13 +864,13 @@ export interface SeenJoint {
   /** Its play, where it has any. */
   play: string | null;
   /** Its centre, where it is a pin that can be dragged. */
-  pin: SeenPin | null;
+  pin: PinView | null;
   /** The points that it joins: `rod.small_end`, `slider.pin`. */
   points: [string, string];
 }
 
 /** An output in the outline. */
-export interface SeenOutput {
+export interface OutputView {
   /** Its name. */
   name: string;
   /** What it is, in words. */
@@ -878,7 +878,7 @@ export interface SeenOutput {
 }
 
 /** A limit of the study that is a line in the chart of a band. */
-export interface SeenLimit {
+export interface LimitView {
   /** Name of the output. */
   output: string;
   /** The limit, SI. */
@@ -892,7 +892,7 @@ export interface SeenLimit {
 }
 
 /** A number of the texts. */
-export interface SeenQuantity {
+export interface QuantityView {
   /** Where it stands: `joint.gudgeon.radial_clearance`. */
   path: string;
   /** In words. */
@@ -985,7 +985,7 @@ export interface SaveAnswer {
 }
 
 /** How well a number is known, to be written into both texts. */
-export interface KnowRequest {
+export interface SetUncertaintyRequest {
   /** The model. */
   model: SentText;
   /** The study of it, where there is one. */
@@ -997,7 +997,7 @@ export interface KnowRequest {
 }
 
 /** What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer. */
-export interface KnowAnswer {
+export interface SetUncertaintyAnswer {
   /** In units of the texts that were sent, in their order. */
   changes: Change[];
   /** Why there are none. */
@@ -1072,7 +1072,7 @@ export interface ImportAnswer {
   notes: string[];
 }
 
-/** What a code of a complaint means. */
+/** What a code of a diagnostic means. */
 export interface ExplainAnswer {
   /** The code. */
   code: string;

@@ -1,6 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
 import type { EditTool, Tool } from './editing/toolset.ts';
-import type { Document, Hold, Job, ResultKind, SeenForce, SeenJoint, Verdict } from './messages.ts';
+import type { Document, Hold, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -139,10 +139,10 @@ export const words = {
 
   drawing: {
     heading: 'Drawing',
-    pin: (joint: SeenJoint): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
+    pin: (joint: JointView): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
     point: (name: string): string => `${name}, a point without a joint. Drag it, or move it with the arrow keys.`,
     guide: (joint: string, angle: string): string => `Line of ${joint}, ${angle}. Drag it to turn it in steps of 15 degrees, or use the arrow keys.`,
-    force: ({ name, kind }: SeenForce): string => `${name}, ${kind}. Press Enter to select it, Delete to delete it.`,
+    force: ({ name, kind }: ForceView): string => `${name}, ${kind}. Press Enter to select it, Delete to delete it.`,
     drop: (name: string): string => `Release to pin it to ${name}. With Alt, it only moves there.`,
     stale: 'The drawing shows the last text that could be read.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. The view shows the texts before.',

@@ -8,7 +8,7 @@ use loosepin::units::{Dimension, format_value};
 use crate::drawing::centres::{Centres, SAME_CENTRE_M};
 use crate::drawing::still::in_body_m;
 use crate::edit::number_behind;
-use crate::messages::{DimensionKind, SeenDimension};
+use crate::messages::{DimensionKind, DimensionView};
 
 const MM_PER_M: f64 = 1e3;
 /// Most numbers that are looked for behind lengths and angles: each is found by working out all expressions of the model. A drawing with
@@ -16,7 +16,7 @@ const MM_PER_M: f64 = 1e3;
 const MAX_NUMBERS: usize = 200;
 
 /// The dimensions of a model, in the order of its bodies, then of its joints.
-pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
+pub fn dimensions(model: &Model) -> Vec<DimensionView> {
     let values = model.quantities.nominal();
     let mut held: Vec<Vec<PointId>> = vec![Vec::new(); model.bodies.len()];
     for point in model.joints.iter().flat_map(|joint| joint.kind.points()) {
@@ -32,7 +32,7 @@ pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
         let Line { point, angle_rad: angle } = joint.kind.line()?;
         let [x, y] = in_body_m(model, &values, point).map(|m| m * MM_PER_M);
         let (sine, cosine) = values[angle].sin_cos();
-        Some(SeenDimension {
+        Some(DimensionView {
             kind: DimensionKind::Angle,
             of: joint.name.clone(),
             body: point.body.0,
@@ -52,7 +52,7 @@ fn lengths(
     body: usize,
     held: &[PointId],
     number: &dyn Fn(QuantityId) -> Option<String>,
-) -> Vec<SeenDimension> {
+) -> Vec<DimensionView> {
     let all = (0..model.bodies[body].points.len()).map(|point| PointId { body: loosepin::model::BodyId(body), point });
     let mut centres = apart(model, values, held.iter().copied());
     if centres.len() < 2 {
@@ -68,7 +68,7 @@ fn lengths(
     let length = |point: &PointId| {
         let to_m = in_body_m(model, values, *point);
         let length_m = (to_m[0] - from_m[0]).hypot(to_m[1] - from_m[1]);
-        SeenDimension {
+        DimensionView {
             kind: DimensionKind::Length,
             of: model.bodies[body].name.clone(),
             body,

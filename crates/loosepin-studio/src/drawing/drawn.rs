@@ -326,22 +326,22 @@ fn degrees(angle: f64) -> String {
 
 /// Freedom in words, or what is wrong.
 fn says(model: &str, study: &str) -> Result<Vec<String>, Vec<String>> {
-    let words = |complaints: loosepin::diagnostics::Complaints| {
-        complaints
+    let words = |diagnostics: loosepin::diagnostics::Diagnostics| {
+        diagnostics
             .sorted()
             .into_iter()
-            .map(|complaint| {
-                let hint = complaint.hint.as_ref().map(|hint| format!(": {hint}")).unwrap_or_default();
-                format!("{}{hint}", complaint.message)
+            .map(|diagnostic| {
+                let hint = diagnostic.hint.as_ref().map(|hint| format!(": {hint}")).unwrap_or_default();
+                format!("{}{hint}", diagnostic.message)
             })
             .collect::<Vec<_>>()
     };
     let model = loosepin::model::Model::from_source(Source::new("model.toml", model)).map_err(words)?;
     let source = Source::new("study.toml", study);
     let study = Study::of_model(&source, model, std::path::Path::new("model.toml")).map_err(words)?;
-    let planned = plan_runs(&study).map_err(|error| error.complaint(&study));
+    let planned = plan_runs(&study).map_err(|error| error.diagnostic(&study));
     let record = InputFile::Study(Box::new(study)).ideal_motion(POSITIONS, &[]).map_err(words)?;
-    let refused = planned.err().map(|complaint| format!("The study cannot run yet: {}", complaint.message));
+    let refused = planned.err().map(|diagnostic| format!("The study cannot run yet: {}", diagnostic.message));
     Ok(std::iter::once(record.mobility.clone()).chain(refused).chain(motion_sentences(&record)).collect())
 }
 

@@ -5,12 +5,12 @@ use std::collections::HashMap;
 use loosepin::model::{ActsOn, BodyId, Model, PointId, Values};
 
 use crate::drawing::still::in_body_m;
-use crate::messages::{ForceTable, SeenForce, SeenPin};
+use crate::messages::{ForceTable, ForceView, PinView};
 
 const MM_PER_M: f64 = 1e3;
 
 /// The springs of a model, then its loads.
-pub fn forces(model: &Model) -> Vec<SeenForce> {
+pub fn forces(model: &Model) -> Vec<ForceView> {
     let values = model.quantities.nominal();
     let pin = |point: PointId| pin(model, &values, point);
     let held = Held::of(model);
@@ -22,7 +22,7 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
                 ("torsion spring", held.between(first, second).map(pin).into_iter().collect())
             }
         };
-        SeenForce {
+        ForceView {
             table: ForceTable::Spring,
             name: spring.name.clone(),
             kind,
@@ -37,7 +37,7 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
             ActsOn::Body(body) => held.of_body.get(&body).copied().map(pin).into_iter().collect(),
         };
         let direction = load.kind.direction();
-        SeenForce {
+        ForceView {
             table: ForceTable::Load,
             name: load.name.clone(),
             kind: load.kind.word(),
@@ -49,9 +49,9 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
     springs.chain(loads).collect()
 }
 
-fn pin(model: &Model, values: &Values, point: PointId) -> SeenPin {
+fn pin(model: &Model, values: &Values, point: PointId) -> PinView {
     let [x, y] = in_body_m(model, values, point).map(|m| m * MM_PER_M);
-    SeenPin { body: point.body.0, x, y }
+    PinView { body: point.body.0, x, y }
 }
 
 /// Points at which joints hold bodies, of the first joint each.

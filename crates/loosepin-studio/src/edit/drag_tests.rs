@@ -8,13 +8,13 @@ use super::structure::Edit;
 use super::tests::{applied, served, texts};
 use crate::drawing::still::NamedPoses;
 use crate::files::folder::Folder;
-use crate::messages::{Grip, Held, Look, Seen, SentText, View};
+use crate::messages::{Grip, Held, Look, LookAnswer, SentText, View};
 use crate::view::look::look;
 use crate::view::texts::Texts;
 
 const POSITIONS: usize = 361;
 
-fn looked(folder: &Folder, of: &Texts, grip: Option<Grip>, poses: Option<NamedPoses>) -> Seen {
+fn looked(folder: &Folder, of: &Texts, grip: Option<Grip>, poses: Option<NamedPoses>) -> LookAnswer {
     let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
     let study = of.study.as_ref().map(|study| sent("study.toml", study.text()));
     look(folder, &Look { seq: 1, model: sent("model.toml", of.model.text()), study, positions: POSITIONS, grip, poses })
@@ -47,7 +47,7 @@ fn at_mm(view: &View, body: &str, point: &str, position: usize) -> [f64; 2] {
 }
 
 /// The position whose drive angle is nearest to what the answer says.
-fn shown(seen: &Seen) -> usize {
+fn shown(seen: &LookAnswer) -> usize {
     let angle = seen.reshaped.as_ref().unwrap().angle_deg.unwrap();
     let motion = motion(seen.view.as_ref().unwrap());
     let angles = motion["angle_deg"].as_array().unwrap();
@@ -55,7 +55,7 @@ fn shown(seen: &Seen) -> usize {
     (0..angles.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap()
 }
 
-fn changed(folder: &Folder, of: &Texts, seen: &Seen) -> Texts {
+fn changed(folder: &Folder, of: &Texts, seen: &LookAnswer) -> Texts {
     applied(folder, of, &seen.reshaped.as_ref().unwrap().changes)
 }
 

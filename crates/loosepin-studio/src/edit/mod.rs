@@ -8,8 +8,8 @@
 //! | a guide that is turned by its line | `guide.rs` |
 //! | a drag as a whole: from the texts and the pointer to new texts | `grip.rs` |
 //! | the position of the new mechanism that a drag leaves on the screen; the closure of its loops | `nearest.rs`, `closure.rs` |
-//! | how well a number is known, as people write it | `knowledge.rs` |
-//! | the same in the texts: play, scatter, what is unknown | `know.rs` |
+//! | how well a number is known, as people write it | `uncertainty_spec.rs` |
+//! | the same in the texts: play, scatter, what is unknown | `set_uncertainty.rs` |
 //! | links, joints and bodies that come, go, and get other names | `structure` |
 //! | how a text is changed, all else byte for byte | `toml` |
 
@@ -17,19 +17,19 @@ mod behind;
 mod closure;
 mod grip;
 mod guide;
-mod know;
-mod knowledge;
 mod nearest;
 mod reshape;
+mod set_uncertainty;
 mod structure;
 mod toml;
+mod uncertainty_spec;
 mod written;
 
 pub use behind::number_behind;
 pub use closure::kept_closure;
 pub use grip::{Gripped, gripped, refused_drag};
-pub use know::know;
 pub use nearest::nearest;
+pub use set_uncertainty::set_uncertainty;
 pub use structure::{Edit, Locks, Restructured, restructured, why_not};
 pub use toml::pieces::applied;
 

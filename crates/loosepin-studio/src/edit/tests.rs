@@ -7,7 +7,7 @@ use loosepin::study::InputFile;
 use loosepin::templates::{TEMPLATES, find_template};
 
 use super::reshape::{length, minus};
-use super::{gripped, know};
+use super::{gripped, set_uncertainty};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document, Grip, Held, Look, SentText};
 use crate::view::texts::Texts;
@@ -231,7 +231,8 @@ pub fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
 
 /// Both texts after what is known of a number is said so.
 fn known(folder: &Folder, old: &Texts, path: &str, text: &str) -> Texts {
-    let changes = know(folder, old, path, text).unwrap_or_else(|refusal| panic!("{path} {text}: {}", refusal.message));
+    let changes =
+        set_uncertainty(folder, old, path, text).unwrap_or_else(|refusal| panic!("{path} {text}: {}", refusal.message));
     applied(folder, old, &changes)
 }
 
@@ -319,12 +320,12 @@ fn what_cannot_be_known_so_is_refused() {
         ("parameter.rod_length", "121..119", "must be"),
         ("joint.guide.radial_clearance", "0.1 mm", "the model has no number"),
     ] {
-        let refusal = know(&folder, &texts, path, text).expect_err(path);
+        let refusal = set_uncertainty(&folder, &texts, path, text).expect_err(path);
         assert!(refusal.message.contains(words), "{path} {text}: {}", refusal.message);
     }
     let alone = Texts { model: texts.model.clone(), study: None };
-    assert!(know(&folder, &alone, "parameter.rod_length", "±0.1 mm").is_err());
-    assert_eq!(know(&folder, &alone, "parameter.rod_length", "121 mm").unwrap().len(), 1);
+    assert!(set_uncertainty(&folder, &alone, "parameter.rod_length", "±0.1 mm").is_err());
+    assert_eq!(set_uncertainty(&folder, &alone, "parameter.rod_length", "121 mm").unwrap().len(), 1);
 }
 
 #[test]
@@ -351,7 +352,7 @@ fn whatever_is_typed_the_texts_stay_toml() {
     for _ in 0..8000 {
         let text: String = (0..1 + below(6)).map(|_| pieces[below(pieces.len())]).collect();
         let path = paths[below(paths.len())];
-        let Ok(changes) = know(&folder, &texts, path, &text) else { continue };
+        let Ok(changes) = set_uncertainty(&folder, &texts, path, &text) else { continue };
         taken += 1;
         let new = applied(&folder, &texts, &changes);
         for source in [Some(&new.model), new.study.as_ref()].into_iter().flatten() {
@@ -483,5 +484,5 @@ fn a_link_that_an_actuator_turns_keeps_its_angle() {
             poses: None,
         },
     );
-    assert!(view.view.is_some_and(|view| view.drawing.is_some()) && view.complaints.is_empty());
+    assert!(view.view.is_some_and(|view| view.drawing.is_some()) && view.diagnostics.is_empty());
 }

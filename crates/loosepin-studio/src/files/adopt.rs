@@ -50,7 +50,7 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
                 .with_hint("change it in the text"));
         };
         let text = written(&now, path, *value_si)?;
-        let changes = edit::know(folder, &now, path, &text)?;
+        let changes = edit::set_uncertainty(folder, &now, path, &text)?;
         let new = |document: Document, old: &str| edit::applied(old, &changes, document);
         let model = new(Document::Model, now.model.text());
         let study = now.study.as_ref().map(|study| new(Document::Study, study.text()));

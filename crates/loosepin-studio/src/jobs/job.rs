@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
-use loosepin::diagnostics::Complaints;
+use loosepin::diagnostics::Diagnostics;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{simulation_page, study_page, study_sentences, witness_words};
@@ -51,9 +51,9 @@ pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<
         Some(shown) => Texts::shown(folder, shown),
         None => Texts::of_study(folder, path),
     };
-    let texts = texts.map_err(told)?;
-    let file = texts.read().map_err(|complaints| words(&complaints))?;
-    file.into_study().map_err(|complaints| words(&complaints))
+    let texts = texts.map_err(message_and_hint)?;
+    let file = texts.read().map_err(|diagnostics| words(&diagnostics))?;
+    file.into_study().map_err(|diagnostics| words(&diagnostics))
 }
 
 /// Runs a study, or finds the one that is there; runs that an earlier attempt has kept are taken over.
@@ -67,10 +67,10 @@ pub fn run(
     stop: &AtomicBool,
     threads: usize,
 ) -> Result<Outcome, Vec<String>> {
-    run_or_read(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
+    run_or_read(folder, study, progress, stop, threads).map_err(|diagnostics| words(&diagnostics))
 }
 
-fn told(refusal: Refusal) -> Vec<String> {
+fn message_and_hint(refusal: Refusal) -> Vec<String> {
     std::iter::once(refusal.message).chain(refusal.hint).collect()
 }
 
@@ -86,14 +86,14 @@ pub fn run_witness(
     named: &dyn Fn(String),
     stop: &AtomicBool,
 ) -> Result<Outcome, Vec<String>> {
-    let result = stored_study(folder, path).map_err(told)?;
+    let result = stored_study(folder, path).map_err(message_and_hint)?;
     let missing = || vec![format!("the result '{path}' has no witness {witness}")];
     let command = result.witness_commands.get(witness).ok_or_else(missing)?;
-    let study = study_of(&result).map_err(told)?;
+    let study = study_of(&result).map_err(message_and_hint)?;
     let (settings, plan) = witness_run(&study, &command.witness).ok_or_else(missing)?;
     let values = witness_words(&result).into_iter().nth(witness).map(|words| words.values.join(", "));
     named(format!("{}: {}", study.model.name, values.unwrap_or_default()));
-    simulated(folder, &study.model, &settings, &plan, stop).map_err(|complaints| words(&complaints))
+    simulated(folder, &study.model, &settings, &plan, stop).map_err(|diagnostics| words(&diagnostics))
 }
 
 fn simulated(
@@ -102,12 +102,12 @@ fn simulated(
     settings: &[String],
     plan: &Plan,
     stop: &AtomicBool,
-) -> Result<Outcome, Complaints> {
+) -> Result<Outcome, Diagnostics> {
     let set = model.set_values(settings)?;
     if let Some(smallest) = SmallestClearance::of(&set.model, &set.values) {
-        smallest.check(plan.settings.tolerance_m).map_err(|error| Complaints::one(&error, None))?;
+        smallest.check(plan.settings.tolerance_m).map_err(|error| Diagnostics::one(&error, None))?;
     }
-    let complain = |error: ResultsError| Complaints::one(&error, None);
+    let report = |error: ResultsError| Diagnostics::one(&error, None);
     let claim = Claim {
         kind: ResultKind::Simulation,
         name: model.name.clone(),
@@ -115,8 +115,8 @@ fn simulated(
         place: Place::Within(folder.opened().clone(), RESULTS.into()),
         with_force: false,
     };
-    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
-    let mut results = claim.take().map_err(complain)?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
+    let mut results = claim.take().map_err(report)?;
     let finished = |results: &Path, words: Vec<String>| Outcome::Finished {
         result: results.strip_prefix(folder.root()).unwrap_or(results).display().to_string(),
         words,
@@ -127,15 +127,15 @@ fn simulated(
     }
     match run_into(&mut results, (&mechanism, &set), plan, &[], &simulation_page, stop) {
         Ok(run) => {
-            let mut failed = Complaints::new();
+            let mut failed = Diagnostics::new();
             run.failure.into_iter().for_each(|failure| failed.push(failure));
             Ok(finished(results.path(), words(&failed)))
         }
-        Err(complaints) => {
+        Err(diagnostics) => {
             if !results.is_finished() {
-                results.abandon().map_err(complain)?;
+                results.abandon().map_err(report)?;
             }
-            if stop.load(Ordering::Relaxed) { Ok(Outcome::Stopped) } else { Err(complaints) }
+            if stop.load(Ordering::Relaxed) { Ok(Outcome::Stopped) } else { Err(diagnostics) }
         }
     }
 }
@@ -146,19 +146,19 @@ fn run_or_read(
     progress: &dyn Progress,
     stop: &AtomicBool,
     threads: usize,
-) -> Result<Outcome, Complaints> {
+) -> Result<Outcome, Diagnostics> {
     let inputs = study_inputs(study, &[], None);
     let place = Place::Within(folder.opened().clone(), RESULTS.into());
     let claim = Claim { kind: ResultKind::Study, name: study.name.clone(), inputs, place, with_force: false };
-    let is_there = claim.is_finished().map_err(|error| Complaints::one(&error, None))?;
+    let is_there = claim.is_finished().map_err(|error| Diagnostics::one(&error, None))?;
     if !is_there {
-        plan_runs(study).map_err(|error| error.complaint(study))?;
+        plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
     let identity = store_identity(&claim.inputs);
     let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, Beginning::GoOn))? {
         Begun::Open(results, store) => (results, store),
         Begun::Finished(results) => {
-            let result = read_summary(&results).map_err(|error| Complaints::one(&error, None))?;
+            let result = read_summary(&results).map_err(|error| Diagnostics::one(&error, None))?;
             return Ok(finished(folder, results.path(), &result));
         }
     };
@@ -177,6 +177,6 @@ fn finished(folder: &Folder, results: &Path, result: &StudyResult) -> Outcome {
 }
 
 /// As the command prints them, one by one.
-fn words(complaints: &Complaints) -> Vec<String> {
-    complaints.sorted().into_iter().map(ToString::to_string).collect()
+fn words(diagnostics: &Diagnostics) -> Vec<String> {
+    diagnostics.sorted().into_iter().map(ToString::to_string).collect()
 }

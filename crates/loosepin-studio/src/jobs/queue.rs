@@ -138,7 +138,7 @@ impl Jobs {
             seconds: 0.0,
             words: Vec::new(),
             draft: None,
-            complaints: Vec::new(),
+            diagnostics: Vec::new(),
             result: None,
             verdict: None,
         };
@@ -208,7 +208,7 @@ impl Jobs {
                         (job.result, job.words, job.verdict) = (Some(result), words, verdict);
                     }
                     Ok(Outcome::Stopped) => job.state = JobState::Stopped,
-                    Err(complaints) => (job.state, job.complaints) = (JobState::Failed, complaints),
+                    Err(diagnostics) => (job.state, job.diagnostics) = (JobState::Failed, diagnostics),
                 }
             });
         }

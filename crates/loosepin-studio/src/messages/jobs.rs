@@ -54,7 +54,7 @@ pub struct Job {
     /// What is known before it is finished.
     pub draft: Option<JobDraft>,
     /// What is wrong, where it failed.
-    pub complaints: Vec<String>,
+    pub diagnostics: Vec<String>,
     /// Folder of its results, in the served folder.
     pub result: Option<String>,
     /// Over all requirements.

@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::complaints::{Change, SeenComplaint};
+use super::diagnostics::{Change, DiagnosticView};
 use super::jobs::Job;
 use super::view::View;
 use crate::drawing::still::NamedPoses;
 
-/// A text with the path of its file, by which complaints name it.
+/// A text with the path of its file, by which diagnostics name it.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 pub struct SentText {
     /// Path in the served folder.
@@ -127,7 +127,7 @@ pub enum ToPage<'a> {
         jobs: Vec<Job>,
     },
     /// What was read.
-    Seen(&'a Seen),
+    LookAnswer(&'a LookAnswer),
     /// How far a job is.
     Job {
         /// It.
@@ -162,14 +162,14 @@ pub struct Reshaped {
 
 /// The answer to a look.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Seen {
+pub struct LookAnswer {
     /// That of the look.
     pub seq: u64,
     /// Everything wrong, and warnings.
-    pub complaints: Vec<SeenComplaint>,
+    pub diagnostics: Vec<DiagnosticView>,
     /// The mechanism; nothing where the model cannot be read, or does not move.
     pub view: Option<View>,
-    /// What a drag did: `complaints` and `view` are of the texts with its changes.
+    /// What a drag did: `diagnostics` and `view` are of the texts with its changes.
     pub reshaped: Option<Reshaped>,
     /// How long it took.
     pub cost_ms: f64,

@@ -4,19 +4,19 @@
 //! | What | File |
 //! |---|---|
 //! | the messages themselves, looks and drags | `live.rs` |
-//! | places, changes and complaints | `complaints.rs` |
+//! | places, changes and diagnostics | `diagnostics.rs` |
 //! | the mechanism: drawing, outline, numbers | `view.rs` |
 //! | jobs | `jobs.rs` |
 
-mod complaints;
+mod diagnostics;
 mod jobs;
 mod live;
 mod view;
 
-pub use complaints::{Change, Document, Fix, SeenComplaint, SeenLabel, Stretch};
+pub use diagnostics::{Change, DiagnosticView, Document, Fix, LabelView, Stretch};
 pub use jobs::{Job, JobDraft, JobKind, JobState};
-pub use live::{FromPage, Grip, Held, Look, Reshaped, Seen, SentText, Shown, ToPage};
+pub use live::{FromPage, Grip, Held, Look, LookAnswer, Reshaped, SentText, Shown, ToPage};
 pub use view::{
-    DimensionKind, ForceTable, Outline, QuantityKind, SeenBody, SeenDimension, SeenForce, SeenJoint, SeenLimit,
-    SeenOutput, SeenPin, SeenPoint, SeenQuantity, View,
+    BodyView, DimensionKind, DimensionView, ForceTable, ForceView, JointView, LimitView, Outline, OutputView, PinView,
+    PointView, QuantityKind, QuantityView, View,
 };

@@ -3,7 +3,7 @@
 use loosepin::report::{LiveBand, MovingDrawing};
 use serde::Serialize;
 
-use super::complaints::Document;
+use super::diagnostics::Document;
 
 /// What is written of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -19,7 +19,7 @@ pub enum QuantityKind {
 
 /// A number of the texts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenQuantity {
+pub struct QuantityView {
     /// Where it stands: `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// In words.
@@ -40,7 +40,7 @@ pub struct SeenQuantity {
 
 /// Where a pin is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SeenPin {
+pub struct PinView {
     /// Index of a body that carries it, in the drawing.
     pub body: usize,
     /// x in the frame of that body, mm.
@@ -51,7 +51,7 @@ pub struct SeenPin {
 
 /// A joint in the outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenJoint {
+pub struct JointView {
     /// Its name.
     pub name: String,
     /// What it is, in words.
@@ -59,14 +59,14 @@ pub struct SeenJoint {
     /// Its play, where it has any.
     pub play: Option<String>,
     /// Its centre, where it is a pin that can be dragged.
-    pub pin: Option<SeenPin>,
+    pub pin: Option<PinView>,
     /// The points that it joins: `rod.small_end`, `slider.pin`.
     pub points: [String; 2],
 }
 
 /// A point of a body.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenPoint {
+pub struct PointView {
     /// Its name.
     pub name: String,
     /// x in the frame of its body, mm.
@@ -77,11 +77,11 @@ pub struct SeenPoint {
 
 /// A body with its points; the ground too.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenBody {
+pub struct BodyView {
     /// Its name.
     pub name: String,
     /// Its points.
-    pub points: Vec<SeenPoint>,
+    pub points: Vec<PointView>,
 }
 
 /// What a dimension is.
@@ -96,7 +96,7 @@ pub enum DimensionKind {
 
 /// A dimension of a body or a joint.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenDimension {
+pub struct DimensionView {
     /// What it is.
     pub kind: DimensionKind,
     /// Name of the body, or of the joint whose line it is.
@@ -125,7 +125,7 @@ pub enum ForceTable {
 
 /// A spring or a load, with where it stands in the drawing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenForce {
+pub struct ForceView {
     /// Which of both.
     pub table: ForceTable,
     /// Its name.
@@ -133,7 +133,7 @@ pub struct SeenForce {
     /// What it is, in words.
     pub kind: &'static str,
     /// Both ends of a spring along a line; the one place of all others; nothing where no point says where.
-    pub ends: Vec<SeenPin>,
+    pub ends: Vec<PinView>,
     /// Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees.
     pub direction_deg: Option<f64>,
     /// The direction turns with the body.
@@ -142,7 +142,7 @@ pub struct SeenForce {
 
 /// An output in the outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenOutput {
+pub struct OutputView {
     /// Its name.
     pub name: String,
     /// What it is, in words.
@@ -155,22 +155,22 @@ pub struct Outline {
     /// Bodies that move.
     pub bodies: Vec<String>,
     /// Joints.
-    pub joints: Vec<SeenJoint>,
+    pub joints: Vec<JointView>,
     /// Drives.
     pub drives: Vec<String>,
     /// Outputs.
-    pub outputs: Vec<SeenOutput>,
+    pub outputs: Vec<OutputView>,
     /// Springs and loads.
-    pub forces: Vec<SeenForce>,
+    pub forces: Vec<ForceView>,
     /// All bodies with their points, in the order of the drawing.
-    pub parts: Vec<SeenBody>,
+    pub parts: Vec<BodyView>,
     /// Dimensions of bodies and joints.
-    pub dimensions: Vec<SeenDimension>,
+    pub dimensions: Vec<DimensionView>,
 }
 
 /// A limit of the study that is a line in the chart of a band.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenLimit {
+pub struct LimitView {
     /// Name of the output.
     pub output: String,
     /// The limit, SI.
@@ -199,9 +199,9 @@ pub struct View {
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
     /// The limits among them.
-    pub limits: Vec<SeenLimit>,
+    pub limits: Vec<LimitView>,
     /// What it is made of.
     pub outline: Outline,
     /// Its numbers.
-    pub quantities: Vec<SeenQuantity>,
+    pub quantities: Vec<QuantityView>,
 }

@@ -76,7 +76,7 @@ pub struct SaveAnswer {
 
 /// How well a number is known, to be written into both texts.
 #[derive(Deserialize)]
-pub struct KnowRequest {
+pub struct SetUncertaintyRequest {
     /// The model.
     pub model: SentText,
     /// The study of it, where there is one.
@@ -89,7 +89,7 @@ pub struct KnowRequest {
 
 /// What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer.
 #[derive(Serialize)]
-pub struct KnowAnswer {
+pub struct SetUncertaintyAnswer {
     /// In units of the texts that were sent, in their order.
     pub changes: Vec<Change>,
     /// Why there are none.
@@ -179,7 +179,7 @@ pub struct ImportAnswer {
     pub notes: Vec<String>,
 }
 
-/// What a code of a complaint means.
+/// What a code of a diagnostic means.
 #[derive(Serialize)]
 pub struct ExplainAnswer {
     /// The code.

@@ -19,9 +19,9 @@ use crate::messages::Look;
 use crate::network::page;
 use crate::network::refusal::{Refusal, json};
 use crate::network::requests::{
-    DrawAnswer, DrawRequest, ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, KnowAnswer, KnowRequest, Limits,
-    NewAnswer, NewRequest, OpenAnswer, OpenRequest, OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer,
-    SaveRequest, ViewAnswer, ViewRequest,
+    DrawAnswer, DrawRequest, ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, Limits, NewAnswer, NewRequest,
+    OpenAnswer, OpenRequest, OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer, SaveRequest,
+    SetUncertaintyAnswer, SetUncertaintyRequest, ViewAnswer, ViewRequest,
 };
 use crate::studio::Studio;
 use crate::view::texts::{Texts, model_beside, plain};
@@ -90,14 +90,14 @@ pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
 }
 
 /// How well a number is known, written into the texts of the page.
-pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
-    let KnowRequest { model, study, path, text } = parsed(&body)?;
+pub async fn set_uncertainty(State(studio): State<Studio>, body: Bytes) -> Answer {
+    let SetUncertaintyRequest { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
-        Ok(match edit::know(&folder, &texts, &path, &text) {
-            Ok(changes) => KnowAnswer { changes, refusal: None },
-            Err(refusal) => KnowAnswer { changes: Vec::new(), refusal: Some(refusal.into()) },
+        Ok(match edit::set_uncertainty(&folder, &texts, &path, &text) {
+            Ok(changes) => SetUncertaintyAnswer { changes, refusal: None },
+            Err(refusal) => SetUncertaintyAnswer { changes: Vec::new(), refusal: Some(refusal.into()) },
         })
     });
     Ok(json(&changes.await?))

@@ -133,7 +133,7 @@ fn router(studio: Studio) -> Router {
         .route("/api/open", get(routes::open))
         .route("/api/file", put(routes::save))
         .route("/api/new", post(routes::new))
-        .route("/api/know", post(routes::know))
+        .route("/api/set-uncertainty", post(routes::set_uncertainty))
         .route("/api/restructure", post(routes::restructure))
         .route("/api/draw", post(routes::draw))
         .route("/api/import", post(routes::import))

@@ -14,7 +14,7 @@ use tokio::time::timeout;
 
 use crate::files::folder::{Folder, MAX_TEXT};
 use crate::jobs::queue::Task;
-use crate::messages::{FromPage, Look, Seen, ToPage};
+use crate::messages::{FromPage, Look, LookAnswer, ToPage};
 use crate::network::mailbox::Mailbox;
 use crate::network::time_limit::{LONGEST_LOOK, within};
 use crate::network::visitors::Visitor;
@@ -139,7 +139,7 @@ async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), 
 /// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
 fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
     while let Some(request) = mailbox.take() {
-        let told = |seen: &Seen| serde_json::to_string(&ToPage::Seen(seen)).unwrap_or_default();
+        let told = |seen: &LookAnswer| serde_json::to_string(&ToPage::LookAnswer(seen)).unwrap_or_default();
         let late = || {
             let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
         };

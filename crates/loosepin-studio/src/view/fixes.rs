@@ -1,6 +1,6 @@
-//! Changes that mend a complaint: a word that was probably meant, in place of the one that is written.
+//! Changes that mend a diagnostic: a word that was probably meant, in place of the one that is written.
 
-use loosepin::diagnostics::Complaint;
+use loosepin::diagnostics::Diagnostic;
 use strsim::osa_distance;
 
 use crate::messages::{Change, Document, Fix};
@@ -8,16 +8,16 @@ use crate::messages::{Change, Document, Fix};
 /// Marks in which messages set what is written and what was probably meant.
 const MARKS: [char; 2] = ['\'', '"'];
 
-/// The change that the hint of a complaint proposes; nothing where it proposes more than one word in place of another, or where that word
-/// does not stand exactly once at the place of the complaint.
-pub fn fix(complaint: &Complaint, document: Option<Document>) -> Option<Fix> {
-    let place = complaint.place.as_ref()?;
-    let proposed = complaint.hint.as_ref()?.strip_prefix("did you mean ")?.strip_suffix('?')?;
+/// The change that the hint of a diagnostic proposes; nothing where it proposes more than one word in place of another, or where that word
+/// does not stand exactly once at the place of the diagnostic.
+pub fn fix(diagnostic: &Diagnostic, document: Option<Document>) -> Option<Fix> {
+    let place = diagnostic.place.as_ref()?;
+    let proposed = diagnostic.hint.as_ref()?.strip_prefix("did you mean ")?.strip_suffix('?')?;
     let (meant, mark) = MARKS.into_iter().find_map(|mark| Some((inside(proposed, mark)?, mark)))?;
     let range = place.source.clamp(place.span);
     let text = &place.source.text()[range.clone()];
     // Of the words that the message quotes, the one that was mistaken for the one that was meant.
-    let quoted = complaint.message.split(mark).skip(1).step_by(2);
+    let quoted = diagnostic.message.split(mark).skip(1).step_by(2);
     let here = quoted.filter_map(|word| Some((word, only(text, word)?)));
     let (written, at) = here.min_by_key(|(word, _)| osa_distance(word, meant))?;
     let from = range.start + at;

@@ -7,11 +7,11 @@ use loosepin::document::parse_toml;
 use loosepin::report::LiveLimit;
 use loosepin::study::{Deviation, Limit, Study, Where};
 
-use crate::messages::SeenLimit;
+use crate::messages::LimitView;
 use crate::view::places::unquoted;
 
 /// Each with the stretch of the text of the study that says it.
-pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<SeenLimit>)> {
+pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<LimitView>)> {
     let toml = parse_toml(source).ok();
     let written = |index: usize| {
         let required = toml.as_ref()?.get_ref().get("require")?.get_ref().as_array()?.get(index)?;
@@ -24,7 +24,7 @@ pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<See
             return None;
         }
         let output = study.outputs[required.output].name.clone();
-        let seen = written(index).map(|(written, [from, to])| SeenLimit {
+        let seen = written(index).map(|(written, [from, to])| LimitView {
             output: output.clone(),
             within_si,
             written,

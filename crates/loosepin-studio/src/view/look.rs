@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
@@ -17,8 +17,10 @@ use crate::drawing::forces::forces;
 use crate::drawing::still::{NamedPoses, placed, still_drawing};
 use crate::edit::{Gripped, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
-use crate::messages::{Look, Outline, Seen, SeenBody, SeenJoint, SeenLimit, SeenOutput, SeenPin, SeenPoint, View};
-use crate::view::complaints::seen;
+use crate::messages::{
+    BodyView, JointView, LimitView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
+};
+use crate::view::diagnostics::seen;
 use crate::view::limits::limits;
 use crate::view::quantities::quantities;
 use crate::view::texts::Texts;
@@ -33,7 +35,7 @@ const POSITIONS: [usize; 2] = [12, 720];
 
 /// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
 /// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
-pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
+pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
     let began = Instant::now();
     let before = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
@@ -61,15 +63,15 @@ fn seen_after(
     before: &Texts,
     drag: Option<&Gripped>,
     stop: &AtomicBool,
-) -> (Seen, Option<Drawing>) {
+) -> (LookAnswer, Option<Drawing>) {
     let texts = match drag {
         Some(drag) => before.with(folder, drag.model.as_deref(), drag.study.as_deref()),
         None => Texts { model: before.model.clone(), study: before.study.clone() },
     };
-    let mut complaints = Complaints::new();
+    let mut diagnostics = Diagnostics::new();
     let file = texts.read().or_else(|found| {
-        complaints.extend(found);
-        // Reading the model alone: its own complaints are told already.
+        diagnostics.extend(found);
+        // Reading the model alone: its own diagnostics are told already.
         Texts { model: texts.model.clone(), study: None }.read()
     });
     let mut reshaped = drag.map(|drag| drag.reshaped.clone());
@@ -79,7 +81,7 @@ fn seen_after(
             InputFile::Model(model) => &model.warnings,
             InputFile::Study(study) => &study.warnings,
         };
-        warnings.iter().for_each(|warning: &Complaint| complaints.push(warning.clone()));
+        warnings.iter().for_each(|warning: &Diagnostic| diagnostics.push(warning.clone()));
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
         match file.ideal_motion_until(positions, &[], stop) {
             Ok(record) => {
@@ -100,25 +102,25 @@ fn seen_after(
                         poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
                         incomplete(&file, &found, &poses, &texts)
                     });
-                    complaints.extend(found);
+                    diagnostics.extend(found);
                     view
                 }),
         }
     });
-    let complaints = seen(&complaints, &texts);
-    (Seen { seq: look.seq, complaints, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
+    let diagnostics = seen(&diagnostics, &texts);
+    (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
 }
 
 /// As [`look_until`], to its end.
 #[cfg(test)]
-pub fn look(folder: &Folder, look: &Look) -> Seen {
+pub fn look(folder: &Folder, look: &Look) -> LookAnswer {
     look_until(folder, look, &AtomicBool::new(false))
 }
 
 /// The answer to a look that took longer than it may.
-pub fn cut(look: &Look, limit: Duration) -> Seen {
+pub fn cut(look: &Look, limit: Duration) -> LookAnswer {
     let cost_ms = limit.as_secs_f64() * 1e3;
-    Seen { seq: look.seq, complaints: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
+    LookAnswer { seq: look.seq, diagnostics: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
 }
 
 fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
@@ -126,7 +128,7 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
         (InputFile::Study(study), Some(source)) => limits(study, source),
         _ => Vec::new(),
     };
-    let (lines, limits): (Vec<LiveLimit>, Vec<Option<SeenLimit>>) = limits.into_iter().unzip();
+    let (lines, limits): (Vec<LiveLimit>, Vec<Option<LimitView>>) = limits.into_iter().unzip();
     View {
         title: title(file),
         mobility: record.mobility.clone(),
@@ -160,7 +162,7 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
 }
 
 /// What does not move yet is drawn where its bodies were put.
-fn incomplete(file: &InputFile, found: &Complaints, poses: &NamedPoses, texts: &Texts) -> View {
+fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
     let model = file.model();
     let words = why_not(file, found);
     let drawing = still_drawing(model, &placed(model, poses));
@@ -177,8 +179,8 @@ fn incomplete(file: &InputFile, found: &Complaints, poses: &NamedPoses, texts: &
     }
 }
 
-fn named_outputs(model: &Model) -> Vec<SeenOutput> {
-    model.outputs.iter().map(|output| SeenOutput { name: output.name.clone(), words: output.name.clone() }).collect()
+fn named_outputs(model: &Model) -> Vec<OutputView> {
+    model.outputs.iter().map(|output| OutputView { name: output.name.clone(), words: output.name.clone() }).collect()
 }
 
 fn title(file: &InputFile) -> String {
@@ -188,18 +190,18 @@ fn title(file: &InputFile) -> String {
     }
 }
 
-fn outputs(record: &MotionRecord) -> Vec<SeenOutput> {
+fn outputs(record: &MotionRecord) -> Vec<OutputView> {
     // An error of a path belongs to its output, and has no value of its own.
     let outputs = record.outputs.iter().filter(|output| !output.value_si.is_empty());
     let outputs = outputs.map(|output| (&output.name, &output.words));
     let outputs = outputs.chain(record.efforts.iter().map(|effort| (&effort.name, &effort.words)));
-    outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect()
+    outputs.map(|(name, words)| OutputView { name: name.clone(), words: words.clone() }).collect()
 }
 
-fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outline {
+fn outline(model: &Model, drawing: &Drawing, outputs: Vec<OutputView>) -> Outline {
     let point =
-        |point: &DrawnPoint| SeenPoint { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
-    let part = |body: &DrawnBody| SeenBody { name: body.name.clone(), points: body.points.iter().map(point).collect() };
+        |point: &DrawnPoint| PointView { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
+    let part = |body: &DrawnBody| BodyView { name: body.name.clone(), points: body.points.iter().map(point).collect() };
     Outline {
         bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
         joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
@@ -211,15 +213,15 @@ fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outlin
     }
 }
 
-fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> SeenJoint {
+fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> JointView {
     let has_play = joint.radial_clearance_m > 0.0;
     let is_pin = joint.kind.turns();
     let point = drawing.bodies.get(joint.first.body).and_then(|body| body.points.get(joint.first.point));
-    SeenJoint {
+    JointView {
         name: joint.name.clone(),
         kind: joint.kind.words(),
         play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
-        pin: point.filter(|_| is_pin).map(|point| SeenPin {
+        pin: point.filter(|_| is_pin).map(|point| PinView {
             body: joint.first.body,
             x: point.x_m * MM_PER_M,
             y: point.y_m * MM_PER_M,

@@ -6,7 +6,7 @@ use loosepin::model::Model;
 use std::sync::Arc;
 
 use crate::edit::Locks;
-use crate::messages::{Document, QuantityKind, SeenQuantity};
+use crate::messages::{Document, QuantityKind, QuantityView};
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
 
@@ -14,22 +14,22 @@ use crate::view::texts::Texts;
 const KNOWN: [(&str, QuantityKind); 2] = [("random", QuantityKind::Scatter), ("epistemic", QuantityKind::Unknown)];
 
 /// Numbers of the model in the order of its text, then what the study says of them.
-pub fn quantities(model: &Model, texts: &Texts) -> Vec<SeenQuantity> {
+pub fn quantities(model: &Model, texts: &Texts) -> Vec<QuantityView> {
     let locks = Locks::of(texts.model.text());
-    let mut of_model: Vec<SeenQuantity> = model
+    let mut of_model: Vec<QuantityView> = model
         .quantities
         .iter()
         .filter_map(|(_, quantity)| {
             let span = quantity.span?;
             let entry = entry(&texts.model, Document::Model, &quantity.path, span, QuantityKind::Number);
-            Some(SeenQuantity { is_locked: locks.hold(span.start), ..entry })
+            Some(QuantityView { is_locked: locks.hold(span.start), ..entry })
         })
         .collect();
     of_model.sort_by_key(|quantity| quantity.from);
     of_model.into_iter().chain(texts.study.iter().flat_map(of_study)).collect()
 }
 
-fn of_study(study: &Arc<Source>) -> Vec<SeenQuantity> {
+fn of_study(study: &Arc<Source>) -> Vec<QuantityView> {
     let Ok(toml) = parse_toml(study) else { return Vec::new() };
     let mut found = Vec::new();
     for (table, kind) in KNOWN {
@@ -41,9 +41,9 @@ fn of_study(study: &Arc<Source>) -> Vec<SeenQuantity> {
     found
 }
 
-fn entry(source: &Source, document: Document, path: &str, span: Span, kind: QuantityKind) -> SeenQuantity {
+fn entry(source: &Source, document: Document, path: &str, span: Span, kind: QuantityKind) -> QuantityView {
     let range = unquoted(source, span);
-    SeenQuantity {
+    QuantityView {
         path: path.to_owned(),
         words: describe_path(path),
         document,

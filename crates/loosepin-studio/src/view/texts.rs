@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use loosepin::diagnostics::{Complaints, Source};
+use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::model::Model;
 use loosepin::result::repeat::InputRole;
 use loosepin::study::result::StudyResult;
@@ -100,7 +100,7 @@ impl Texts {
     ///
     /// # Errors
     /// Everything that is wrong with them.
-    pub fn read(&self) -> Result<InputFile, Complaints> {
+    pub fn read(&self) -> Result<InputFile, Diagnostics> {
         let model = Model::from_source(Arc::clone(&self.model))?;
         match &self.study {
             None => Ok(InputFile::Model(Box::new(model))),

@@ -194,7 +194,7 @@ fn results_that_are_links_are_neither_shown_nor_written_through() {
         }
     };
     assert_eq!(job["state"], "failed", "{job}");
-    assert!(job["complaints"][0].as_str().unwrap().contains("it is a symbolic link"), "{job}");
+    assert!(job["diagnostics"][0].as_str().unwrap().contains("it is a symbolic link"), "{job}");
     assert_eq!(fs::read_dir(&outside).unwrap().count(), 1, "nothing was written outside");
 }
 

@@ -249,7 +249,7 @@ fn malformed_messages_are_refused_with_words() {
                 text.push(char::from_u32(noise.next() as u32 % 0xd7ff).unwrap());
                 text.push_str(&model[cut..]);
                 let seen = live.look(1, ("model.toml", &text), None);
-                assert!(seen["complaints"].is_array(), "{seen}");
+                assert!(seen["diagnostics"].is_array(), "{seen}");
             }
             1 => {
                 live.send(&json!({"kind": "look", "seq": -1, "model": noise.next()}));
@@ -294,7 +294,7 @@ fn malformed_messages_are_refused_with_words() {
                 break answer;
             }
         };
-        assert!(answer["kind"] == "refused" || answer["job"]["complaints"][0].is_string(), "{answer}");
+        assert!(answer["kind"] == "refused" || answer["job"]["diagnostics"][0].is_string(), "{answer}");
     }
     assert!(is_untouched(desk.path()));
     assert_eq!(server.ask("GET", "/api/hello", "").0, 200, "the server lives");

@@ -49,7 +49,7 @@ fn the_texts_that_are_shown_are_run_whatever_is_on_the_disk() {
     live.send(&run(text(&study).replace("model.toml", "other.toml")));
     let job = ended(&mut live, |_| {});
     assert_eq!(job["state"], "failed", "{job}");
-    let said = job["complaints"][0].as_str().unwrap();
+    let said = job["diagnostics"][0].as_str().unwrap();
     assert!(said.contains("names the model '") && said.contains("other.toml'; the page shows '"), "{said}");
 }
 
@@ -126,7 +126,7 @@ fn what_cannot_be_run_says_why() {
     live.send(&json!({"kind": "run", "study": study}));
     let job = ended(&mut live, |_| {});
     assert_eq!(job["state"], "failed", "{job}");
-    assert!(job["complaints"][0].as_str().unwrap().contains("randum"), "{job}");
+    assert!(job["diagnostics"][0].as_str().unwrap().contains("randum"), "{job}");
     live.send(&json!({"kind": "run", "study": "../elsewhere/study.toml"}));
     assert_eq!(ended(&mut live, |_| {})["state"], "failed");
 }

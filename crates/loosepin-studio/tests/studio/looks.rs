@@ -19,7 +19,7 @@ fn a_template_is_drawn_with_its_bands() {
     let mut live = server.live();
     let seen = live.look(7, ("m/model.toml", template.model), Some(("m/study.toml", template.study)));
     assert_eq!(seen["seq"], 7);
-    assert_eq!(seen["complaints"].as_array().unwrap().len(), 0, "{}", seen["complaints"]);
+    assert_eq!(seen["diagnostics"].as_array().unwrap().len(), 0, "{}", seen["diagnostics"]);
     let view = &seen["view"];
     assert_eq!(view["mobility"], "1 degree of freedom, 1 drive");
     // A body for each of the three moving links and the ground, at each of 73 positions.
@@ -52,8 +52,8 @@ fn a_model_without_masses_is_drawn_with_its_band() {
         let is_kept = |line: &&str| !only_runs_need.iter().any(|key| line.starts_with(key));
         let light: String = text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
         let seen = live.look(seq, ("model.toml", &light), None);
-        let errors = seen["complaints"].as_array().unwrap().iter().filter(|said| said["severity"] == "error");
-        assert_eq!(errors.count(), 0, "{name}: {}", seen["complaints"]);
+        let errors = seen["diagnostics"].as_array().unwrap().iter().filter(|said| said["severity"] == "error");
+        assert_eq!(errors.count(), 0, "{name}: {}", seen["diagnostics"]);
         let view = &seen["view"];
         assert!(view["drawing"]["motion"]["bodies"].as_array().is_some_and(|bodies| bodies.len() > 2), "{name}");
         let [with, without] = [text, &light].map(|text| {
@@ -92,15 +92,15 @@ fn a_wrong_text_is_shown_at_its_place() {
     let mut live = server.live();
     let seen = live.look(1, ("model.toml", &model), None);
     assert!(seen["view"].is_null());
-    let complaint = &seen["complaints"][0];
-    assert_eq!((&complaint["document"], &complaint["severity"]), (&Value::from("model"), &Value::from("error")));
-    assert!(stretch(&model, complaint).contains("m/s^5"), "{complaint}");
+    let diagnostic = &seen["diagnostics"][0];
+    assert_eq!((&diagnostic["document"], &diagnostic["severity"]), (&Value::from("model"), &Value::from("error")));
+    assert!(stretch(&model, diagnostic).contains("m/s^5"), "{diagnostic}");
     // A wrong study does not hide its model.
     let study = template.study.replacen("[random]", "[randum]", 1);
     assert_ne!(study, template.study);
     let seen = live.look(2, ("model.toml", template.model), Some(("study.toml", &study)));
     assert!(seen["view"]["drawing"]["svg"].is_string());
-    assert_eq!(seen["complaints"][0]["document"], "study");
+    assert_eq!(seen["diagnostics"][0]["document"], "study");
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn names_of_files_are_only_ever_text() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
     let template = find_template("four-bar").unwrap();
-    // A joint cannot be called so; what can is a title, which stands in pictures and complaints.
+    // A joint cannot be called so; what can is a title, which stands in pictures and diagnostics.
     let study = template.study.replacen("name = \"", "name = \"<script>alert(1)</script> ", 1);
     let mut live = server.live();
     let seen = live.look(1, ("model.toml", template.model), Some(("study.toml", &study)));
@@ -118,11 +118,11 @@ fn names_of_files_are_only_ever_text() {
     let model = template.model.replace("rocker_pin", "\"<script>\"");
     let seen = live.look(2, ("model.toml", &model), None);
     assert!(seen["view"].is_null());
-    assert!(!seen["complaints"].as_array().unwrap().is_empty());
+    assert!(!seen["diagnostics"].as_array().unwrap().is_empty());
 }
 
 #[test]
-fn each_fix_mends_its_complaint() {
+fn each_fix_mends_its_diagnostic() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
     let mut live = server.live();
@@ -137,19 +137,19 @@ fn each_fix_mends_its_complaint() {
         // Under the limit on messages a second.
         live = if fixes % 50 == 0 { server.live() } else { live };
         let seen = live.look(1, ("model.toml", &text), None);
-        for complaint in seen["complaints"].as_array().unwrap().iter().filter(|one| one["fix"].is_object()) {
-            let fix = &complaint["fix"];
+        for diagnostic in seen["diagnostics"].as_array().unwrap().iter().filter(|one| one["fix"].is_object()) {
+            let fix = &diagnostic["fix"];
             let units: Vec<u16> = text.encode_utf16().collect();
             let [from, to] = ["from", "to"].map(|end| fix[end].as_u64().unwrap() as usize);
             let part = |range: &[u16]| String::from_utf16(range).unwrap();
             let mended = part(&units[..from]) + fix["insert"].as_str().unwrap() + &part(&units[to..]);
             let again = live.look(2, ("model.toml", &mended), None);
-            let is_there = again["complaints"]
+            let is_there = again["diagnostics"]
                 .as_array()
                 .unwrap()
                 .iter()
-                .any(|one| one["message"] == complaint["message"] && one["line"] == complaint["line"]);
-            assert!(!is_there, "{}: {complaint}\n{mended}", path.display());
+                .any(|one| one["message"] == diagnostic["message"] && one["line"] == diagnostic["line"]);
+            assert!(!is_there, "{}: {diagnostic}\n{mended}", path.display());
             fixes += 1;
         }
     }
@@ -215,25 +215,25 @@ fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
     live.send(&look(1, &model, 720));
     let seen = live.next_of("seen");
     let taken = began.elapsed().as_secs_f64();
-    assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(1), &Value::from(true)), "{}", seen["complaints"]);
+    assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(1), &Value::from(true)), "{}", seen["diagnostics"]);
     assert!(seen["view"].is_null() && taken >= 2.0, "{taken} s");
     // What comes next is answered as ever: nothing goes on computing in its way, and no answer to the first one follows.
     live.send(&look(2, &chain(1), 36));
     let seen = live.next_of("seen");
     assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(2), &Value::from(false)));
-    assert!(seen["view"]["drawing"]["svg"].is_string(), "{}", seen["complaints"]);
+    assert!(seen["view"]["drawing"]["svg"].is_string(), "{}", seen["diagnostics"]);
 }
 
 #[test]
-fn of_thousands_of_complaints_the_first_are_shown_and_the_others_counted() {
+fn of_thousands_of_diagnostics_the_first_are_shown_and_the_others_counted() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
     let mut live = server.live();
     let text: String = (0..3000).map(|number| format!("line {number}\n")).collect();
     let seen = live.look(1, ("model.toml", &text), None);
-    let complaints = seen["complaints"].as_array().unwrap();
-    assert_eq!(complaints.len(), 201);
-    assert_eq!(complaints[199]["line"], 200);
-    assert_eq!(complaints[200]["message"], "and 2800 more");
-    assert_eq!(complaints[200]["severity"], "error");
+    let diagnostics = seen["diagnostics"].as_array().unwrap();
+    assert_eq!(diagnostics.len(), 201);
+    assert_eq!(diagnostics[199]["line"], 200);
+    assert_eq!(diagnostics[200]["message"], "and 2800 more");
+    assert_eq!(diagnostics[200]["severity"], "error");
 }

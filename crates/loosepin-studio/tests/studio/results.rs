@@ -156,7 +156,7 @@ fn a_witness_is_run_by_itself_and_is_no_study() {
     assert_eq!(ended(&mut live)["result"], run);
     live.send(&json!({"kind": "simulate", "result": result, "witness": 999}));
     let job = ended(&mut live);
-    assert!(job["state"] == "failed" && job["complaints"][0].as_str().unwrap().contains("no witness 999"), "{job}");
+    assert!(job["state"] == "failed" && job["diagnostics"][0].as_str().unwrap().contains("no witness 999"), "{job}");
     let (status, refused) = compared(&server, &result, run);
     assert!(status == 400 && refused["message"].as_str().unwrap().contains("holds a simulation"), "{refused}");
     let (status, nothing) = server.ask("POST", "/api/result", &json!({"path": run}).to_string());
@@ -207,7 +207,7 @@ fn values_of_a_result_become_those_of_the_model() {
     let written_mm: f64 = line.split('"').nth(1).unwrap().trim_end_matches(" mm").parse().unwrap();
     assert!((written_mm - due_mm).abs() < 1e-6 * due_mm, "{line} {due_mm}");
     let seen = live.look(1, ("worn/model.toml", new_model), Some(("worn/study.toml", new_study)));
-    assert_eq!(seen["complaints"], json!([]));
+    assert_eq!(seen["diagnostics"], json!([]));
     // Texts that have gone on, and texts that do not take it.
     let changed = json!({"path": "worn/model.toml", "text": format!("{}# more\n", model["text"].as_str().unwrap())});
     assert_eq!(adopt(&changed, &old_study, 0).1["adopted"]["has_changed"], true);

@@ -32,7 +32,7 @@ impl FewRuns {
              [[ask]]\n{ask}"
         );
         let study = Study::from_text_at(&path.display().to_string(), &text);
-        let study = study.unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = study.unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let response = StudyResponse::new(&study).unwrap();
         let plan = DoubleLoop::try_new(problem(&study, &response)).unwrap();
         let mut table = SampleTable::new(response.row_length());

@@ -97,7 +97,7 @@ mod tests {
              probability_at_least = {MIN_SHARE}\n"
         );
         let path = folder.join("study.toml");
-        Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|complaints| panic!("{complaints}"))
+        Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
     }
 
     fn outcomes(

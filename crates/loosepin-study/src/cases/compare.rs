@@ -6,15 +6,15 @@ use super::case::{Case, Check, What};
 use super::history::largest_difference;
 use super::obtain::Runs;
 use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::ReadableUnit;
 
 /// Runs each case and compares its numbers, side by side; the records are in the order of the cases.
 ///
 /// # Errors
 /// The first case whose numbers cannot be obtained.
-pub fn compare_all(cases: &[Case]) -> Result<Vec<CaseRecord>, Complaints> {
-    let outcomes: Vec<Result<CaseRecord, Complaints>> = cases.par_iter().map(compare).collect();
+pub fn compare_all(cases: &[Case]) -> Result<Vec<CaseRecord>, Diagnostics> {
+    let outcomes: Vec<Result<CaseRecord, Diagnostics>> = cases.par_iter().map(compare).collect();
     outcomes.into_iter().collect()
 }
 
@@ -22,7 +22,7 @@ pub fn compare_all(cases: &[Case]) -> Result<Vec<CaseRecord>, Complaints> {
 ///
 /// # Errors
 /// A run or the ideal motion fails.
-pub fn compare(case: &Case) -> Result<CaseRecord, Complaints> {
+pub fn compare(case: &Case) -> Result<CaseRecord, Diagnostics> {
     let mut runs = Runs::new(case);
     // Histories first: their runs serve the numbers as well.
     for check in &case.checks {
@@ -37,7 +37,7 @@ pub fn compare(case: &Case) -> Result<CaseRecord, Complaints> {
     Ok(CaseRecord { name: case.name.clone(), title: case.model.name.clone(), numbers })
 }
 
-fn compare_check(runs: &mut Runs<'_>, check: &Check, records: &mut Vec<NumberRecord>) -> Result<(), Complaints> {
+fn compare_check(runs: &mut Runs<'_>, check: &Check, records: &mut Vec<NumberRecord>) -> Result<(), Diagnostics> {
     let record = |name: String, comparison: Comparison, tolerance_si: f64, unit: &ReadableUnit| NumberRecord {
         name,
         origin: check.origin,

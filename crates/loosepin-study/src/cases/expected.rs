@@ -1,4 +1,4 @@
-//! From the text of an `expected.toml` to what must be met, with all its complaints at once.
+//! From the text of an `expected.toml` to what must be met, with all its diagnostics at once.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use super::tables::{ColumnTable, ExpectedTable, HistoryTable, NumberTable, Origi
 use loosepin_mechanics::model::{BodyId, Motion, Position, Relative};
 use loosepin_simulate::accuracy::position_outputs;
 use loosepin_simulate::{Column, columns, input};
-use loosepin_text::diagnostics::{Complaint, Complaints, Source};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Reader, Reads, Value, Written, parse_toml};
 use loosepin_text::units::{Dimension, ReadableUnit, Rule, SiUnit};
 
@@ -23,7 +23,7 @@ const STATE_PARTS: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "a
 ///
 /// # Errors
 /// Everything that is wrong with it or with a file that it names, each with its place.
-pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) -> Result<Vec<Check>, Complaints> {
+pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) -> Result<Vec<Check>, Diagnostics> {
     let toml = parse_toml(source)?;
     let mut reader = Reader::new(source);
     let root = reader.root(toml.get_ref(), &ExpectedTable::KEYS);
@@ -41,17 +41,17 @@ pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) ->
         }
     }
     checks.extend(read_script(&mut file.reader, &root, folder, case));
-    if checks.is_empty() && !file.reader.complaints.has_errors() {
+    if checks.is_empty() && !file.reader.diagnostics.has_errors() {
         // Nothing expected would be met by anything.
-        file.reader.complain(&CaseProblem::NothingExpected { entry: "the file".to_owned() }, (0..0).into());
+        file.reader.report(&CaseProblem::NothingExpected { entry: "the file".to_owned() }, (0..0).into());
     }
-    if file.reader.complaints.has_errors() { Err(file.reader.complaints) } else { Ok(checks) }
+    if file.reader.diagnostics.has_errors() { Err(file.reader.diagnostics) } else { Ok(checks) }
 }
 
 /// Length of the cycle of the model, transient included, s.
-fn cycle_s(case: &Case) -> Result<f64, Complaints> {
+fn cycle_s(case: &Case) -> Result<f64, Diagnostics> {
     let cycle = &case.model.cycle;
-    let input = input(&case.mechanism, &case.values, cycle.span).map_err(|failure| failure.complaint(&case.model))?;
+    let input = input(&case.mechanism, &case.values, cycle.span).map_err(|failure| failure.diagnostic(&case.model))?;
     Ok((cycle.transient_turns + cycle.recorded_turns) * input.turn_s())
 }
 
@@ -123,10 +123,10 @@ impl ExpectedReader<'_> {
         let mut settings = Vec::new();
         for entry in self.reader.list(entry)? {
             let text = self.reader.text(&entry)?.to_owned();
-            if let Err(complaints) = self.case.model.set_values(std::slice::from_ref(&text)) {
+            if let Err(diagnostics) = self.case.model.set_values(std::slice::from_ref(&text)) {
                 let place = self.reader.place(entry.span);
-                for complaint in complaints.sorted() {
-                    self.reader.complaints.push(Complaint { place: Some(place.clone()), ..complaint.clone() });
+                for diagnostic in diagnostics.sorted() {
+                    self.reader.diagnostics.push(Diagnostic { place: Some(place.clone()), ..diagnostic.clone() });
                 }
                 return None;
             }
@@ -137,7 +137,7 @@ impl ExpectedReader<'_> {
 
     /// That a list names nothing to compare.
     fn nothing(&mut self, entry: &Entry<'_>) {
-        self.reader.complain(&CaseProblem::NothingExpected { entry: entry.path.describe() }, entry.span);
+        self.reader.report(&CaseProblem::NothingExpected { entry: entry.path.describe() }, entry.span);
     }
 
     fn same_length(&mut self, entry: &Entry<'_>, found: usize, due: usize) -> Option<()> {
@@ -145,7 +145,7 @@ impl ExpectedReader<'_> {
             return Some(());
         }
         let problem = CaseProblem::ListLength { entry: entry.path.describe(), found, due };
-        self.reader.complain(&problem, entry.span);
+        self.reader.report(&problem, entry.span);
         None
     }
 
@@ -187,7 +187,7 @@ impl ExpectedReader<'_> {
         for key in ["joint", "output", "state", "reduce", "angle", "time", "penetration", "span"] {
             if let Some(entry) = table.get(key).filter(|_| !keys.contains(&key)) {
                 let problem = CaseProblem::KeyWithoutEffect { entry: entry.path.describe(), quantity: word };
-                self.reader.complain(&problem, entry.key_span);
+                self.reader.report(&problem, entry.key_span);
             }
         }
         let play = if keys.contains(&"joint") { Some(self.play(written)?) } else { None };
@@ -231,7 +231,7 @@ impl ExpectedReader<'_> {
 
     fn unknown(&mut self, entry: &Entry<'_>, what: &'static str, name: &str, known: Vec<String>) {
         let problem = CaseProblem::UnknownName { entry: entry.path.describe(), what, name: name.to_owned(), known };
-        self.reader.complain(&problem, entry.span);
+        self.reader.report(&problem, entry.span);
     }
 
     /// The output, or the state of a body read as one.
@@ -389,13 +389,13 @@ mod tests {
         let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_5000/model.toml");
         let folder = tempfile::tempdir().expect("a folder");
         fs::copy(model, folder.path().join("model.toml")).expect("a model");
-        let complaint = |expected: &str| {
+        let diagnostic = |expected: &str| {
             fs::write(folder.path().join("expected.toml"), expected).expect("a file");
             Case::from_folder(folder.path()).map(|_| ()).expect_err(expected).to_string()
         };
-        assert!(complaint("").contains("the file expects nothing"), "{}", complaint(""));
+        assert!(diagnostic("").contains("the file expects nothing"), "{}", diagnostic(""));
         let empty = "[expected.top]\nquantity = \"ideal_output\"\noutput = \"slider\"\nangle = []\nvalue = []\n\
                      tolerance = \"1 um\"\norigin = \"analytic\"\nsource = \"none\"\nreason = \"none\"\n";
-        assert!(complaint(empty).contains("value expects nothing"), "{}", complaint(empty));
+        assert!(diagnostic(empty).contains("value expects nothing"), "{}", diagnostic(empty));
     }
 }

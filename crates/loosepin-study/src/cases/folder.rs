@@ -8,7 +8,7 @@ use loosepin_files::Folder;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::Scatter;
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::read_source;
 use std::path::Path;
 
@@ -17,11 +17,11 @@ impl Case {
     ///
     /// # Errors
     /// Everything that is wrong with its files, each with its place.
-    pub fn from_folder(folder: &Path) -> Result<Case, Complaints> {
+    pub fn from_folder(folder: &Path) -> Result<Case, Diagnostics> {
         let model = Model::from_path(&folder.join("model.toml"))?;
         let values = model.quantities.nominal();
-        let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
-        let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&model))?;
+        let mechanism = Mechanism::new(&model, &values).map_err(|error| error.diagnostic(&model))?;
+        let sample = Sample::new(&mechanism, &values).map_err(|error| error.diagnostic(&model))?;
         let study_path = folder.join("study.toml");
         let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
         let of_study = |study: &Study| -> Vec<Scatter> {
@@ -45,8 +45,8 @@ impl Case {
 ///
 /// # Errors
 /// The folder cannot be read or holds no case.
-pub fn case_names(folder: &Path) -> Result<Vec<String>, Complaints> {
-    let no_cases = || Complaints::one(&CaseProblem::NoCases { folder: folder.display().to_string() }, None);
+pub fn case_names(folder: &Path) -> Result<Vec<String>, Diagnostics> {
+    let no_cases = || Diagnostics::one(&CaseProblem::NoCases { folder: folder.display().to_string() }, None);
     const MAX_ENTRIES: usize = 10_000;
     let entries = Folder::open(folder).and_then(|folder| folder.entries(MAX_ENTRIES)).map_err(|_| no_cases())?;
     let is_case = |path: &Path| path.join("model.toml").is_file() && path.join("expected.toml").is_file();

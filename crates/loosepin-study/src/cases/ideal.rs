@@ -6,7 +6,7 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::Values;
 use loosepin_simulate::accuracy::{MotionPlan, motion, motion_with_worst_cases};
 use loosepin_simulate::{Arms, IdealReference, RunFailure, Settings, input, maximum_within};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 
 /// Positions of a turn at which an extreme is looked for before it is located.
 const LOOKS: usize = 720;
@@ -92,7 +92,7 @@ pub(super) fn quasi_static(
     quantity: &Quantity,
     number: &ExpectedNumber,
     place: &Place,
-) -> Result<f64, Complaint> {
+) -> Result<f64, Diagnostic> {
     let plan = MotionPlan {
         span: case.model.cycle.span,
         positions: POSITIONS,
@@ -104,14 +104,14 @@ pub(super) fn quasi_static(
         QuantityKind::WorstCase => motion_with_worst_cases,
         _ => motion,
     };
-    let record = of(mechanism, values, &plan).map_err(|error| error.complaint(&case.model))?;
+    let record = of(mechanism, values, &plan).map_err(|error| error.diagnostic(&case.model))?;
     let Some(At::Angle(angle_rad)) = number.at else { return Ok(f64::NAN) };
     /// An angle counts as that of a position to round-off of a turn, rad.
     const SAME_ANGLE_RAD: f64 = 1e-9;
     let Some(position) = record.drive_angle_rad.iter().position(|known| (known - angle_rad).abs() < SAME_ANGLE_RAD)
     else {
         let angle_deg = angle_rad.to_degrees().to_string();
-        return Err(Complaint::error(&CaseProblem::NoPosition { angle_deg }, Some(place.clone())));
+        return Err(Diagnostic::error(&CaseProblem::NoPosition { angle_deg }, Some(place.clone())));
     };
     let name = quantity.column.as_ref().map(|column| &column.name);
     let output = record.outputs.iter().find(|output| Some(&output.name) == name);

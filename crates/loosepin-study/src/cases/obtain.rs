@@ -10,7 +10,7 @@ use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{ImpactRecord, JointSummary};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{Observer, Plan, Settings, Simulation, Step, Window, input, run, simulate};
-use loosepin_text::diagnostics::{Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostics, Place};
 
 /// The runs of a case, each made once.
 pub(super) struct Runs<'c> {
@@ -49,7 +49,7 @@ impl<'c> Runs<'c> {
             QuantityKind::LargestPenetration => self.of_joint(quantity, number, |joint| joint.largest_penetration_m),
             QuantityKind::ContactStiffness | QuantityKind::DeliveredRestitution => {
                 let (mechanism, values) = self.compiled(&number.settings)?;
-                let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.complaint(&case.model))?;
+                let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.diagnostic(&case.model))?;
                 let play = &sample.plays[quantity.play.unwrap_or(0)];
                 let number = match quantity.kind {
                     QuantityKind::DeliveredRestitution => play.delivered_restitution,
@@ -59,7 +59,7 @@ impl<'c> Runs<'c> {
             }
             QuantityKind::StaticForce => {
                 let (mechanism, values) = self.compiled(&number.settings)?;
-                let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.complaint(&case.model))?;
+                let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.diagnostic(&case.model))?;
                 let normal = &sample.plays[quantity.play.unwrap_or(0)].normal;
                 let Some(At::Penetration(penetration_m)) = number.at else { return Ok(f64::NAN) };
                 Ok(normal.elastic_n(penetration_m))
@@ -68,7 +68,7 @@ impl<'c> Runs<'c> {
             QuantityKind::IdealOutput => {
                 let (mechanism, values) = self.compiled(&number.settings)?;
                 ideal_output(&mechanism, &values, quantity, number)
-                    .map_err(|failure| failure.complaint(&case.model).into())
+                    .map_err(|failure| failure.diagnostic(&case.model).into())
             }
             QuantityKind::WorstCase | QuantityKind::FirstOrderPlay | QuantityKind::DimensionalStandardDeviation => {
                 let (mechanism, values) = self.compiled(&number.settings)?;
@@ -106,27 +106,27 @@ impl<'c> Runs<'c> {
     }
 
     /// The run that a history is held against, with a row at each of its times.
-    pub fn beside(&mut self, history: &History) -> Result<Rc<Simulation>, Complaints> {
+    pub fn beside(&mut self, history: &History) -> Result<Rc<Simulation>, Diagnostics> {
         self.run(&[], history.reference.span_s(), history.reference.rows.len() - 1)
     }
 
     /// The run of the nominal mechanism over a span: one that was made already, whatever its rows.
-    pub fn over(&mut self, span_s: f64) -> Result<Rc<Simulation>, Complaints> {
+    pub fn over(&mut self, span_s: f64) -> Result<Rc<Simulation>, Diagnostics> {
         self.run(&[], span_s, 1)
     }
 
-    fn compiled(&self, settings: &[String]) -> Result<(Mechanism, Values), Complaints> {
+    fn compiled(&self, settings: &[String]) -> Result<(Mechanism, Values), Diagnostics> {
         let model = &self.case.model;
         if settings.is_empty() {
             return Ok((self.case.mechanism.clone(), self.case.values.clone()));
         }
         let set = model.set_values(settings)?;
-        let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
+        let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.diagnostic(model))?;
         Ok((mechanism, set.values))
     }
 
     /// A run from time zero. Where only its end counts, a run with more rows serves as well: rows do not change it.
-    fn run(&mut self, settings: &[String], span_s: f64, rows: usize) -> Result<Rc<Simulation>, Complaints> {
+    fn run(&mut self, settings: &[String], span_s: f64, rows: usize) -> Result<Rc<Simulation>, Diagnostics> {
         let key = RunKey { settings: settings.to_vec(), span_s, rows };
         let serves = |known: &RunKey| {
             known.settings == key.settings && known.span_s == span_s && (rows == 1 || known.rows == rows)
@@ -137,7 +137,7 @@ impl<'c> Runs<'c> {
         let (mechanism, values) = self.compiled(settings)?;
         let model = &mechanism.model;
         let mut cycle = model.cycle.clone();
-        let turn_s = input(&mechanism, &values, cycle.span).map_err(|failure| failure.complaint(model))?.turn_s();
+        let turn_s = input(&mechanism, &values, cycle.span).map_err(|failure| failure.diagnostic(model))?.turn_s();
         cycle.transient_turns = 0.0;
         cycle.recorded_turns = span_s / turn_s;
         cycle.samples_per_turn = ((rows as f64 / cycle.recorded_turns).round() as usize).max(1);
@@ -150,7 +150,7 @@ impl<'c> Runs<'c> {
             second_run: false,
             overrides: Vec::new(),
         };
-        let simulation = simulate(&mechanism, &values, &plan).map_err(|failure| failure.complaint(model))?;
+        let simulation = simulate(&mechanism, &values, &plan).map_err(|failure| failure.diagnostic(model))?;
         let simulation = Rc::new(simulation);
         self.done.push((key, Rc::clone(&simulation)));
         Ok(simulation)
@@ -201,17 +201,17 @@ impl<'c> Runs<'c> {
 
     fn loop_drift(&mut self, quantity: &Quantity, number: &ExpectedNumber) -> Obtained {
         let (mechanism, values) = self.compiled(&number.settings)?;
-        let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&mechanism.model))?;
+        let sample = Sample::new(&mechanism, &values).map_err(|error| error.diagnostic(&mechanism.model))?;
         let window = Window { start_s: 0.0, end_s: quantity.span_s };
         let mut drift = Drift { largest: 0.0 };
         run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut drift)
-            .map_err(|failure| failure.complaint(&mechanism.model))?;
+            .map_err(|failure| failure.diagnostic(&mechanism.model))?;
         Ok(drift.largest)
     }
 }
 
 /// A number, or why there is none.
-pub(super) type Obtained = Result<f64, Complaints>;
+pub(super) type Obtained = Result<f64, Diagnostics>;
 
 /// Largest residual of the loops of ideal joints at the ends of all steps and between them.
 struct Drift {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::problem::CaseProblem;
 use crate::file::adopt;
-use loosepin_text::diagnostics::{Complaints, Place, Source, Span};
+use loosepin_text::diagnostics::{Diagnostics, Place, Source, Span};
 use loosepin_text::document::{Reader, read_source};
 
 /// Rows at equal times, SI; the first column is the time.
@@ -22,7 +22,7 @@ impl Reference {
     ///
     /// # Errors
     /// A file that cannot be read, a cell that is no number, a row of another length, fewer than two rows.
-    pub fn from_path(path: &Path) -> Result<Reference, Complaints> {
+    pub fn from_path(path: &Path) -> Result<Reference, Diagnostics> {
         let source = read_source(path)?;
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let mut lines = source.text().lines();
@@ -31,7 +31,7 @@ impl Reference {
         let end_s = rows.last().map_or(0.0, |row: &Vec<f64>| row[0]);
         if rows.len() < 2 || !(end_s > 0.0) {
             let problem = CaseProblem::BadTimes { file, rows: rows.len(), end_s: end_s.to_string() };
-            return Err(Complaints::one(&problem, Some(Place::new(&source, 0..0))));
+            return Err(Diagnostics::one(&problem, Some(Place::new(&source, 0..0))));
         }
         Ok(Reference { columns, rows })
     }
@@ -42,26 +42,25 @@ impl Reference {
     }
 }
 
-/// Opens a file of rows; complaints without a place get that of its name.
+/// Opens a file of rows; diagnostics without a place get that of its name.
 pub(super) fn open_reference(reader: &mut Reader, folder: &Path, file: &str, span: Span) -> Option<Arc<Reference>> {
     match Reference::from_path(&folder.join(file)) {
         Ok(reference) => Some(Arc::new(reference)),
-        Err(complaints) => {
-            adopt(reader, &complaints, span);
+        Err(diagnostics) => {
+            adopt(reader, &diagnostics, span);
             None
         }
     }
 }
 
-fn row(source: &Arc<Source>, line: &str, due: usize) -> Result<Vec<f64>, Complaints> {
+fn row(source: &Arc<Source>, line: &str, due: usize) -> Result<Vec<f64>, Diagnostics> {
     // A line is a part of the text: its place is where it begins in it.
     let start = line.as_ptr() as usize - source.text().as_ptr() as usize;
-    let complain =
-        |problem: CaseProblem| Complaints::one(&problem, Some(Place::new(source, start..start + line.len())));
+    let report = |problem: CaseProblem| Diagnostics::one(&problem, Some(Place::new(source, start..start + line.len())));
     let cells: Vec<&str> = line.split(',').collect();
     if cells.len() != due {
-        return Err(complain(CaseProblem::BadRow { found: cells.len(), due }));
+        return Err(report(CaseProblem::BadRow { found: cells.len(), due }));
     }
-    let number = |cell: &&str| cell.parse().map_err(|_| complain(CaseProblem::BadCell { cell: (*cell).to_owned() }));
+    let number = |cell: &&str| cell.parse().map_err(|_| report(CaseProblem::BadCell { cell: (*cell).to_owned() }));
     cells.iter().map(number).collect()
 }

@@ -55,7 +55,7 @@ pub(super) fn read_script(reader: &mut Reader, root: &ExpectedTable<'_>, folder:
         let columns = (first..first + 3 * bodies).map(|index| (1 + index, Ours::State(index))).collect();
         if reference.columns.len() < 1 + 9 * bodies {
             let problem = CaseProblem::BadRow { found: reference.columns.len(), due: 1 + 9 * bodies };
-            reader.complain(&problem, entry.key_span);
+            reader.report(&problem, entry.key_span);
             return Vec::new();
         }
         let history = History { reference: reference.clone(), columns, tolerance_si, unit: si_unit(unit) };
@@ -74,7 +74,7 @@ pub(super) fn read_script(reader: &mut Reader, root: &ExpectedTable<'_>, folder:
                 let known = (0..case.mechanism.plays.len()).map(|play| name_of(play).to_owned()).collect();
                 let (what, name) = ("joint with play", entry.name.to_owned());
                 let problem = CaseProblem::UnknownName { entry: entry.path.describe(), what, name, known };
-                reader.complain(&problem, entry.key_span);
+                reader.report(&problem, entry.key_span);
             }
         }
     }

@@ -38,25 +38,25 @@ impl<'s> Drafting<'s> {
     }
 
     fn pilot(&self, plan: &DoubleLoop) -> Option<Pilot> {
-        let plan = self.told(plan)?.pilot(PILOT_RUNS)?;
+        let plan = self.without_curves(plan)?.pilot(PILOT_RUNS)?;
         let runs = plan.next_round(&SampleTable::new(self.response.row_length())).ok()?;
         let places = runs.iter().map(|run| (run.point, run.replicate, run.index)).collect();
         Some(Pilot { plan, places })
     }
 
     /// `plan` for what a draft tells; nothing where there is nothing of it.
-    fn told(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
+    fn without_curves(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
         let asks = || self.response.shared.plan.asks.iter();
         let curve = asks().find(|ask| ask.location == Where::Cycle);
         // A curve alone needs the runs, but no bound of any of its points.
         let [middle, ..] = Statistic::of_curve_point(BAND);
         let pose = curve.and_then(|ask| ask.columns.first()).copied();
-        plan.draft(|request| self.is_told(request))
+        plan.draft(|request| self.is_single_number(request))
             .or_else(|| plan.draft(|request| Some(request.column) == pose && request.statistic == middle))
     }
 
     /// Whether a request is of a single number of the whole recorded part.
-    fn is_told(&self, request: &Request) -> bool {
+    fn is_single_number(&self, request: &Request) -> bool {
         let column = self.response.shared.plan.columns.get(request.column);
         column.is_some_and(|column| matches!(column.spot, Location::Reduced(_)))
     }
@@ -95,6 +95,6 @@ impl Drafts for Drafting<'_> {
     }
 
     fn of(&self, plan: &DoubleLoop, table: &SampleTable) -> Option<Draft> {
-        self.draft(&self.told(plan)?, table).ok()
+        self.draft(&self.without_curves(plan)?, table).ok()
     }
 }

@@ -6,7 +6,7 @@ use super::reader::StudyReader;
 use super::study_table::StudyTable;
 use loosepin_bounds::Reading;
 use loosepin_mechanics::model::{QuantityError, QuantityId};
-use loosepin_text::diagnostics::{Complaint, Place, Span};
+use loosepin_text::diagnostics::{Diagnostic, Place, Span};
 use loosepin_text::document::Entry;
 use loosepin_text::units::{Dimension, format_apart, format_number, format_value};
 use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
@@ -40,7 +40,7 @@ impl StudyReader {
     ) -> bool {
         let problem = self.problem_at_end(quantity, path, value_si, is_member);
         if let Some(problem) = &problem {
-            self.complain(problem, entry);
+            self.report(problem, entry);
         }
         problem.is_none()
     }
@@ -71,21 +71,21 @@ impl StudyReader {
             })
         };
         if is_empty(self, &[&root.random, &root.epistemic]) {
-            self.reader.complain(&StudyProblem::NothingUncertain, root.table.span);
+            self.reader.report(&StudyProblem::NothingUncertain, root.table.span);
         }
         // Readings of a rig are asked about by `identify`, which needs no question.
         if is_empty(self, &[&root.ask, &root.require, &root.measured]) {
-            self.reader.complain(&StudyProblem::NothingAsked, root.table.span);
+            self.reader.report(&StudyProblem::NothingAsked, root.table.span);
         }
         self.check_model_values(root);
-        if self.reader.complaints.has_errors() {
+        if self.reader.diagnostics.has_errors() {
             return;
         }
         self.check_second_order(root);
         if let Err(error) = self.check_corners() {
             let problem = StudyProblem::ImpossibleTogether { error };
             let span = root.epistemic.as_ref().map(|entry| entry.key_span).unwrap_or_default();
-            self.reader.complain(&problem, span);
+            self.reader.report(&problem, span);
             return;
         }
         // Rows of a specimen were looked at whole: a value that is impossible beside others may be possible in its row.
@@ -95,7 +95,7 @@ impl StudyReader {
                 let path = self.random[index].path.clone();
                 let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.span);
                 let place = Place::new(&self.reader.source, span);
-                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+                self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
             }
         }
     }
@@ -137,8 +137,8 @@ impl StudyReader {
         let found: Vec<(Span, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
         for (span, problem, may_be_beside) in found {
             let place = Some(Place::new(&self.reader.source, span));
-            let complain = if may_be_beside { Complaint::warning } else { Complaint::error };
-            self.reader.complaints.push(complain(&problem, place));
+            let report = if may_be_beside { Diagnostic::warning } else { Diagnostic::error };
+            self.reader.diagnostics.push(report(&problem, place));
         }
     }
 
@@ -156,7 +156,7 @@ impl StudyReader {
             (&root.epistemic, "masses of evidence", has_evidence),
         ] {
             if let Some(entry) = entry.as_ref().filter(|_| is_there) {
-                self.complain(&StudyProblem::SecondOrderBeside { path: path.clone(), beside }, &entry.at_key());
+                self.report(&StudyProblem::SecondOrderBeside { path: path.clone(), beside }, &entry.at_key());
             }
         }
     }

@@ -105,7 +105,7 @@ impl StudyReader {
         evidence
             .map_err(|error| {
                 let entry = written.path.describe();
-                self.complain(&StudyProblem::Structure { entry, words: evidence_words(&error, dimension) }, written);
+                self.report(&StudyProblem::Structure { entry, words: evidence_words(&error, dimension) }, written);
             })
             .ok()
     }
@@ -113,7 +113,7 @@ impl StudyReader {
     pub(super) fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
         let dimension = self.model.quantities[quantity].dimension;
         let table = FuzzyTable::read(self, written)?;
-        // Degrees and corners with their places, for complaints.
+        // Degrees and corners with their places, for diagnostics.
         let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
         let mut shape = written.clone();
         let degrees = match &table.degrees {
@@ -158,7 +158,7 @@ impl StudyReader {
                 };
                 let words = fuzzy_words(&error, dimension);
                 let problem = StudyProblem::Structure { entry: written.path.describe(), words };
-                self.complain(&problem, &culprit.unwrap_or(shape));
+                self.report(&problem, &culprit.unwrap_or(shape));
             })
             .ok()
     }

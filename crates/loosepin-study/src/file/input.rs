@@ -54,7 +54,7 @@ impl StudyReader {
     pub fn read_random(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.any_keys(entry) {
             if self.model.contact_of_law(entry.name).is_some() {
-                self.complain(&StudyProblem::RandomLaw { path: entry.name.to_owned() }, &entry.at_key());
+                self.report(&StudyProblem::RandomLaw { path: entry.name.to_owned() }, &entry.at_key());
                 continue;
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
@@ -71,13 +71,13 @@ impl StudyReader {
             if let Some(contact) = self.model.contact_of_law(entry.name) {
                 match contact {
                     Ok(contact) => self.read_law(&entry, contact),
-                    Err(error) => self.complain(&error.into(), &entry.at_key()),
+                    Err(error) => self.report(&error.into(), &entry.at_key()),
                 }
                 continue;
             }
             let Some(quantity) = self.input(&entry, EPISTEMIC_EXAMPLE) else { continue };
             if self.random.iter().any(|input| input.quantity == quantity) {
-                self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
+                self.report(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
             let Some(known) = EpistemicTable::read(self, &entry) else { continue };
             self.refuse_stray(&known.table, &[("diameter", "fit")]);
@@ -155,7 +155,7 @@ impl StudyReader {
         let others =
             EpistemicTable::KEYS.keys.iter().filter(|key| any_of.as_ref().is_none_or(|own| own.name != key.name));
         for interval in others.filter_map(|key| table.get(key.name)) {
-            self.complain(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
+            self.report(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
         }
         let Some(written) = any_of else { return };
         let Some(entries) = self.reader.list(&written) else { return };
@@ -170,10 +170,10 @@ impl StudyReader {
             };
             if laws.iter().any(|known| known.name() == law.name()) {
                 let (entry, value) = (written.path.describe(), format!("\"{}\"", law.name()));
-                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+                self.report(&StudyProblem::MemberTwice { entry, value }, member);
                 is_right = false;
             } else if let Err(error) = self.model.with_law(contact, law) {
-                self.complain(&StudyProblem::Law { entry: written.path.describe(), error }, member);
+                self.report(&StudyProblem::Law { entry: written.path.describe(), error }, member);
                 is_right = false;
             }
             laws.push(law);
@@ -214,17 +214,17 @@ impl StudyReader {
     pub(super) fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
         let entry = written.path.describe();
         match entries.len() {
-            0 => self.complain(&StudyProblem::Empty { entry }, written),
-            1 => self.complain(&StudyProblem::SingleMember { entry }, written),
+            0 => self.report(&StudyProblem::Empty { entry }, written),
+            1 => self.report(&StudyProblem::SingleMember { entry }, written),
             _ => return true,
         }
         false
     }
 
-    /// Complains about a member that is there already.
+    /// Reports a member that is there already.
     pub(super) fn member_twice(&mut self, list: &Entry<'_>, value: f64, dimension: Dimension, member: &Entry<'_>) {
         let (entry, value) = (list.path.describe(), format_value(value, dimension));
-        self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+        self.report(&StudyProblem::MemberTwice { entry, value }, member);
     }
 
     /// The quantity that a key names, where a table stands behind it.

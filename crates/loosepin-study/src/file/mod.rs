@@ -1,4 +1,4 @@
-//! From the text of a study file to a study, with all its complaints at once.
+//! From the text of a study file to a study, with all its diagnostics at once.
 //! A file for each table. What a study then does stands outside of this folder.
 
 mod check;
@@ -59,7 +59,7 @@ use crate::response::outputs::study_outputs;
 use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::ScatterCorrelation;
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
@@ -90,7 +90,7 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with either file, each with its place.
-    pub fn from_path(path: &Path) -> Result<Study, Complaints> {
+    pub fn from_path(path: &Path) -> Result<Study, Diagnostics> {
         Study::from_source(&read_source(path)?, path)
     }
 
@@ -99,11 +99,11 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text or the model file, each with its place.
-    pub fn from_text_at(name: &str, text: &str) -> Result<Study, Complaints> {
+    pub fn from_text_at(name: &str, text: &str) -> Result<Study, Diagnostics> {
         Study::from_source(&Source::new(name, text), Path::new(name))
     }
 
-    fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Complaints> {
+    fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Diagnostics> {
         let folder = path.parent().unwrap_or(Path::new(""));
         read(source, |written| {
             let model_path = folder.join(written);
@@ -113,7 +113,7 @@ impl Study {
                     file: written.to_owned(),
                     is_itself: std::fs::canonicalize(&model_path).ok() == std::fs::canonicalize(path).ok(),
                 };
-                return Err(Complaints::one(&problem, None));
+                return Err(Diagnostics::one(&problem, None));
             }
             Ok((Model::from_source(file)?, model_path))
         })
@@ -123,7 +123,7 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Complaints> {
+    pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Diagnostics> {
         read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
     }
 
@@ -132,7 +132,7 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Complaints> {
+    pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Diagnostics> {
         read(source, |_| Ok((model, model_path.to_owned())))
     }
 
@@ -187,8 +187,8 @@ impl Study {
 
 fn read(
     source: &Arc<Source>,
-    open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Complaints>,
-) -> Result<Study, Complaints> {
+    open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Diagnostics>,
+) -> Result<Study, Diagnostics> {
     let toml = parse_toml(source)?;
     let mut reader = Reader::new(source);
     let root = reader.root(toml.get_ref(), &STUDY_KEYS);
@@ -197,14 +197,14 @@ fn read(
         let written = reader.text(entry)?;
         match open_model(written) {
             Ok(opened) => Some(opened),
-            Err(complaints) => {
-                adopt(&mut reader, &complaints, entry.span);
+            Err(diagnostics) => {
+                adopt(&mut reader, &diagnostics, entry.span);
                 None
             }
         }
     });
     // Without the model no path, dimension or output of the study can be checked.
-    let Some((model, model_path)) = opened else { return Err(reader.complaints) };
+    let Some((model, model_path)) = opened else { return Err(reader.diagnostics) };
     let outputs = study_outputs(&model);
     let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, root.promise.as_ref());
     let mut file = StudyReader {
@@ -251,7 +251,7 @@ fn read(
     }
     let questions = read_questions(&root.table, &mut file.reader);
     file.check_whole(&root);
-    if !file.reader.complaints.has_errors() {
+    if !file.reader.diagnostics.has_errors() {
         file.check_tolerance(&sampling_table, sampling.tolerance_m);
         file.check_scatter(&root);
         file.warn_of_tails(&root);
@@ -260,12 +260,12 @@ fn read(
             file.warn_of_quantiles(&root, &asks, &sampling);
         }
     }
-    if file.reader.complaints.has_errors() {
-        return Err(file.reader.complaints);
+    if file.reader.diagnostics.has_errors() {
+        return Err(file.reader.diagnostics);
     }
     let (budget, budget_place) = written_budget.unzip();
-    let mut warnings: Vec<Complaint> = file.model.warnings.clone();
-    warnings.extend(file.reader.complaints.sorted().into_iter().cloned());
+    let mut warnings: Vec<Diagnostic> = file.model.warnings.clone();
+    warnings.extend(file.reader.diagnostics.sorted().into_iter().cloned());
     Ok(Study {
         name: root.name.unwrap_or_default(),
         model: file.model,
@@ -310,7 +310,7 @@ impl StudyReader {
         }
         let Some(entries) = self.reader.list(written) else { return };
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
+            self.report(&StudyProblem::Empty { entry: written.path.describe() }, written);
             return;
         }
         let mut found = Vec::new();
@@ -319,7 +319,7 @@ impl StudyReader {
             if found.contains(&reading) {
                 let value = READINGS.iter().find(|known| known.1 == reading).map_or("", |known| known.0);
                 let (entry_words, value) = (written.path.describe(), format!("\"{value}\""));
-                self.complain(&StudyProblem::MemberTwice { entry: entry_words, value }, entry);
+                self.report(&StudyProblem::MemberTwice { entry: entry_words, value }, entry);
             }
             found.push(reading);
         }
@@ -333,14 +333,14 @@ impl StudyReader {
         let Some(written) = written else { return PERCENTILES.to_vec() };
         let Some(entries) = self.reader.list(written) else { return Vec::new() };
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
+            self.report(&StudyProblem::Empty { entry: written.path.describe() }, written);
         }
         let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
         // Where an input is wrong it may be the one with a distribution.
-        if !self.reader.complaints.has_errors() && !self.epistemic.iter().any(is_second_order) {
+        if !self.reader.diagnostics.has_errors() && !self.epistemic.iter().any(is_second_order) {
             let problem = StudyProblem::PercentilesOfNothing { entry: written.path.describe() };
             let place = self.reader.place(written.key_span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
         let mut percentiles: Vec<f64> = Vec::new();
         for entry in &entries {

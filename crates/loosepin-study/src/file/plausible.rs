@@ -5,7 +5,7 @@ use super::description::RandomInput;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::study_table::StudyTable;
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::units::{Dimension, format_value};
 use loosepin_uncertainty::Distribution;
 
@@ -22,7 +22,7 @@ impl StudyReader {
         for (path, problem) in found {
             let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.key_span);
             let place = Place::new(&self.reader.source, span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
     }
 

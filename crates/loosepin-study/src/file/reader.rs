@@ -6,7 +6,7 @@ use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
-use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem, Source, Span};
 use loosepin_text::document::{Entry, Reader, Reads};
 use loosepin_text::units::Dimension;
 use loosepin_uncertainty::{EpistemicVariable, Parameter};
@@ -43,24 +43,24 @@ impl Reads for StudyReader {
 }
 
 impl StudyReader {
-    /// Complains about an entry.
-    pub fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
-        self.reader.complain(problem, entry.span);
+    /// Reports an entry.
+    pub fn report(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
+        self.reader.report(problem, entry.span);
     }
 
-    /// Complains about what stands at a place; nothing comes of it.
+    /// Reports what stands at a place; nothing comes of it.
     pub fn refused<T>(&mut self, problem: &dyn Problem, span: Span) -> Option<T> {
-        self.reader.complain(problem, span);
+        self.reader.report(problem, span);
         None
     }
 }
 
-/// Takes over the complaints about another file; one that has no place, since that file could not be read, stands at `span`, where
+/// Takes over the diagnostics about another file; one that has no place, since that file could not be read, stands at `span`, where
 /// it is named.
-pub fn adopt(reader: &mut Reader, complaints: &Complaints, span: Span) {
-    for complaint in complaints.sorted() {
-        let place = complaint.place.clone().unwrap_or_else(|| reader.place(span));
-        reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+pub fn adopt(reader: &mut Reader, diagnostics: &Diagnostics, span: Span) {
+    for diagnostic in diagnostics.sorted() {
+        let place = diagnostic.place.clone().unwrap_or_else(|| reader.place(span));
+        reader.diagnostics.push(Diagnostic { place: Some(place), ..diagnostic.clone() });
     }
 }
 

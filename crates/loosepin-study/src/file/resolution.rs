@@ -5,31 +5,31 @@ use super::description::EpistemicInput;
 use super::sampling::SamplingTable;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::{SmallestClearance, ToleranceProblem};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Probabilities at which a random input counts as small, the first at which there is play: a normal one has no smallest value.
 const SMALL: [f64; 3] = [1e-3, 1e-2, 0.5];
 
 impl StudyReader {
-    /// Complains, at the tolerance, where it is too coarse for a clearance.
+    /// Reports, at the tolerance, where it is too coarse for a clearance.
     pub(super) fn check_tolerance(&mut self, sampling: &SamplingTable<'_>, tolerance_m: f64) {
         let Some(smallest) = self.smallest_clearance() else { return };
-        let complaint: fn(&ToleranceProblem, Option<Place>) -> Complaint;
+        let diagnostic: fn(&ToleranceProblem, Option<Place>) -> Diagnostic;
         let problem = match smallest.check(tolerance_m) {
             Ok(None) => return,
             Ok(Some(warning)) => {
-                complaint = |problem, place| Complaint::warning(problem, place);
+                diagnostic = |problem, place| Diagnostic::warning(problem, place);
                 warning
             }
             Err(error) => {
-                complaint = |problem, place| Complaint::error(problem, place);
+                diagnostic = |problem, place| Diagnostic::error(problem, place);
                 error
             }
         };
         let span = sampling.table.get("tolerance").map_or(sampling.table.span, |entry| entry.span);
         let place = Place::new(&self.reader.source, span);
-        self.reader.complaints.push(complaint(&problem, Some(place)));
+        self.reader.diagnostics.push(diagnostic(&problem, Some(place)));
     }
 
     /// The smallest clearance of all joints and couplings, each with the inputs that it depends on where they make it smallest.

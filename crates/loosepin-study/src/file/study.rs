@@ -13,7 +13,7 @@ use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_result::study::{Budget, Together};
-use loosepin_text::diagnostics::{Complaint, Place, Source};
+use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_uncertainty::EpistemicParameter;
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -72,7 +72,7 @@ pub struct Study {
     /// Where the budget is written.
     pub(super) budget_place: Option<Place>,
     /// What is allowed in model and study and yet looks like an oversight.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
     pub(super) source: Arc<Source>,
     pub(super) tables: Vec<Arc<Source>>,
 }

@@ -66,13 +66,13 @@ impl StudyReader {
         let Some(choice) = table.kind.0 else {
             // Without a surrogate the double loop is all there is.
             if let Some(entry) = alone {
-                self.complain(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
+                self.report(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
             }
             return None;
         };
         if let Some(entry) = &alone {
             for of in self.direct_questions(asks) {
-                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, entry);
+                self.report(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, entry);
             }
         }
         Some(StudySurrogate {

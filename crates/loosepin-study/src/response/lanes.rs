@@ -7,7 +7,7 @@ use crate::response::study_response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, LifePlan, Observer, PlaySummary, Queue, Run, RunFailure, RunReport,
-    Settings, Step, WearRecorder, Window, conduct, worn_life,
+    Settings, Step, WearRecorder, Window, run_batch, worn_life,
 };
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -53,7 +53,7 @@ impl StudyResponse {
         let mechanism = &self.mechanisms[variant];
         let mut queue = StudyQueue { response: self, mechanism, stop, next, finished, preparing: Vec::new() };
         let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
-        conduct(mechanism, &self.shared.follow, &settings, execution, &mut queue);
+        run_batch(mechanism, &self.shared.follow, &settings, execution, &mut queue);
         queue.preparing
     }
 
@@ -254,8 +254,8 @@ mod tests {
     fn response() -> StudyResponse {
         let text = MODEL.replace("radial_clearance = \"0.5 mm\"\n", JOINT).replace("5000 rpm", "300 rpm");
         let text = text.replace("recorded_turns = 2", "recorded_turns = 0.02") + LIFE;
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         StudyResponse::new(&study).unwrap_or_else(|error| panic!("{error}"))
     }
 

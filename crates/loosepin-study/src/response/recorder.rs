@@ -684,7 +684,7 @@ mod tests {
         let (outputs, asks): (Vec<String>, Vec<String>) = components.iter().map(asked).unzip();
         texts.model.1 += &outputs.concat();
         texts.study.1 = STUDY.to_owned() + &asks.concat();
-        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap()
+        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))).unwrap()
     }
 
     const WEAR: [&str; 5] = ["friction_path", "bearing_volume", "journal_volume", "bearing_depth", "journal_depth"];
@@ -725,7 +725,7 @@ mod tests {
         assert_ne!(short, model);
         texts.model.1 = short + "\n[output.rod_stress]\nstress_in = \"rod\"\n";
         texts.study.1 = STUDY.to_owned();
-        let study = Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let response = StudyResponse::new(&study).unwrap();
         let bits = |execution| {
             let inputs = [[7600.0, 7.1e-3], [7900.0, 8.8e-3], [7700.0, 8e-3]];

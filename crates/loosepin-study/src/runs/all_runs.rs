@@ -195,11 +195,11 @@ impl<'s> Runs<'s> {
                 Some(maker) => {
                     let made = made_elsewhere(maker, &work, kept, self.loosened, &is_stopped, &note);
                     // What came back before something went wrong is kept.
-                    made.or_else(|error| self.list.settle().and(Err(error)))?
+                    made.or_else(|error| self.list.flush().and(Err(error)))?
                 }
             };
             if self.list.is_broken() {
-                self.list.settle()?;
+                self.list.flush()?;
             }
             let made =
                 outcomes.iter().zip(&is_waiting).filter(|(row, is_waiting)| **is_waiting && row.is_some()).count();
@@ -217,7 +217,7 @@ impl<'s> Runs<'s> {
                 }
             }
             if made < making {
-                self.list.settle()?;
+                self.list.flush()?;
                 for (place, row) in std::mem::take(&mut pilot) {
                     self.table.push(round[place].clone(), row.as_deref().map_err(|&failure| failure))?;
                 }
@@ -231,7 +231,7 @@ impl<'s> Runs<'s> {
         if open.missing.is_empty() {
             return Ok(());
         }
-        self.list.settle()?;
+        self.list.flush()?;
         Err(StudyError::RoundOpen(open))
     }
 }

@@ -84,9 +84,9 @@ impl StoredRuns<'_> {
     ///
     /// # Errors
     /// Why something is not.
-    pub fn settle(&self) -> Result<(), StudyError> {
+    pub fn flush(&self) -> Result<(), StudyError> {
         if let Some(store) = self.store {
-            store.settle()?;
+            store.flush()?;
         }
         Ok(())
     }

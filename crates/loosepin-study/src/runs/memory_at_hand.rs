@@ -42,11 +42,11 @@ impl MemoryAtHand {
     /// As the operating system tells it now.
     pub fn now() -> Self {
         let unlimited = Self { pages_bytes: STATED_BYTES, data_bytes: None, addresses_bytes: None };
-        Self::told(Path::new("/")).unwrap_or(unlimited)
+        Self::from_system(Path::new("/")).unwrap_or(unlimited)
     }
 
     /// As Linux tells it in the files below `root`.
-    fn told(root: &Path) -> Option<Self> {
+    fn from_system(root: &Path) -> Option<Self> {
         let machine = kibibytes_after(&read_to_string(root.join("proc/meminfo")).ok()?, "MemAvailable:")?;
         let [data_bytes, addresses_bytes] =
             [("Max data size", "VmData:"), ("Max address space", "VmSize:")].map(|keys| of_process(root, keys));
@@ -139,7 +139,7 @@ mod tests {
     }
 
     fn pages_bytes(root: &Path) -> Option<u64> {
-        MemoryAtHand::told(root).map(|at_hand| at_hand.pages_bytes)
+        MemoryAtHand::from_system(root).map(|at_hand| at_hand.pages_bytes)
     }
 
     const MACHINE: (&str, &str) = ("proc/meminfo", "MemTotal:  9000 kB\nMemAvailable:    5000 kB\n");
@@ -150,8 +150,8 @@ mod tests {
     fn a_machine_without_limits_has_what_is_available() {
         let root = machine("plain", &[MACHINE, UNLIMITED, ("proc/self/cgroup", "0::/user\n")]);
         let unlimited = MemoryAtHand { pages_bytes: 5000 * 1024, data_bytes: None, addresses_bytes: None };
-        assert_eq!(MemoryAtHand::told(&root), Some(unlimited));
-        assert_eq!(MemoryAtHand::told(Path::new("/nowhere")), None);
+        assert_eq!(MemoryAtHand::from_system(&root), Some(unlimited));
+        assert_eq!(MemoryAtHand::from_system(Path::new("/nowhere")), None);
     }
 
     #[test]
@@ -189,7 +189,7 @@ mod tests {
             );
             let status = "VmPeak:\t 2000 kB\nVmSize:\t 1000 kB\nVmData:\t 500 kB\n";
             let files = [MACHINE, ("proc/self/limits", &limits), ("proc/self/status", status)];
-            MemoryAtHand::told(&machine("process", &files))
+            MemoryAtHand::from_system(&machine("process", &files))
         };
         let expected = |addresses_bytes| MemoryAtHand {
             pages_bytes: 5000 * 1024,

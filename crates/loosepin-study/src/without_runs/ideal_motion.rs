@@ -9,7 +9,7 @@ use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use std::sync::atomic::AtomicBool;
 
 impl InputFile {
@@ -18,7 +18,7 @@ impl InputFile {
     ///
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
-    pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+    pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
         self.ideal_motion_until(positions, set, &AtomicBool::new(false))
     }
 
@@ -31,7 +31,7 @@ impl InputFile {
         positions: usize,
         set: &[String],
         stop: &AtomicBool,
-    ) -> Result<MotionRecord, Complaints> {
+    ) -> Result<MotionRecord, Diagnostics> {
         self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
     }
 
@@ -40,7 +40,7 @@ impl InputFile {
     ///
     /// # Errors
     /// As for [`Self::ideal_motion`].
-    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
         let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
         if let InputFile::Study(study) = self {
             let Judged { requirements, allowances } = judge(study, positions, set)?;
@@ -54,11 +54,11 @@ impl InputFile {
         positions: usize,
         set: &[String],
         motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
-    ) -> Result<MotionRecord, Complaints> {
+    ) -> Result<MotionRecord, Diagnostics> {
         let model = self.model();
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
-        let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
+        let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
         let plan = MotionPlan {
             span: model.cycle.span,
             positions,
@@ -69,7 +69,7 @@ impl InputFile {
             },
             overrides: Override::of_settings(&settings),
         };
-        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
+        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it

@@ -14,7 +14,7 @@ use loosepin_result::study::{Deviation, PathError};
 use loosepin_simulate::accuracy::{
     AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends, dimension_direction,
 };
-use loosepin_text::diagnostics::Complaints;
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::SiUnit;
 
 /// Halvings of the range of what may be loosened, as in a study.
@@ -30,7 +30,7 @@ pub(crate) struct Judged {
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`].
-pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judged, Complaints> {
+pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judged, Diagnostics> {
     if study.requirements.is_empty() {
         return Ok(Judged { requirements: Vec::new(), allowances: Vec::new() });
     }
@@ -39,8 +39,8 @@ pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     let mut limits = study.input_limits();
     limits.retain(|input| !is_set(&input.path));
     let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions };
-    let requirements = judge.requirements(&limits).map_err(|error| error.complaint(&study.model))?;
-    let allowances = judge.allowances(&limits).map_err(|error| error.complaint(&study.model))?;
+    let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(&study.model))?;
+    let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(&study.model))?;
     Ok(Judged { requirements, allowances })
 }
 

@@ -13,7 +13,7 @@ use loosepin_files::FolderLock;
 use loosepin_result::study::StudyResult;
 use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
-use loosepin_text::diagnostics::{Complaints, Problem};
+use loosepin_text::diagnostics::{Diagnostics, Problem};
 
 /// What became of a study in a folder.
 pub enum Concluded {
@@ -56,12 +56,12 @@ pub enum Begun {
 pub fn begin_in_folder(
     claim: &Claim,
     open: impl Fn(&Arc<FolderLock>) -> Result<RunStore, StoreError>,
-) -> Result<Begun, Complaints> {
+) -> Result<Begun, Diagnostics> {
     let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
-    let folder = claim.lock(&store_files).map_err(complain)?;
+    let folder = claim.lock(&store_files).map_err(report)?;
     if folder.is_finished() {
-        remove_store(folder.lock()).map_err(complain)?;
-        return Ok(Begun::Finished(folder.begin().map_err(complain)?));
+        remove_store(folder.lock()).map_err(report)?;
+        return Ok(Begun::Finished(folder.begin().map_err(report)?));
     }
     // A store that cannot be looked at is one that is there.
     let was_there = folder.lock().folder().find(Path::new(STORE_FILE)).map_or(true, |found| found.is_some());
@@ -70,7 +70,7 @@ pub fn begin_in_folder(
         if !was_there && !matches!(error, StoreError::InUse { .. }) {
             let _ = remove_store(folder.lock());
         }
-        complain(error)
+        report(error)
     })?;
     match folder.begin() {
         Ok(folder) => Ok(Begun::Open(folder, store)),
@@ -78,7 +78,7 @@ pub fn begin_in_folder(
             if !was_there {
                 let _ = store.remove();
             }
-            Err(complain(error))
+            Err(report(error))
         }
     }
 }
@@ -94,13 +94,13 @@ pub fn conclude(
     outcome: Result<StudyRun, StudyError>,
     page: &dyn Fn(&StudyResult) -> String,
     (started, threads): (SystemTime, usize),
-) -> Result<Concluded, Complaints> {
+) -> Result<Concluded, Diagnostics> {
     match outcome {
         Ok(run) => {
-            let made = store.settle().map_err(complain)?.saturating_sub(store.runs_at_start());
+            let made = store.flush().map_err(report)?.saturating_sub(store.runs_at_start());
             let timing = Timing::since(started, made as usize, threads);
             write(&mut folder, &run, page, &timing)?;
-            store.remove().map_err(complain)?;
+            store.remove().map_err(report)?;
             Ok(Concluded::Finished { run: run.into(), folder })
         }
         Err(StudyError::Interrupted { finished, most_runs }) => {
@@ -109,19 +109,19 @@ pub fn conclude(
         }
         Err(StudyError::TooManyFailed(failed)) => {
             keep(&mut folder, &failed.runs)?;
-            Err(StudyError::TooManyFailed(failed).complaint(study).into())
+            Err(StudyError::TooManyFailed(failed).diagnostic(study).into())
         }
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
-        Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.complaint(study).into()),
+        Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.diagnostic(study).into()),
         Err(error) => {
-            if store.settle().map_err(complain)? > 0 {
+            if store.flush().map_err(report)? > 0 {
                 // Runs were made: they are not lost for what came after them.
-                folder.leave_unfinished().map_err(complain)?;
+                folder.leave_unfinished().map_err(report)?;
             } else {
-                store.remove().map_err(complain)?;
-                folder.abandon().map_err(complain)?;
+                store.remove().map_err(report)?;
+                folder.abandon().map_err(report)?;
             }
-            Err(error.complaint(study).into())
+            Err(error.diagnostic(study).into())
         }
     }
 }
@@ -131,23 +131,23 @@ fn write(
     run: &StudyRun,
     page: &dyn Fn(&StudyResult) -> String,
     timing: &Timing,
-) -> Result<(), Complaints> {
+) -> Result<(), Diagnostics> {
     if let Some(surrogates) = &run.surrogates {
-        let text = surrogates_json(surrogates).map_err(complain)?;
-        folder.write(SURROGATES_FILE, text.as_bytes()).map_err(complain)?;
+        let text = surrogates_json(surrogates).map_err(report)?;
+        folder.write(SURROGATES_FILE, text.as_bytes()).map_err(report)?;
     }
-    write_study(folder, &run.result, &run.runs, timing).map_err(complain)?;
-    folder.write(REPORT_FILE, page(&run.result).as_bytes()).map_err(complain)?;
-    folder.finish().map_err(complain)
+    write_study(folder, &run.result, &run.runs, timing).map_err(report)?;
+    folder.write(REPORT_FILE, page(&run.result).as_bytes()).map_err(report)?;
+    folder.finish().map_err(report)
 }
 
 /// Shows the runs that were finished; the store keeps them.
-fn keep(folder: &mut ResultsFolder, finished: &RunsTable) -> Result<(), Complaints> {
-    let parquet = runs_parquet(finished).map_err(complain)?;
-    folder.write(RUNS_FILE, &parquet).map_err(complain)?;
-    folder.leave_unfinished().map_err(complain)
+fn keep(folder: &mut ResultsFolder, finished: &RunsTable) -> Result<(), Diagnostics> {
+    let parquet = runs_parquet(finished).map_err(report)?;
+    folder.write(RUNS_FILE, &parquet).map_err(report)?;
+    folder.leave_unfinished().map_err(report)
 }
 
-fn complain(problem: impl Problem) -> Complaints {
-    Complaints::one(&problem, None)
+fn report(problem: impl Problem) -> Diagnostics {
+    Diagnostics::one(&problem, None)
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Code, Complaints, Place, problems};
+use loosepin_text::diagnostics::{Code, Diagnostics, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use crate::file::Study;
@@ -23,12 +23,12 @@ impl InputFile {
     ///
     /// # Errors
     /// Everything that is wrong with the file, each with its place; a file that says nothing.
-    pub fn from_path(path: &Path) -> Result<InputFile, Complaints> {
+    pub fn from_path(path: &Path) -> Result<InputFile, Diagnostics> {
         let is_study = {
             let source = read_source(path)?;
             let toml = parse_toml(&source)?;
             if toml.get_ref().is_empty() {
-                return Err(Complaints::one(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
+                return Err(Diagnostics::one(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
             }
             says_study(&source)
         };
@@ -51,12 +51,12 @@ impl InputFile {
     ///
     /// # Errors
     /// It is a study.
-    pub fn into_model(self) -> Result<Model, Complaints> {
+    pub fn into_model(self) -> Result<Model, Diagnostics> {
         match self {
             InputFile::Model(model) => Ok(*model),
             InputFile::Study(study) => {
                 let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
-                Err(Complaints::one(&problem, Some(Place::new(study.source(), 0..0))))
+                Err(Diagnostics::one(&problem, Some(Place::new(study.source(), 0..0))))
             }
         }
     }
@@ -65,11 +65,11 @@ impl InputFile {
     ///
     /// # Errors
     /// It is a model.
-    pub fn into_study(self) -> Result<Study, Complaints> {
+    pub fn into_study(self) -> Result<Study, Diagnostics> {
         match self {
             InputFile::Study(study) => Ok(*study),
             InputFile::Model(model) => {
-                Err(Complaints::one(&InputFileProblem::ModelForStudy, Some(Place::new(model.source(), 0..0))))
+                Err(Diagnostics::one(&InputFileProblem::ModelForStudy, Some(Place::new(model.source(), 0..0))))
             }
         }
     }

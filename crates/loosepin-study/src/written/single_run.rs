@@ -21,7 +21,7 @@ use loosepin_store::results::{
     HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
     WEAR_FILE, WEAR_LIFE_FILE, WEAR_PROFILES_FILE,
 };
-use loosepin_text::diagnostics::{Complaint, Complaints, Problem};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem};
 
 /// The settings `path=value` and the plan of the run at a witness of `study`: those of the command that the study prints, random inputs as
 /// in the model. Nothing where the witness has a parameter of a distribution, which no mechanism has.
@@ -80,7 +80,7 @@ pub struct FinishedRun {
     /// What the page shows.
     pub record: SimulationRecord,
     /// Why it counts as failed all the same: its energy account does not bear it out.
-    pub failure: Option<Complaint>,
+    pub failure: Option<Diagnostic>,
 }
 
 /// Runs `mechanism` until `stop` is set, and writes what came of it into its folder; `page` makes its report. Where it comes to no end,
@@ -95,10 +95,10 @@ pub fn run_into(
     measured: &[MeasuredTable],
     page: &dyn Fn(&SimulationRecord) -> String,
     stop: &AtomicBool,
-) -> Result<FinishedRun, Complaints> {
+) -> Result<FinishedRun, Diagnostics> {
     let model = &mechanism.model;
     let mut simulation =
-        simulate_until(mechanism, &set.values, plan, stop).map_err(|failure| failure.complaint(model))?;
+        simulate_until(mechanism, &set.values, plan, stop).map_err(|failure| failure.diagnostic(model))?;
     for table in measured {
         simulation.record.repeat.add_measured("--measured", table.source());
     }
@@ -107,13 +107,13 @@ pub fn run_into(
         // The worst case of the unworn clearance does not hold a worn joint.
         if simulation.record.life.is_none() {
             check_quasi_static(mechanism, &set.values, &mut simulation.record)
-                .map_err(|error| error.complaint(model))?;
+                .map_err(|error| error.diagnostic(model))?;
         }
         for table in measured {
             lay_over(table, &mut simulation.record)?;
         }
     }
-    let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(complain);
+    let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(report);
     write(HISTORY_FILE, &history_csv(&simulation))?;
     write(IMPACTS_FILE, &impacts_csv(&simulation.record))?;
     if let Some(spectrum) = spectrum_csv(&simulation.record) {
@@ -127,14 +127,14 @@ pub fn run_into(
         write(WEAR_PROFILES_FILE, &wear_profiles_csv(life))?;
     }
     // The last files of a result.
-    let summary = simulation.record.to_json().map_err(|source| complain(FilesError::Json { source }))?;
+    let summary = simulation.record.to_json().map_err(|source| report(FilesError::Json { source }))?;
     write(SUMMARY_FILE, &summary)?;
     write(REPORT_FILE, &page(&simulation.record))?;
-    folder.finish().map_err(complain)?;
-    let failure = simulation.failure.map(|failure| failure.complaint(model));
+    folder.finish().map_err(report)?;
+    let failure = simulation.failure.map(|failure| failure.diagnostic(model));
     Ok(FinishedRun { record: simulation.record, failure })
 }
 
-fn complain(problem: impl Problem) -> Complaints {
-    Complaints::one(&problem, None)
+fn report(problem: impl Problem) -> Diagnostics {
+    Diagnostics::one(&problem, None)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::file::Study;
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Complaints, Source};
+use loosepin_text::diagnostics::{Diagnostics, Source};
 
 /// A text, and the name that it is reported by.
 pub type NamedText = (String, String);
@@ -39,7 +39,7 @@ impl Study {
     ///
     /// # Errors
     /// As for [`Study::from_path`]; a table that is not among the texts.
-    pub fn from_texts(texts: &StudyTexts) -> Result<Study, Complaints> {
+    pub fn from_texts(texts: &StudyTexts) -> Result<Study, Diagnostics> {
         let tables: Arc<[Arc<Source>]> = texts.tables.iter().map(|(name, text)| Source::new(name, text)).collect();
         let source = |(name, text): &NamedText| Source::with_files(name, text, Arc::clone(&tables));
         let model = Model::from_source(source(&texts.model))?;
@@ -51,13 +51,13 @@ impl Study {
 #[cfg(test)]
 pub fn study_with(path: &str, replaced: &[(&str, &str)]) -> Study {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-    let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
+    let mut texts = Study::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}")).texts();
     for (old, new) in replaced {
         assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
         texts.study.1 = texts.study.1.replace(old, new);
         texts.model.1 = texts.model.1.replace(old, new);
     }
-    Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
-//! Complaints about files: place, code, rule, hint.
+//! Diagnostics about files: place, code, rule, hint.
 //!
 //! A module that checks something has its own error enum; each of its errors is a [`Problem`], which knows its stable
-//! [`Code`], its text and the way out. Together with a [`Place`] it becomes a [`Complaint`]; all complaints of a file
-//! are collected in [`Complaints`] and reported at once.
+//! [`Code`], its text and the way out. Together with a [`Place`] it becomes a [`Diagnostic`]; all diagnostics of a file
+//! are collected in [`Diagnostics`] and reported at once.
 
 mod code;
-mod complaint;
+mod diagnostic;
 mod problems;
 mod render;
 mod source;
@@ -13,7 +13,7 @@ mod suggestion;
 mod visible;
 
 pub use code::{CODES, Code, CodeEntry};
-pub use complaint::{Complaint, Complaints, Label, Problem, Severity};
+pub use diagnostic::{Diagnostic, Diagnostics, Label, Problem, Severity};
 pub use problems::problems;
 pub use render::Colour;
 pub use source::{Place, Source, Span};

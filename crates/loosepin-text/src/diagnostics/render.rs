@@ -1,13 +1,13 @@
-//! Complaints as text: plain lines for programs, annotated source for people.
+//! Diagnostics as text: plain lines for programs, annotated source for people.
 
 use std::fmt;
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
 use super::visible::visible;
-use super::{Complaint, Complaints, Severity};
+use super::{Diagnostic, Diagnostics, Severity};
 
-/// Complaints shown before the rest is only counted.
+/// Diagnostics shown before the rest is only counted.
 const MAX_SHOWN: usize = 50;
 
 /// Whether annotated source is coloured by terminal escapes.
@@ -20,7 +20,7 @@ pub enum Colour {
 }
 
 /// `file:line:column: error[E0102]: message`, and the hint on a line of its own.
-impl fmt::Display for Complaint {
+impl fmt::Display for Diagnostic {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(place) = &self.place {
             let (line, column) = place.line_and_column();
@@ -38,14 +38,14 @@ impl fmt::Display for Complaint {
     }
 }
 
-/// The plain form of each complaint, one after the other.
-impl fmt::Display for Complaints {
+/// The plain form of each diagnostic, one after the other.
+impl fmt::Display for Diagnostics {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, complaint) in self.sorted().iter().take(MAX_SHOWN).enumerate() {
+        for (index, diagnostic) in self.sorted().iter().take(MAX_SHOWN).enumerate() {
             if index > 0 {
                 writeln!(formatter)?;
             }
-            write!(formatter, "{complaint}")?;
+            write!(formatter, "{diagnostic}")?;
         }
         match self.unshown() {
             0 => Ok(()),
@@ -54,20 +54,20 @@ impl fmt::Display for Complaints {
     }
 }
 
-impl Complaints {
+impl Diagnostics {
     fn unshown(&self) -> usize {
         self.len().saturating_sub(MAX_SHOWN)
     }
 
-    /// The complaints with the lines that they are about, for a terminal.
+    /// The diagnostics with the lines that they are about, for a terminal.
     pub fn render(&self, colour: Colour) -> String {
         let renderer = match colour {
             Colour::Never => Renderer::plain(),
             Colour::Always => Renderer::styled(),
         };
         let mut text = String::new();
-        for complaint in self.sorted().into_iter().take(MAX_SHOWN) {
-            text.push_str(&complaint.render(&renderer));
+        for diagnostic in self.sorted().into_iter().take(MAX_SHOWN) {
+            text.push_str(&diagnostic.render(&renderer));
             text.push_str("\n\n");
         }
         if self.unshown() > 0 {
@@ -77,7 +77,7 @@ impl Complaints {
     }
 }
 
-impl Complaint {
+impl Diagnostic {
     fn render(&self, renderer: &Renderer) -> String {
         let level = match self.severity {
             Severity::Error => Level::ERROR,

@@ -13,7 +13,7 @@ pub struct Source {
     text: String,
     /// Files that were given with it, where those that it names are not to be opened.
     files: Option<Arc<[Arc<Source>]>>,
-    /// Positions of the text, about [`STRIDE_BYTES`] apart: thousands of complaints do not count from the beginning each.
+    /// Positions of the text, about [`STRIDE_BYTES`] apart: thousands of diagnostics do not count from the beginning each.
     positions: OnceLock<Vec<Position>>,
 }
 

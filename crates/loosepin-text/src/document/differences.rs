@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::reader::parse_toml;
-use crate::diagnostics::{Complaints, Source};
+use crate::diagnostics::{Diagnostics, Source};
 use crate::units::parse_quantity;
 
 /// Values that differ by less than this share of the larger one are one value: `0.1 mm` and `1e-4 m`.
@@ -34,7 +34,7 @@ impl Difference {
 ///
 /// # Errors
 /// A text is no TOML.
-pub fn differences(before: &Arc<Source>, after: &Arc<Source>) -> Result<Vec<Difference>, Complaints> {
+pub fn differences(before: &Arc<Source>, after: &Arc<Source>) -> Result<Vec<Difference>, Diagnostics> {
     let (first, second) = (parse_toml(before)?, parse_toml(after)?);
     let mut walk = Walk { before, after, found: Vec::new() };
     walk.tables(&mut Vec::new(), Some(first.get_ref()), Some(second.get_ref()));
@@ -143,7 +143,7 @@ mod tests {
 
     fn found(before: &str, after: &str) -> Vec<(String, Option<String>, Option<String>)> {
         let [before, after] = [("a.toml", before), ("b.toml", after)].map(|(name, text)| Source::new(name, text));
-        let found = differences(&before, &after).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let found = differences(&before, &after).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         found.into_iter().map(|one| (one.path(), one.before, one.after)).collect()
     }
 

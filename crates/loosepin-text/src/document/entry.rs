@@ -73,7 +73,7 @@ impl<'t> Table<'t> {
         self.keys.find(name)
     }
 
-    /// Whether a key is written that the table cannot have: it was complained about.
+    /// Whether a key is written that the table cannot have: it was reported.
     pub fn has_unknown(&self) -> bool {
         self.entries.keys().any(|written| self.keys.find(written.get_ref()).is_none())
     }
@@ -125,7 +125,7 @@ impl<'t> Entry<'t> {
         Some(format!("{} = {} ({})", key.name, key.example, key.doc))
     }
 
-    /// A copy with the place of its key, for complaints about a name that is a key.
+    /// A copy with the place of its key, for diagnostics about a name that is a key.
     pub fn at_key(&self) -> Entry<'t> {
         Entry { span: self.key_span, ..self.clone() }
     }

@@ -1,4 +1,4 @@
-//! The layer between TOML and meaning: every accessor either gives the value or leaves a complaint at its place.
+//! The layer between TOML and meaning: every accessor either gives the value or leaves a diagnostic at its place.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -13,14 +13,16 @@ use super::path::{EntryPath, is_name};
 use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
 use super::suggested_file::{file_of_like_name, files_inside};
 use super::synonyms::by_synonym;
-use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, first_control_character, nearest_name};
+use crate::diagnostics::{
+    Diagnostic, Diagnostics, Place, Problem, Source, Span, first_control_character, nearest_name,
+};
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
 /// Mark in a file where a value is still to be filled in.
 const TO_FILL_IN: &str = "?";
 
 /// Why a file cannot be read, with the name that was probably meant.
-pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
+pub fn not_readable(path: &Path, error: &std::io::Error) -> Diagnostics {
     let reason = match error.kind() {
         _ if Refused::of(error) == Some(Refused::NotAFile) => "it is neither a file nor a folder".to_owned(),
         std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -33,21 +35,21 @@ pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
         std::io::ErrorKind::IsADirectory => files_inside(path),
         _ => None,
     };
-    Complaints::one(&DocumentProblem::NotReadable { file: path.display().to_string(), reason, hint }, None)
+    Diagnostics::one(&DocumentProblem::NotReadable { file: path.display().to_string(), reason, hint }, None)
 }
 
 /// Reads a file as UTF-8 text.
 ///
 /// # Errors
 /// A file that cannot be read, is too large, or is not UTF-8 (with the place of the first wrong byte).
-pub fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
+pub fn read_source(path: &Path) -> Result<Arc<Source>, Diagnostics> {
     let name = path.display().to_string();
     match read_named(path, MAX_FILE_BYTES as u64) {
         Ok(bytes) => source_from_bytes(&name, bytes),
         Err(error) => match Refused::of(&error) {
             Some(Refused::TooLarge { size_bytes, .. }) => {
                 let size_bytes = usize::try_from(size_bytes).unwrap_or(usize::MAX);
-                Err(Complaints::one(&DocumentProblem::TooLarge { file: name, size_bytes }, None))
+                Err(Diagnostics::one(&DocumentProblem::TooLarge { file: name, size_bytes }, None))
             }
             _ => Err(not_readable(path, &error)),
         },
@@ -58,18 +60,18 @@ pub fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
 ///
 /// # Errors
 /// As for [`read_source`]; a file that was not given.
-pub fn read_beside(source: &Source, written: &str) -> Result<Arc<Source>, Complaints> {
+pub fn read_beside(source: &Source, written: &str) -> Result<Arc<Source>, Diagnostics> {
     let path = Path::new(source.name()).parent().unwrap_or(Path::new("")).join(written);
     let Some(files) = source.files() else { return read_source(&path) };
     let name = path.display().to_string();
     files.iter().find(|file| file.name() == name).cloned().ok_or_else(|| {
         let reason = "it was not given with the text that names it".to_owned();
-        Complaints::one(&DocumentProblem::NotReadable { file: name, reason, hint: None }, None)
+        Diagnostics::one(&DocumentProblem::NotReadable { file: name, reason, hint: None }, None)
     })
 }
 
 /// As [`read_source`], from bytes.
-pub fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Complaints> {
+pub fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Diagnostics> {
     match String::from_utf8(bytes) {
         Ok(text) => Ok(Source::new(name, text)),
         Err(error) => {
@@ -77,7 +79,7 @@ pub fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Comp
             let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
             // The replacement character stands where the wrong byte was; what precedes it is unchanged.
             let place = Place::new(&Source::new(name, text), valid_bytes..valid_bytes + '\u{fffd}'.len_utf8());
-            Err(Complaints::one(&DocumentProblem::NotUtf8, Some(place)))
+            Err(Diagnostics::one(&DocumentProblem::NotUtf8, Some(place)))
         }
     }
 }
@@ -86,17 +88,17 @@ pub fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Comp
 ///
 /// # Errors
 /// Every place where it is not TOML.
-pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Complaints> {
+pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Diagnostics> {
     let size_bytes = source.text().len();
     if size_bytes > MAX_FILE_BYTES {
         let problem = DocumentProblem::TooLarge { file: source.name().to_owned(), size_bytes };
-        return Err(Complaints::one(&problem, None));
+        return Err(Diagnostics::one(&problem, None));
     }
     let (table, errors) = DeTable::parse_recoverable(source.text());
     if errors.is_empty() {
         return Ok(table);
     }
-    let mut complaints = Complaints::new();
+    let mut diagnostics = Diagnostics::new();
     for error in errors {
         let place = error.span().map(|span| Place::new(source, span));
         let problem = if error.message() == "duplicate key" {
@@ -108,9 +110,9 @@ pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Complain
             let line = place.as_ref().map_or(String::new(), |place| line_of(source, place));
             DocumentProblem::Syntax { reason: error.message().replace('\n', "; "), line }
         };
-        complaints.push(Complaint::error(&problem, place));
+        diagnostics.push(Diagnostic::error(&problem, place));
     }
-    Err(complaints)
+    Err(diagnostics)
 }
 
 /// The line that a place is in; empty where it is longer than any that somebody writes, so that thousands of errors in one line do not
@@ -127,19 +129,19 @@ fn line_of(source: &Source, place: &Place) -> String {
     line.strip_suffix('\r').unwrap_or(line).to_owned()
 }
 
-/// Collects complaints while a file is read.
+/// Collects diagnostics while a file is read.
 #[derive(Debug)]
 pub struct Reader {
     /// The file.
     pub source: Arc<Source>,
-    /// Complaints so far.
-    pub complaints: Complaints,
+    /// Diagnostics so far.
+    pub diagnostics: Diagnostics,
 }
 
 impl Reader {
     /// Nothing read yet.
     pub fn new(source: &Arc<Source>) -> Reader {
-        Reader { source: Arc::clone(source), complaints: Complaints::new() }
+        Reader { source: Arc::clone(source), diagnostics: Diagnostics::new() }
     }
 
     /// A place in the file.
@@ -148,14 +150,14 @@ impl Reader {
     }
 
     /// Adds an error at a place of the file.
-    pub fn complain(&mut self, problem: &dyn Problem, span: Span) {
+    pub fn report(&mut self, problem: &dyn Problem, span: Span) {
         let place = self.place(span);
-        self.complaints.push(Complaint::error(problem, Some(place)));
+        self.diagnostics.push(Diagnostic::error(problem, Some(place)));
     }
 
     /// Adds an error at a place of the file from which nothing can be read then.
     pub fn refuse<T>(&mut self, problem: &dyn Problem, span: Span) -> Option<T> {
-        self.complain(problem, span);
+        self.report(problem, span);
         None
     }
 
@@ -219,7 +221,7 @@ impl Reader {
                 meant.extend(nearest.clone());
                 DocumentProblem::UnknownKey { table: words.clone(), key: shortened(key), nearest, note, known }
             };
-            self.complain(&problem, written.span().into());
+            self.report(&problem, written.span().into());
         }
         for key in keys.keys.iter().filter(|key| key.is_required && !table.has(key.name)) {
             // A misspelt key is one slip, not two; and a planned one stands where another would.
@@ -228,20 +230,20 @@ impl Reader {
             }
             let problem =
                 DocumentProblem::MissingKey { table: words.clone(), key: key.name, example: key.example, doc: key.doc };
-            self.complain(&problem, span);
+            self.report(&problem, span);
         }
         for group in keys.exactly_one {
             let given: Vec<&'static str> = group.iter().copied().filter(|key| table.has(key)).collect();
             match given.as_slice() {
                 [_] => {}
-                // Whatever was complained about may have been meant for it.
+                // Whatever was reported may have been meant for it.
                 [] if has_unknown || has_planned => {}
                 [] => {
                     let first = group.first().and_then(|key| keys.find(key)).filter(|key| !key.example.is_empty());
                     let example =
                         first.map_or(String::new(), |key| format!("{} = {} ({})", key.name, key.example, key.doc));
                     let problem = DocumentProblem::MissingOneOf { table: words.clone(), keys: group.to_vec(), example };
-                    self.complain(&problem, span)
+                    self.report(&problem, span)
                 }
                 [_, second, ..] => {
                     let place = table.get(second).map_or(span, |entry| entry.key_span);
@@ -250,15 +252,15 @@ impl Reader {
                         given: given.clone(),
                         keys: group.to_vec(),
                     };
-                    self.complain(&problem, place);
+                    self.report(&problem, place);
                 }
             }
         }
         table
     }
 
-    /// Whether a table has a key that it needs because of what else stands in it; complains if not, unless the key is there
-    /// misspelt and was complained about.
+    /// Whether a table has a key that it needs because of what else stands in it; reports if not, unless the key is there
+    /// misspelt and was reported.
     pub fn demand(&mut self, table: &Table<'_>, key: &str) -> bool {
         if table.has(key) {
             return true;
@@ -274,7 +276,7 @@ impl Reader {
             let (table_words, span) = (table.path.describe(), table.span);
             let problem =
                 DocumentProblem::MissingKey { table: table_words, key: key.name, example: key.example, doc: key.doc };
-            self.complain(&problem, span);
+            self.report(&problem, span);
         }
         false
     }
@@ -287,7 +289,7 @@ impl Reader {
             .filter(|entry| {
                 let usable = is_name(entry.name);
                 if !usable {
-                    self.complain(&DocumentProblem::BadName { what, name: shortened(entry.name) }, entry.key_span);
+                    self.report(&DocumentProblem::BadName { what, name: shortened(entry.name) }, entry.key_span);
                 }
                 usable
             })
@@ -329,7 +331,7 @@ impl Reader {
         }
     }
 
-    /// Complains that something else is due here.
+    /// Reports that something else is due here.
     pub fn wrong_type<T>(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<T> {
         let pair_of_brackets = entry.key.filter(|key| {
             // [[random]] instead of [random].
@@ -445,7 +447,7 @@ impl Reader {
         self.refuse(&problem, entry.span)
     }
 
-    /// The text or number of a quantity; complains of anything else.
+    /// The text or number of a quantity; reports anything else.
     pub fn written<'t>(&mut self, entry: &Entry<'t>) -> Option<Written<'t>> {
         match entry.value {
             DeValue::String(text) if text.trim() == TO_FILL_IN => {
@@ -499,7 +501,7 @@ impl Reader {
         self.measured(entry, dimension, rule)
     }
 
-    /// Whether a value measures what is due; complains if not.
+    /// Whether a value measures what is due; reports if not.
     pub fn measures(&mut self, entry: &Entry<'_>, found: Dimension, due: Dimension) -> bool {
         if found == due {
             return true;
@@ -516,18 +518,18 @@ impl Reader {
         } else {
             DocumentProblem::WrongDimension { entry: words, found, due }
         };
-        self.complain(&problem, entry.span);
+        self.report(&problem, entry.span);
         false
     }
 
-    /// Whether a value keeps its rule; complains if not.
+    /// Whether a value keeps its rule; reports if not.
     pub fn keeps(&mut self, entry: &Entry<'_>, value_si: f64, dimension: Dimension, rule: Rule) -> bool {
         if rule.allows(value_si) {
             return true;
         }
         let found = format_refused(value_si, dimension);
         let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule };
-        self.complain(&problem, entry.span);
+        self.report(&problem, entry.span);
         false
     }
 

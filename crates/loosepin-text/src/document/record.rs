@@ -19,16 +19,16 @@ impl Reads for Reader {
 
 /// What `R` reads at an entry.
 pub trait Value<'t, R: ?Sized>: Sized {
-    /// The value; `None` after a complaint.
+    /// The value; `None` after a diagnostic.
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
 
-    /// What stands for a required key that is not written, which was complained about.
+    /// What stands for a required key that is not written, which was reported.
     fn missing() -> Option<Self> {
         None
     }
 }
 
-/// `None` after a complaint: the other keys of the table are read and looked at nevertheless.
+/// `None` after a diagnostic: the other keys of the table are read and looked at nevertheless.
 impl<'t, R: ?Sized, T: Value<'t, R>> Value<'t, R> for Option<T> {
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
         Some(T::read(reader, entry))
@@ -173,9 +173,9 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 /// whose keys depend on its kind, `kind "rigid" of joint` gives the key `kind`, with the word for it as `WORD`.
 ///
 /// Nothing is read of a table in which a value is refused or missing. Where the rest is to be looked at nevertheless, the type of the value
-/// is an `Option`, `None` after a complaint.
+/// is an `Option`, `None` after a diagnostic.
 ///
-/// Of a `lenient struct` what is wrong or missing counts as left out after the complaint about it, so that everything else in the table is
+/// Of a `lenient struct` what is wrong or missing counts as left out after the diagnostic about it, so that everything else in the table is
 /// checked too: every field without `or` is an option, of required keys as well. It can be read where it is left out.
 ///
 /// ```
@@ -259,7 +259,7 @@ macro_rules! record {
                 }
             };
 
-            /// Reads the table at an entry; `None` after a complaint about what it must have.
+            /// Reads the table at an entry; `None` after a diagnostic about what it must have.
             #[allow(dead_code)]
             $visibility fn read<R: $reads + ?Sized>(
                 reader: &mut R,

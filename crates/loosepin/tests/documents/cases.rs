@@ -14,9 +14,9 @@ fn repository() -> PathBuf {
 
 fn all_cases() -> Vec<Case> {
     let folder = repository().join("cases");
-    let names = case_names(&folder).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let names = case_names(&folder).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let read =
-        |name: &String| Case::from_folder(&folder.join(name)).unwrap_or_else(|complaints| panic!("{complaints}"));
+        |name: &String| Case::from_folder(&folder.join(name)).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     names.iter().map(read).collect()
 }
 
@@ -37,7 +37,7 @@ fn peer_and_analytic_numbers_of_all_cases_are_met_and_the_page_is_up_to_date() {
         cases.iter().filter(|case| repository().join("cases").join(&case.name).join("reference.csv").exists());
     let without: Vec<&str> = with_history.filter(|case| case.histories() < 2).map(|case| case.name.as_str()).collect();
     assert!(without.is_empty(), "a reference.csv without positions and velocities that are compared: {without:?}");
-    let records = compare_all(&cases).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let records = compare_all(&cases).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     for record in &records {
         for number in &record.numbers {
             let share = number.difference_si() / number.tolerance_si;

@@ -197,7 +197,7 @@ fn put_together(file: &str, example: &str) -> String {
 
 /// Reads an example of a page beside which the tables of its files lie.
 fn check(example: &Example, page: &Path) -> Result<(), String> {
-    let model_of = |name: &str, text: &str| Model::from_text(name, text).map_err(|complaints| complaints.to_string());
+    let model_of = |name: &str, text: &str| Model::from_text(name, text).map_err(|diagnostics| diagnostics.to_string());
     let beside = |name: &str| page.with_file_name(name).display().to_string();
     let Some(within) = &example.within else {
         return model_of(&beside("model.toml"), &example.text).map(drop);
@@ -208,7 +208,7 @@ fn check(example: &Example, page: &Path) -> Result<(), String> {
         Some(model) => {
             let model = model_of(model, &read(&file.with_file_name(model)))?;
             let study = Study::from_text(&beside("study.toml"), &text, model);
-            study.map(drop).map_err(|complaints| complaints.to_string())
+            study.map(drop).map_err(|diagnostics| diagnostics.to_string())
         }
         None => model_of(&beside("model.toml"), &text).map(drop),
     }
@@ -220,8 +220,8 @@ fn examples_of_the_pages_are_read() {
     for page in pages() {
         for example in examples(&read(&page)) {
             count += 1;
-            if let Err(complaints) = check(&example, &page) {
-                refused.push_str(&format!("{}\n{}\n{complaints}\n", page.display(), example.text));
+            if let Err(diagnostics) = check(&example, &page) {
+                refused.push_str(&format!("{}\n{}\n{diagnostics}\n", page.display(), example.text));
             }
         }
     }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use loosepin::bounds::Statistic;
 use loosepin::contact::{FRICTION_LAWS, POINT_LAWS};
-use loosepin::diagnostics::{CODES, Colour, Complaints};
+use loosepin::diagnostics::{CODES, Colour, Diagnostics};
 use loosepin::model::{Model, NormalDescription, model_schema};
 use loosepin::study::{InputFile, Study};
 use loosepin::templates::find_template;
@@ -22,7 +22,7 @@ fn folder(kind: &str) -> PathBuf {
 
 fn template_model() -> Model {
     let text = find_template("slider-crank").expect("template").model;
-    Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn files(kind: &str) -> Vec<PathBuf> {
@@ -61,16 +61,16 @@ fn lists() -> [(String, &'static str); 6] {
     ]
 }
 
-fn check(kind: &str, read: impl Fn(&str, String) -> Option<Complaints>) {
+fn check(kind: &str, read: impl Fn(&str, String) -> Option<Diagnostics>) {
     let mut differences = Vec::new();
     for path in files(kind) {
         let name = path.file_name().and_then(|name| name.to_str()).expect("a name").to_owned();
         let text = fs::read_to_string(&path).expect("UTF-8");
-        let Some(complaints) = read(&name, text) else {
-            differences.push(format!("{name}: read without complaint"));
+        let Some(diagnostics) = read(&name, text) else {
+            differences.push(format!("{name}: read without diagnostic"));
             continue;
         };
-        let said = lists().into_iter().fold(format!("{complaints}\n"), |said, (list, name)| said.replace(&list, name));
+        let said = lists().into_iter().fold(format!("{diagnostics}\n"), |said, (list, name)| said.replace(&list, name));
         let expected_path = path.with_extension("expected");
         let mut expected = fs::read_to_string(&expected_path).unwrap_or_default();
         if said != expected && std::env::var_os("LOOSEPIN_BLESS").is_some() {
@@ -81,26 +81,26 @@ fn check(kind: &str, read: impl Fn(&str, String) -> Option<Complaints>) {
             differences.push(format!("{name}: expected\n{expected}\nbut said\n{said}"));
         }
         // The rendering for people must show each message and hint too, whatever the place.
-        let rendered = complaints.render(Colour::Never);
-        for complaint in complaints.sorted().into_iter().take(50) {
-            assert!(rendered.contains(complaint.code.as_str()), "{name}: {rendered}");
+        let rendered = diagnostics.render(Colour::Never);
+        for diagnostic in diagnostics.sorted().into_iter().take(50) {
+            assert!(rendered.contains(diagnostic.code.as_str()), "{name}: {rendered}");
         }
-        assert!(!complaints.render(Colour::Always).is_empty());
+        assert!(!diagnostics.render(Colour::Always).is_empty());
     }
     assert!(differences.is_empty(), "{}", differences.join("\n"));
 }
 
 #[test]
-fn bad_models_are_complained_about_word_for_word() {
+fn bad_models_are_reported_word_for_word() {
     check("model", |name, text| Model::from_text(name, &text).err());
 }
 
 #[test]
-fn bad_studies_are_complained_about_word_for_word() {
+fn bad_studies_are_reported_word_for_word() {
     check("study", |name, text| Study::from_text(name, &text, template_model()).err());
 }
 
-/// Codes of complaints that need no bad file: about the file system, sizes (`runaway_files.rs`), settings and sampling (in `model_file.rs` and in
+/// Codes of diagnostics that need no bad file: about the file system, sizes (`runaway_files.rs`), settings and sampling (in `model_file.rs` and in
 /// the tests of the command).
 const TESTED_ELSEWHERE: [&str; 9] = ["E0101", "E0102", "E0103", "E0210", "E0406", "E0407", "E0408", "E0409", "E0611"];
 
@@ -179,9 +179,9 @@ fn a_study_without_its_model_points_at_the_name() {
 #[test]
 fn people_see_the_line() {
     let text = fs::read_to_string(folder("model").join("clearance_negative.toml")).expect("the file");
-    let complaints = Model::from_text("model.toml", &text).expect_err("a negative clearance");
+    let diagnostics = Model::from_text("model.toml", &text).expect_err("a negative clearance");
     assert_eq!(
-        complaints.render(Colour::Never),
+        diagnostics.render(Colour::Never),
         "\
 error[E0501]: joint 'pin': radial clearance -0.05 mm; must be >= 0
   --> model.toml:30:20

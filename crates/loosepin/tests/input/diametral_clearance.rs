@@ -13,21 +13,21 @@ fn template_with(clearance: &str) -> Result<Model, String> {
     let text = find_template("slider-crank").expect("template").model;
     let written = "radial_clearance = \"0.5 mm\" ";
     assert_eq!(text.matches(written).count(), 1);
-    Model::from_text("model.toml", &text.replace(written, clearance)).map_err(|complaints| complaints.to_string())
+    Model::from_text("model.toml", &text.replace(written, clearance)).map_err(|diagnostics| diagnostics.to_string())
 }
 
 fn model(clearance: &str) -> Model {
-    template_with(clearance).unwrap_or_else(|complaints| panic!("{complaints}"))
+    template_with(clearance).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn study(model: Model, lines: &str) -> Result<Study, String> {
     let ask = "[[ask]]\noutput = \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
     let text = format!("name = \"on the diameter\"\nmodel = \"model.toml\"\n{lines}\n{ask}");
-    Study::from_text("study.toml", &text, model).map_err(|complaints| complaints.to_string())
+    Study::from_text("study.toml", &text, model).map_err(|diagnostics| diagnostics.to_string())
 }
 
 fn read(model: Model, lines: &str) -> Study {
-    study(model, lines).unwrap_or_else(|complaints| panic!("{complaints}"))
+    study(model, lines).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// The radial clearance of the gudgeon, m, where `path` is set.
@@ -61,7 +61,7 @@ fn a_diametral_clearance_by_a_parameter_is_set_by_the_parameter() {
     let text = text
         .replace("[parameter]", "[parameter]\nplay = \"0.2 mm\"")
         .replace("radial_clearance = \"0.5 mm\" ", "diametral_clearance = \"2 * play\" ");
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(radial_m(&model, "parameter.play", 0.15e-3), 0.15e-3);
     let refused = model.find(DIAMETRAL).expect_err("an expression");
     assert_eq!(refused.to_string(), format!("'{DIAMETRAL}' is given by an expression and cannot be set"));
@@ -91,7 +91,7 @@ fn analytic_a_fit_is_doubled_on_the_diameter() {
         let text = text
             .replace("[parameter]", "[parameter]\nplay = \"0.03 mm\"")
             .replace("radial_clearance = \"0.5 mm\" ", &format!("{expression} "));
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let study = read(model, &format!("[epistemic]\n\"parameter.play\" = {fit}"));
         near(study.epistemic[0].variable.ends()[1], times * 20.5e-6);
     }
@@ -103,7 +103,7 @@ fn a_fit_of_what_is_neither_on_the_radius_nor_on_the_diameter_is_refused() {
     let text = text
         .replace("[parameter]", "[parameter]\nplay = \"0.03 mm\"")
         .replace("radial_clearance = \"0.5 mm\" ", "radial_clearance = \"play + 0.1 mm\" ");
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let said = study(model, "[epistemic]\n\"parameter.play\" = { fit = \"H7/g6\", diameter = \"20 mm\" }");
     assert_eq!(
         said.expect_err("no clearance by itself"),
@@ -171,7 +171,7 @@ fn the_key_that_the_joint_does_not_state_is_never_taken_for_the_other() {
 fn a_diametral_clearance_of_zero_is_an_ideal_joint_and_one_beyond_the_bearing_is_refused() {
     let text = find_template("slider-crank").expect("template").model;
     let text = text.replace("journal = \"crank.main\"", "journal = \"crank.main\"\ndiametral_clearance = \"0 mm\"");
-    let ideal = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let ideal = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert!(ideal.joints[0].kind.play().is_none());
     let said = template_with("diametral_clearance = \"21 mm\" ").expect_err("the bearing has 20 mm");
     assert_eq!(

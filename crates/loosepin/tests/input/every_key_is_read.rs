@@ -86,7 +86,7 @@ fn every_key_of_a_model_is_read() {
 
 #[test]
 fn every_key_of_a_study_is_read() {
-    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     check(&study_schema(), STUDY, 60, |text| {
         Study::from_text("study.toml", text, model.clone()).err().map(|said| said.to_string())
     });

@@ -1,5 +1,5 @@
 //! The kept corpus of the guided fuzzer (`just campaign fuzz-guided`): the fewest inputs that together reach all code of the readers that
-//! it has reached, and every input that was once a defect. Each is read as the fuzzer reads it: complaints that can be shown, no panic,
+//! it has reached, and every input that was once a defect. Each is read as the fuzzer reads it: diagnostics that can be shown, no panic,
 //! in no time.
 
 use std::path::{Path, PathBuf};

@@ -12,7 +12,7 @@ fn template() -> &'static str {
 }
 
 fn warnings(text: &str) -> Vec<String> {
-    warned(&Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}")))
+    warned(&Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}")))
 }
 
 fn warned(model: &Model) -> Vec<String> {
@@ -127,8 +127,8 @@ fn scatter_that_no_manufacture_has_is_named() {
         let text = format!(
             "name = \"wild\"\nmodel = \"model.toml\"\n[random]\n\"parameter.rod_length\" = {{ {input} }}\n{ask}"
         );
-        let model = Model::from_text("model.toml", template()).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", template()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         study.warnings.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     assert_eq!(
@@ -161,7 +161,7 @@ fn no_case_and_no_template_has_such_a_number() {
         ["cases", "crates/loosepin-import/templates"].iter().flat_map(|folder| shipped(folder, "model.toml")).collect();
     assert!(files.len() > 25 + TEMPLATES.len(), "{}", files.len());
     for path in files {
-        let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         assert_eq!(warned(&model), Vec::<String>::new(), "{}", path.display());
     }
     let studies = ["cases", "crates/loosepin-import/templates"].map(|folder| shipped(folder, "study.toml")).concat();

@@ -78,7 +78,7 @@ fn filled_in(text: &str) -> Model {
         .replace("inertia = \"?\"", "inertia = \"2e-4 kg m^2\"")
         .replace("[\"?\", \"?\"]", "[\"21 mm\", \"2 mm\"]")
         .replace("speed = \"?\"", "speed = \"600 rpm\"");
-    Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"))
+    Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}\n{text}"))
 }
 
 fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {

@@ -6,7 +6,7 @@ use loosepin::model::{Axis, Derivative, JointKind, Model, Motion, OutputKind, Po
 const SKETCH: &str = include_str!("../files/sketch.toml");
 
 fn sketch() -> Model {
-    Model::from_text("sketch.toml", SKETCH).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Model::from_text("sketch.toml", SKETCH).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn value(model: &Model, path: &str) -> f64 {
@@ -102,11 +102,11 @@ fn paths_that_cannot_be_set_say_why() {
     let model = sketch();
     let error = model.find("body.crank.points.pin.x").expect_err("an expression");
     assert_eq!(error.to_string(), "'body.crank.points.pin.x' is given by an expression and cannot be set");
-    let complaint = model.parse_setting("body.crank.points.pin.x=3mm").expect_err("an expression");
-    assert_eq!(complaint.hint.as_deref(), Some("it depends on 'parameter.crank_length'"));
-    let complaint = model.parse_setting("joint.gudgeon.radial_clearence=0.3mm").expect_err("misspelt");
+    let diagnostic = model.parse_setting("body.crank.points.pin.x=3mm").expect_err("an expression");
+    assert_eq!(diagnostic.hint.as_deref(), Some("it depends on 'parameter.crank_length'"));
+    let diagnostic = model.parse_setting("joint.gudgeon.radial_clearence=0.3mm").expect_err("misspelt");
     assert_eq!(
-        complaint.to_string(),
+        diagnostic.to_string(),
         "--set:1:1: error[E0405]: the model has no quantity 'joint.gudgeon.radial_clearence'\n\
          hint: did you mean 'joint.gudgeon.radial_clearance'?"
     );
@@ -143,7 +143,7 @@ fn settings_are_checked_for_unit_dimension_and_rule() {
 }
 
 #[test]
-fn places_are_kept_for_complaints_about_meaning() {
+fn places_are_kept_for_diagnostics_of_meaning() {
     let model = sketch();
     let line = |path: &str| model.place(path).map(|place| place.line_and_column());
     assert_eq!(line("joint.gudgeon"), Some((37, 8)));
@@ -155,11 +155,11 @@ fn places_are_kept_for_complaints_about_meaning() {
 #[test]
 fn a_joint_with_zero_clearance_and_nothing_else_is_ideal() {
     let text = SKETCH.replace("journal = \"crank.main\"", "journal = \"crank.main\"\nradial_clearance = \"0 mm\"");
-    let model = Model::from_text("zero.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("zero.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert!(matches!(model.joints[0].kind, JointKind::Revolute(Revolute { clearance: None, .. })));
-    let complaint = model.parse_setting("joint.main.radial_clearance=0.1mm").expect_err("needs a contact");
+    let diagnostic = model.parse_setting("joint.main.radial_clearance=0.1mm").expect_err("needs a contact");
     assert_eq!(
-        complaint.to_string(),
+        diagnostic.to_string(),
         "--set:1:1: error[E0406]: 'joint.main.radial_clearance' cannot be set\n\
          hint: a joint with play needs bearing_radius and contact in the model file"
     );
@@ -169,13 +169,13 @@ fn a_joint_with_zero_clearance_and_nothing_else_is_ideal() {
 fn a_given_stiffness_has_the_unit_of_its_exponent() {
     let materials = "youngs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
     let text = SKETCH.replace(materials, "stiffness = \"6.6e10 N/m^1.5\"\nexponent = 1.5");
-    let model = Model::from_text("given.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("given.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(value(&model, "contact.steel_pin.stiffness"), 6.6e10);
     assert!(model.find("contact.steel_pin.exponent").is_err());
     let wrong = SKETCH.replace(materials, "stiffness = \"6.6e10 N/m^1.5\"\nexponent = 1.4");
-    let complaints = Model::from_text("wrong.toml", &wrong).expect_err("unit and exponent disagree");
+    let diagnostics = Model::from_text("wrong.toml", &wrong).expect_err("unit and exponent disagree");
     assert_eq!(
-        complaints.to_string(),
+        diagnostics.to_string(),
         "wrong.toml:25:13: error[E0304]: contact 'steel_pin': stiffness is a value in N/m^1.5; must be a value in N/m^1.4\n\
          hint: its unit is N/m^1.4"
     );
@@ -196,7 +196,7 @@ fn what_nothing_uses_is_warned_about() {
         "[joint.main]",
         "[contact.brass]\nrestitution = 0.8\nstiffness = \"1e10 N/m^1.5\"\nexponent = 1.5\n[joint.main]",
     );
-    let model = Model::from_text("unused.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("unused.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         warnings,

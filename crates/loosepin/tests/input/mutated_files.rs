@@ -1,9 +1,9 @@
-//! Valid files with something broken in them at random: whatever stands there, it is read or complained about, and
-//! complaints can be shown. No panic.
+//! Valid files with something broken in them at random: whatever stands there, it is read or reported, and
+//! diagnostics can be shown. No panic.
 //!
 //! `LOOSEPIN_FUZZ_CASES` sets how many files are tried (3,000 if unset; the long campaign tries 100,000 and more).
 
-use loosepin::diagnostics::{Colour, Complaints};
+use loosepin::diagnostics::{Colour, Diagnostics};
 use loosepin::model::Model;
 use loosepin::study::Study;
 use loosepin::templates::TEMPLATES;
@@ -154,16 +154,16 @@ fn apply(bytes: &mut Vec<u8>, mutation: &Mutation) {
     }
 }
 
-fn show(complaints: &Complaints) {
-    assert!(complaints.has_errors(), "refused without an error");
-    assert!(!complaints.to_string().is_empty());
-    assert!(!complaints.render(Colour::Never).is_empty());
+fn show(diagnostics: &Diagnostics) {
+    assert!(diagnostics.has_errors(), "refused without an error");
+    assert!(!diagnostics.to_string().is_empty());
+    assert!(!diagnostics.render(Colour::Never).is_empty());
 }
 
 /// Reads a model as the commands do; what is read must be computable.
 fn read_model(bytes: Vec<u8>) {
     match Model::from_bytes("mutated.toml", bytes) {
-        Err(complaints) => show(&complaints),
+        Err(diagnostics) => show(&diagnostics),
         Ok(model) => {
             let values =
                 model.quantities.evaluate(&[]).unwrap_or_else(|error| panic!("accepted, and impossible: {error}"));
@@ -177,10 +177,10 @@ fn read_model(bytes: Vec<u8>) {
 }
 
 fn read_study(model: &str, bytes: Vec<u8>) {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let text = String::from_utf8_lossy(&bytes);
     match Study::from_text("mutated.toml", &text, model) {
-        Err(complaints) => show(&complaints),
+        Err(diagnostics) => show(&diagnostics),
         Ok(study) => assert!(!study.random.is_empty() || !study.epistemic.is_empty()),
     }
 }
@@ -402,7 +402,7 @@ fn no_file_with_exchanged_values_makes_the_reader_panic() {
 }
 
 #[test]
-fn extreme_files_are_complained_about() {
+fn extreme_files_are_reported() {
     let deep_array = format!("name = {}1{}", "[".repeat(100_000), "]".repeat(100_000));
     let deep_table = format!("name = {}1{}", "{ a = ".repeat(100_000), " }".repeat(100_000));
     let dotted = format!("{}a = 1", "a.".repeat(100_000));
@@ -429,7 +429,7 @@ fn extreme_files_are_complained_about() {
         &unknown,
         &long_line,
     ] {
-        let complaints = Model::from_text("extreme.toml", text).expect_err("no model");
-        show(&complaints);
+        let diagnostics = Model::from_text("extreme.toml", text).expect_err("no model");
+        show(&diagnostics);
     }
 }

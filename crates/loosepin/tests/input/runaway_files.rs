@@ -1,4 +1,4 @@
-//! Short files that would take all time or all memory there is: each is complained about at once, and what is only large is planned
+//! Short files that would take all time or all memory there is: each is reported at once, and what is only large is planned
 //! without being made.
 
 use std::sync::LazyLock;
@@ -16,15 +16,15 @@ const ASKED: &str = "[random]\n\
     [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\"]\n";
 
 fn study_of(model: &str, text: &str) -> Study {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let text = format!("name = \"runaway\"\nmodel = \"model.toml\"\n{text}\n{ASKED}");
-    Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// What `loosepin check` says of a study with this text in it.
 fn said(text: &str) -> String {
     let study = study_of(TEMPLATE.model, text);
-    plan_runs(&study).expect_err("it is refused").complaint(&study).to_string()
+    plan_runs(&study).expect_err("it is refused").diagnostic(&study).to_string()
 }
 
 #[test]
@@ -91,10 +91,10 @@ fn more_poses_than_are_bounded_are_refused_at_the_first_too_many() {
         ASKED.split("[[ask]]").next().expect("what is uncertain"),
         poses.join(", ")
     );
-    let complaints = Study::from_text("study.toml", &text, model).expect_err("too many poses").to_string();
+    let diagnostics = Study::from_text("study.toml", &text, model).expect_err("too many poses").to_string();
     let column = "poses = { crank = [".len() + poses[..2000].iter().map(|pose| pose.len() + 2).sum::<usize>() + 1;
     assert_eq!(
-        complaints,
+        diagnostics,
         format!(
             "study.toml:8:{column}: error[E0210]: [[ask]] 1: poses crank has 50000 poses; must be at most 2000\n\
              hint: at = \"cycle\" asks for the whole curve"
@@ -158,14 +158,14 @@ fn more_combinations_of_laws_than_mechanisms_are_made_of_are_refused() {
         .collect();
     let study = study_of(&format!("{}\n{further}", TEMPLATE.model), &format!("[epistemic]\n{laws}"));
     assert_eq!(
-        plan_runs(&study).expect_err("it is refused").complaint(&study).to_string(),
+        plan_runs(&study).expect_err("it is refused").diagnostic(&study).to_string(),
         "study.toml:1:1: error[E0608]: 19683 combinations of contact laws; must be at most 64\nhint: shorten the lists of laws"
     );
 }
 
 /// A file whose names are all wrong costs its length, not the square of it: what was meant is looked for among so many names only.
 #[test]
-fn a_file_of_wrong_names_is_complained_about() {
+fn a_file_of_wrong_names_is_reported() {
     const WRONG: u64 = 2000;
     let name = |index: u64| -> String {
         let mut state = index.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
@@ -176,8 +176,8 @@ fn a_file_of_wrong_names_is_complained_about() {
         (0..90).map(letter).collect()
     };
     let lines: String = (0..WRONG).map(|index| format!("{} = \"{}\"\n", name(index), name(index + WRONG))).collect();
-    let complaints = Model::from_text("model.toml", &format!("[parameter]\n{lines}")).expect_err("no model");
-    assert!(complaints.len() as u64 >= WRONG, "{}", complaints.len());
+    let diagnostics = Model::from_text("model.toml", &format!("[parameter]\n{lines}")).expect_err("no model");
+    assert!(diagnostics.len() as u64 >= WRONG, "{}", diagnostics.len());
 }
 
 /// Files that say that they have no bytes and have a great many.

@@ -10,12 +10,12 @@ use loosepin::uncertainty::Distribution;
 
 fn template(name: &str) -> Study {
     let template = find_template(name).unwrap_or_else(|| panic!("no template {name}"));
-    let model = Model::from_text("model.toml", template.model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", template.study, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    let model = Model::from_text("model.toml", template.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", template.study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 #[test]
-fn templates_load_without_complaint() {
+fn templates_load_without_diagnostics() {
     for each in TEMPLATES {
         let study = template(each.name);
         assert!(study.warnings.is_empty(), "{}: {:?}", each.name, study.warnings);
@@ -26,7 +26,7 @@ fn templates_load_without_complaint() {
 fn templates_load_from_their_folder() {
     for each in TEMPLATES {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin-import/templates").join(each.name);
-        let study = Study::from_path(&folder.join("study.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = Study::from_path(&folder.join("study.toml")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         assert_eq!(study.model_path, folder.join("model.toml"));
         assert_eq!(study.model.source().text(), each.model);
     }
@@ -70,7 +70,7 @@ fn a_small_probability_of_a_curve_is_that_of_its_furthest_value() {
              standard_deviation = \"0.02 mm\" }} }}\n{ask}"
         );
         let model = template("slider-crank").model;
-        Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}")).asks
+        Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}")).asks
     };
     let head = "[[ask]]\noutput = \"slider\"\nof = \"total\"\n";
     let rare = |side: &str| format!("{{ {side} = \"0.1 mm\", method = \"importance\" }}");
@@ -101,8 +101,8 @@ fn every_family_of_distributions_is_read() {
         reduce = "range"
         statistics = ["mean"]
     "#;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let families: Vec<&str> = study.random.iter().map(|input| input.variable.distribution().family()).collect();
     assert_eq!(families, ["truncated normal", "uniform", "beta", "lognormal", "triangular"]);
     assert_eq!((study.seed, study.sampling.outer, study.sampling.inner, study.sampling.replicates), (1, 64, 256, 4));
@@ -111,10 +111,10 @@ fn every_family_of_distributions_is_read() {
 /// A study of the slider-crank with these lines before its question.
 fn study_with(lines: &str) -> Study {
     let model = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let ask = "[[ask]]\noutput = \"slider\"\nof = \"value\"\nreduce = \"range\"\nstatistics = [\"mean\"]\n";
     let text = format!("name = \"further\"\nmodel = \"model.toml\"\n{lines}\n{ask}");
-    Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// The only random input: its mean, its standard deviation, and where it comes from.
@@ -324,7 +324,7 @@ fn schemas_accept_the_templates_and_refuse_unknown_keys() {
 fn a_tolerance_is_held_against_the_smallest_clearance_of_the_inputs() {
     let found = find_template("slider-crank").expect("a template");
     let of = |inputs: &str, tolerance: &str| {
-        let model = Model::from_text("model.toml", found.model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", found.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let text = format!(
             "name = \"play\"\nmodel = \"model.toml\"\n[sampling]\ntolerance = \"{tolerance}\"\n{inputs}\n[[ask]]\noutput = \
              \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n"
@@ -333,7 +333,7 @@ fn a_tolerance_is_held_against_the_smallest_clearance_of_the_inputs() {
             |study: Study| study.warnings.iter().map(ToString::to_string).collect::<Vec<String>>().join("\n");
         match Study::from_text("study.toml", &text, model) {
             Ok(study) => format!("warned of: {}", warnings(study)),
-            Err(complaints) => complaints.to_string(),
+            Err(diagnostics) => diagnostics.to_string(),
         }
     };
     let interval = "[epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.02 mm\", \"0.5 mm\"] }";
@@ -364,12 +364,12 @@ fn wear_is_asked_for_as_one_number_of_a_run() {
     let output = "\n[output.hole]\nwear_of = \"joint.gudgeon\"\ncomponent = \"bearing_volume\"\n";
     let text = find_template("slider-crank").expect("a template").model.replacen("radial_clearance", wear, 1) + output;
     let of = |asked: &str| {
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let input = "[epistemic]\n\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";
         let text = format!("name = \"wear\"\nmodel = \"model.toml\"\n{asked}\n{input}\n");
         Study::from_text("study.toml", &text, model)
             .err()
-            .map_or("read".to_owned(), |complaints| complaints.to_string())
+            .map_or("read".to_owned(), |diagnostics| diagnostics.to_string())
     };
     let ask = |rest: &str| of(&format!("[[ask]]\noutput = \"hole\"\nstatistics = [\"mean\"]\n{rest}"));
     let require = |rest: &str| of(&format!("[[require]]\noutput = \"hole\"\nprobability_at_least = 0.9\n{rest}"));
@@ -398,11 +398,11 @@ fn lives_are_asked_for_within_the_cycles_of_wear() {
                 geometry = \"worn\"\nlimit_of = \"slider\"\nlimit = \"0.6 mm\"\n";
     let text = find_template("slider-crank").expect("a template").model.replacen("radial_clearance", joint, 1) + tail;
     let of = |input: &str, asked: &str| {
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let text = format!("name = \"life\"\nmodel = \"model.toml\"\n{asked}\n[epistemic]\n{input}\n");
         match Study::from_text("study.toml", &text, model) {
             Ok(study) => study.warnings.iter().map(ToString::to_string).collect::<Vec<String>>().join("\n"),
-            Err(complaints) => complaints.to_string(),
+            Err(diagnostics) => diagnostics.to_string(),
         }
     };
     let coefficient = "\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";

@@ -14,9 +14,9 @@ const ROD_M: f64 = 0.12;
 /// The slider-crank of the template without play: its motion has a closed form.
 fn ideal_run(transient_turns: f64) -> SimulationRecord {
     let text = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let set = model.set_values(&["joint.gudgeon.radial_clearance=0mm".to_owned()]);
-    let set = set.unwrap_or_else(|complaints| panic!("{complaints}"));
+    let set = set.unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let mechanism = Mechanism::new(&set.model, &set.values).expect("it compiles");
     let mut cycle = model.cycle.clone();
     (cycle.transient_turns, cycle.recorded_turns) = (transient_turns, 1.0);
@@ -154,7 +154,7 @@ fn wrong_tables_are_told_with_their_places() {
 #[test]
 fn columns_that_are_no_outputs_and_rows_outside_are_told() {
     let text = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it compiles");
     let outputs = columns(&mechanism.model);
     let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();

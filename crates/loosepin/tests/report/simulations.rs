@@ -10,7 +10,7 @@ use std::path::Path;
 
 fn model(file: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
-    Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn simulated(model: &Model, cycle: Cycle) -> SimulationRecord {

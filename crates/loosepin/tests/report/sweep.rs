@@ -11,12 +11,12 @@ use std::sync::atomic::AtomicBool;
 
 fn model(case: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case).join("model.toml");
-    Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn plan(model: &Model, over: &str, points: usize, transient_turns: u32, recorded_turns: u32) -> SweepPlan {
     SweepPlan {
-        range: model.parse_setting_range(over).unwrap_or_else(|complaint| panic!("{complaint:?}")),
+        range: model.parse_setting_range(over).unwrap_or_else(|diagnostic| panic!("{diagnostic:?}")),
         points,
         transient_turns,
         recorded_turns,
@@ -27,7 +27,7 @@ fn plan(model: &Model, over: &str, points: usize, transient_turns: u32, recorded
 
 /// Sweeps with the settings `set`, compiled for the last value.
 fn swept(model: &Model, set: &[String], plan: &SweepPlan, threads: usize) -> SweepRecord {
-    let set = model.set_values(set).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let set = model.set_values(set).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let values = model.quantities.evaluate(&[(plan.range.id, plan.range.to_si)]).expect("the last value is sound");
     let mechanism = Mechanism::new(model, &values).expect("the model compiles");
     sweep(&mechanism, &set, plan, threads, &|_| (), &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}"))

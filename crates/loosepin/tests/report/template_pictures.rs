@@ -21,7 +21,7 @@ fn repository() -> PathBuf {
 
 fn picture(template: &Template) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin-import/templates").join(template.name);
-    let model = Model::from_path(&folder.join("model.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_path(&folder.join("model.toml")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{}: {error}", template.name));
     if !mechanism.is_driven() {

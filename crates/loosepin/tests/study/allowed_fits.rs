@@ -49,8 +49,8 @@ pub fn conducted_with(keys: &str, inputs: &str) -> StudyResult {
         "
     );
     let model = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let stop = AtomicBool::new(false);
     let rising = Rising(AtomicUsize::new(0));
     run_study(&study, "", &RunOptions::new(2, &rising, &stop)).unwrap_or_else(|error| panic!("{error}")).result

@@ -31,8 +31,8 @@ fn conducted(keys: &str, ask: &str) -> StudyResult {
         "
     );
     let model = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     run(&study).result
 }
 

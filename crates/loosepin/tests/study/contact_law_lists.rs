@@ -16,7 +16,7 @@ fn model(law: &str) -> Model {
     let text = find_template("slider-crank").expect("template").model;
     let text = text.replace("bearing_radius = \"10 mm\"", "bearing_radius = \"10 mm\"\nbearing_length = \"20 mm\"");
     let text = text.replace("law = \"lankarani-nikravesh\"", &format!("law = \"{law}\""));
-    Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// A study of the peak force over a part of a turn; in an eighth of it the pin strikes about five times.
@@ -42,7 +42,7 @@ fn study(law: &str, turns: f64, outer: usize, epistemic: &str) -> Study {
         statistics = [\"mean\", \"standard_deviation\", {{ quantile = 0.9 }}]
         "
     );
-    Study::from_text("study.toml", &text, model(law)).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_text("study.toml", &text, model(law)).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn bounds(study: &Study, threads: usize) -> StudyRun {

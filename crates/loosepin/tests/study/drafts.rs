@@ -48,7 +48,7 @@ fn study() -> Study {
         [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"5 mm\"\nover = \"cycle\"\n\
         probability_at_least = 0.75\n";
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/slider_crank_worn_pin/study.toml");
-    Study::from_text_at(folder, text).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_text_at(folder, text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn run(study: &Study, wants_drafts: bool, threads: usize) -> (StudyRun, Vec<Draft>) {

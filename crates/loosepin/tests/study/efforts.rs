@@ -88,8 +88,8 @@ probability_at_least = 0.9
 
 /// The result of a study in two texts.
 pub(super) fn conducted(model: &str, study: &str) -> StudyResult {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     run(&study).result
 }
 

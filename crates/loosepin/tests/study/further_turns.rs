@@ -25,7 +25,7 @@ fn study(turns: u32, play: &str) -> Study {
     let template = find_template("slider-crank").expect("the template");
     let model = template.model.replace("radial_clearance = \"0.5 mm\"", &format!("radial_clearance = \"{play}\""));
     let model = Model::from_text("model.toml", &model).expect("a model");
-    Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 /// [`study`] with one turn and this table after it.
@@ -36,7 +36,7 @@ fn with_table(table: &str) -> Result<Study, String> {
 fn with_table_and_play(table: &str, play: &str) -> Result<Study, String> {
     let one = study(1, play);
     let text = format!("{}[further_turns]\n{table}\n", one.source().text());
-    Study::from_text("study.toml", &text, one.model).map_err(|complaints| complaints.to_string())
+    Study::from_text("study.toml", &text, one.model).map_err(|diagnostics| diagnostics.to_string())
 }
 
 fn conducted(study: &Study) -> StudyRun {
@@ -123,7 +123,7 @@ fn a_study_states_how_many_runs_go_on_and_how_far() {
     let mut many = with_table("count = 999").expect("a study");
     assert!(plan_runs(&many).is_ok());
     many.cycle.recorded_turns = 2.0;
-    let refused = plan_runs(&many).expect_err("1001 recorded turns").complaint(&many).to_string();
+    let refused = plan_runs(&many).expect_err("1001 recorded turns").diagnostic(&many).to_string();
     assert!(refused.contains("1001 turns are recorded; must be at most 1000"), "{refused}");
     let line = many.source().text().lines().position(|line| line.starts_with("count")).expect("a line") + 1;
     assert!(refused.contains(&format!("study.toml:{line}:")), "{refused}");

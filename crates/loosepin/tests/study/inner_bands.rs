@@ -29,9 +29,9 @@ fn studies(is_short: bool) -> Vec<(String, String, String)> {
 
 /// The study of `text`, with as few samples and poses as `is_short` says.
 fn conducted(name: &str, model: &str, text: &str, is_short: bool) -> StudyResult {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{name}: {complaints}"));
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics}"));
     let study = Study::from_text("study.toml", text, model);
-    let mut study = study.unwrap_or_else(|complaints| panic!("{name}: {complaints}"));
+    let mut study = study.unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics}"));
     if is_short {
         // A box needs its corners and its centre.
         study.sampling.outer = 6.max((1 << study.epistemic.len()) + 1);

@@ -21,9 +21,10 @@ struct Failing {
 impl Failing {
     fn new(folder: &Path) -> Self {
         let template = find_template("four-bar").expect("the template is there");
-        let model = Model::from_text("model.toml", template.model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model =
+            Model::from_text("model.toml", template.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let study =
-            Study::from_text("study.toml", template.study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+            Study::from_text("study.toml", template.study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let claim = Claim {
             kind: ResultKind::Study,
             name: study.name.clone(),
@@ -48,7 +49,7 @@ impl Failing {
         let error = StudyError::Loosened { path: "c".to_owned(), value_si: 1.0, reason: "impossible".to_owned() };
         let page = |_: &StudyResult| String::new();
         let concluded = conclude(&self.study, folder, store, Err(error), &page, (SystemTime::now(), 1));
-        assert!(concluded.is_err_and(|complaints| complaints.to_string().contains("impossible")));
+        assert!(concluded.is_err_and(|diagnostics| diagnostics.to_string().contains("impossible")));
     }
 }
 

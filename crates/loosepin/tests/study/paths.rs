@@ -180,12 +180,12 @@ fn extremes(of: impl Fn(Directions) -> f64) -> [f64; 2] {
 
 /// The study with these questions, or what is wrong with them.
 fn read(model: &str, asks: &str) -> Result<Study, String> {
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", &format!("{STUDY}{asks}"), model).map_err(|complaints| complaints.to_string())
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", &format!("{STUDY}{asks}"), model).map_err(|diagnostics| diagnostics.to_string())
 }
 
 fn conducted(asks: &str) -> StudyResult {
-    conduct_study(&read(MODEL, asks).unwrap_or_else(|complaints| panic!("{complaints}")))
+    conduct_study(&read(MODEL, asks).unwrap_or_else(|diagnostics| panic!("{diagnostics}")))
 }
 
 fn conduct_study(study: &Study) -> StudyResult {
@@ -240,7 +240,7 @@ fn identity_an_error_is_as_large_seen_from_a_driven_body() {
     };
     let asks = ["tool", "mark"].map(|output| ask(output, PathError::Magnitude) + &ask(output, PathError::Along));
     let model = format!("{MODEL}\n[output.mark]\npath_of = \"coupler.tool\"\nrelative_to = \"crank.main\"\n");
-    let study = read(&model, &asks.concat()).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = read(&model, &asks.concat()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let result = conduct_study(&study);
     let found = |name: &str| -> Vec<[f64; 2]> {
         let own = result.bounds.iter().filter(|bound| bound.output == name);
@@ -282,8 +282,8 @@ fn a_path_is_asked_for_by_part_and_its_error_is_no_value() {
              \"contour\"\nhint: did you mean \"normal\"?",
         ),
     ] {
-        let complaints = read(MODEL, &ASK.replace(written, changed)).expect_err("a part that is not clear");
-        assert_eq!(complaints.trim_end(), said);
+        let diagnostics = read(MODEL, &ASK.replace(written, changed)).expect_err("a part that is not clear");
+        assert_eq!(diagnostics.trim_end(), said);
     }
 }
 
@@ -292,7 +292,7 @@ fn a_path_is_asked_for_by_part_and_its_error_is_no_value() {
 fn a_path_whose_point_stands_still_has_no_direction() {
     let model = MODEL.replace("path_of = \"coupler.tool\"", "path_of = \"rocker.pin\"");
     let refused = |model: &str, ask: &str| {
-        let study = read(model, ask).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = read(model, ask).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         run_on(2, &study).map(|_| ()).map_err(|error| error.to_string())
     };
     // Wherever between two looks the stop lies.

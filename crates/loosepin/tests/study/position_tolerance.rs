@@ -11,9 +11,9 @@ const RADIUS_M: f64 = 5e-5;
 #[test]
 fn analytic_a_hole_somewhere_in_its_zone() {
     let text = include_str!("../files/position_tolerance.toml");
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let text = include_str!("../files/position_tolerance_study.toml");
-    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let bounds = run(&study).result.bounds;
     let [bound] = &bounds[..] else { panic!("one bound was asked for") };
     for (end, exact_m) in [(&bound.lower, -RADIUS_M), (&bound.upper, RADIUS_M)] {

@@ -15,7 +15,7 @@ fn study(rest: &str) -> Study {
          {rest}"
     );
     Study::from_text_at(&folder.join("study.toml").display().to_string(), &text)
-        .unwrap_or_else(|complaints| panic!("{complaints}"))
+        .unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn conducted(study: &Study, threads: usize) -> StudyResult {

@@ -22,8 +22,9 @@ fn study(lines: &str) -> Study {
     let (text, _) = text.split_once("[[ask]]").expect("the template asks");
     let asks = "[[ask]]\noutput = \"rocker\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\", { quantile = 0.9 }]\n\
                 [[ask]]\noutput = \"rocker\"\nof = \"dimensional\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n";
-    let model = Model::from_text("model.toml", template.model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", &format!("{text}{asks}"), model).unwrap_or_else(|complaints| panic!("{complaints}"))
+    let model = Model::from_text("model.toml", template.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", &format!("{text}{asks}"), model)
+        .unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn run(study: &Study) -> StudyRun {
@@ -45,7 +46,7 @@ fn identity_the_samples_grow_until_the_bounds_are_as_near_as_asked() {
     let stated = run(&study(""));
     assert!(stated.result.accuracy.is_none());
     let mut wanted = study("");
-    wanted.add_accuracy("rocker.mean = 0.001 deg").unwrap_or_else(|complaint| panic!("{complaint:?}"));
+    wanted.add_accuracy("rocker.mean = 0.001 deg").unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
     let reached = run(&wanted);
     let record = accuracy(&reached.result);
     assert_eq!(record.stop, AccuracyStop::Reached, "{record:#?}");
@@ -69,7 +70,7 @@ fn identity_the_samples_grow_until_the_bounds_are_as_near_as_asked() {
 fn identity_a_budget_ends_at_a_round_that_repeats() {
     let ended_at = |budget: &str| {
         let mut study = study("accuracy = \"1e-6 deg\"");
-        study.set_budget(budget).unwrap_or_else(|complaint| panic!("{complaint:?}"));
+        study.set_budget(budget).unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
         run(&study)
     };
     let by_runs = ended_at("3000");
@@ -90,8 +91,8 @@ fn identity_a_budget_ends_at_a_round_that_repeats() {
 #[test]
 fn a_budget_below_the_first_round_is_refused_before_it_begins() {
     let mut study = study("");
-    study.set_budget("500 runs").unwrap_or_else(|complaint| panic!("{complaint:?}"));
-    let said = plan_runs(&study).expect_err("the budget is too small").complaint(&study).to_string();
+    study.set_budget("500 runs").unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
+    let said = plan_runs(&study).expect_err("the budget is too small").diagnostic(&study).to_string();
     let due = "--budget:1:1: error[E0611]: a budget of 500 runs; the first round and what follows it take at most ";
     assert!(said.starts_with(due), "{said}");
     assert!(matches!(run_on(1, &study), Err(StudyError::BudgetTooSmall { budget: 500, .. })));
@@ -100,7 +101,7 @@ fn a_budget_below_the_first_round_is_refused_before_it_begins() {
 #[test]
 fn a_budget_in_the_file_is_refused_at_its_place() {
     let study = study("budget = 500");
-    let said = plan_runs(&study).expect_err("the budget is too small").complaint(&study);
+    let said = plan_runs(&study).expect_err("the budget is too small").diagnostic(&study);
     let place = said.place.expect("it has a place");
     let text = study.source().text();
     let line = text.lines().nth(place.line_and_column().0 - 1).expect("a line");
@@ -111,9 +112,9 @@ fn a_budget_in_the_file_is_refused_at_its_place() {
 #[test]
 fn the_accuracy_that_names_most_counts_and_the_command_line_before_the_file() {
     let mut study = study("accuracy = \"0.2 deg\"");
-    study.set_budget("1 round").unwrap_or_else(|complaint| panic!("{complaint:?}"));
+    study.set_budget("1 round").unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
     for text in ["rocker.mean=0.03deg", "0.05deg", "rocker.mean=0.04deg"] {
-        study.add_accuracy(text).unwrap_or_else(|complaint| panic!("{complaint:?}"));
+        study.add_accuracy(text).unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
     }
     let result = run(&study).result;
     let asked: Vec<f64> = accuracy(&result).targets.iter().map(|target| target.asked_si.to_degrees()).collect();

@@ -21,8 +21,8 @@ const INNER: usize = 64;
 /// A slider-crank without play: crank and rod scatter, of the rod the mean is known within an interval, and of the foot of the crank a position.
 fn study(surrogate: &str) -> Result<Study, String> {
     let model = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", &text(surrogate), model).map_err(|complaints| complaints.to_string())
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", &text(surrogate), model).map_err(|diagnostics| diagnostics.to_string())
 }
 
 fn text(surrogate: &str) -> String {
@@ -56,7 +56,7 @@ fn text(surrogate: &str) -> String {
 }
 
 fn conducted(surrogate: &str) -> StudyResult {
-    let study = study(surrogate).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = study(surrogate).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     run_on(2, &study).unwrap_or_else(|error| panic!("{error}")).result
 }
 
@@ -164,8 +164,8 @@ fn a_surrogate_alone_says_nothing_of_what_fails_and_ends_where_too_much_does() {
         let model = find_template("slider-crank").expect("template").model;
         // A dimension has one nominal value.
         let model = model.replace("crank_length = \"50 mm\"", "crank_length = \"125.5 mm\"");
-        let model = Model::from_text("model.toml", &model).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         run_on(2, &study)
     };
     assert!(matches!(conducted(""), Err(StudyError::TooManyFailed(_))));
@@ -220,7 +220,7 @@ fn identity_a_surrogate_alone_makes_no_other_runs_and_agrees_with_the_direct_bou
 fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
     let study =
         study("[surrogate]\nkind = \"chaos\"\ntraining_runs = 30\nconfirming_runs = 8\ndirect = \"confirming\"")
-            .unwrap_or_else(|complaints| panic!("{complaints}"));
+            .unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let conducted = run_study(&study, "a1", &RunOptions::new(2, &Silent, &AtomicBool::new(false)))
         .unwrap_or_else(|error| panic!("{error}"));
     let saved = conducted.surrogates.expect("a surrogate was asked for");
@@ -261,10 +261,10 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
 
 #[test]
 fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
-    let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let error = run_on(2, &study).err().expect("7 runs in 4 replicates");
     assert_eq!(
-        error.complaint(&study).to_string().lines().next().unwrap_or_default(),
+        error.diagnostic(&study).to_string().lines().next().unwrap_or_default(),
         "study.toml:5:19: error[E0611]: surrogate: 7 confirming runs; must be a multiple of the 4 replicates, at least 2 in each, \
          and at most the 64 inner runs"
     );
@@ -272,23 +272,23 @@ fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
 
 #[test]
 fn a_single_run_to_learn_from_is_refused_at_its_place() {
-    let complaints = study("[surrogate]\ntraining_runs = 1").expect_err("one run is not enough");
-    let complaint = complaints.to_string();
+    let diagnostics = study("[surrogate]\ntraining_runs = 1").expect_err("one run is not enough");
+    let diagnostic = diagnostics.to_string();
     assert!(
-        complaint.starts_with(
+        diagnostic.starts_with(
             "study.toml:5:17: error[E0208]: surrogate training runs is 1; must be a whole number from 4 to 2000"
         ),
-        "{complaint}"
+        "{diagnostic}"
     );
 }
 
 /// A surrogate that stands alone, from few runs, whose bounds of means are to be 0.03 µm near.
 fn approached(budget: &str) -> Result<StudyResult, StudyError> {
     let text = "[surrogate]\nkind = \"kriging\"\ntraining_runs = 8\nconfirming_runs = 8\ndirect = \"confirming\"";
-    let mut study = study(text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    study.add_accuracy("slider.mean = 0.03 um").unwrap_or_else(|complaint| panic!("{complaint:?}"));
+    let mut study = study(text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    study.add_accuracy("slider.mean = 0.03 um").unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
     if !budget.is_empty() {
-        study.set_budget(budget).unwrap_or_else(|complaint| panic!("{complaint:?}"));
+        study.set_budget(budget).unwrap_or_else(|diagnostic| panic!("{diagnostic:?}"));
     }
     run_on(2, &study).map(|conducted| conducted.result)
 }

@@ -40,8 +40,8 @@ fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
                 [random]\n\"body.crank.points.pin.x\" = { uniform = { lower = \"79.99 mm\", upper = \"80.01 mm\" } }\n\
                 [epistemic]\n\"parameter.room\" = { interval = [\"273 K\", \"353 K\"] }\n\
                 [[ask]]\noutput = \"pin\"\nof = \"total\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [\"mean\"]\n";
-    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let result = run(&study).result;
     let [bound] = &result.bounds[..] else { panic!("one bound was asked for") };
     // The drawing is that of 0 K, neither that of the file's 30 K nor that of the middle of the interval, 20 K.
@@ -60,11 +60,11 @@ fn a_fit_of_a_warm_joint_is_that_of_its_drawing() {
     let text = text
         .replacen("mass = ", warm, 1)
         .replace("[body.slider]\n", "[body.slider]\nthermal_expansion = \"23e-6 1/K\"\ntemperature_rise = \"40 K\"\n");
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let study = "name = \"warm\"\nmodel = \"model.toml\"\n[random]\n\
                  \"joint.gudgeon.radial_clearance\" = { fit = \"H7/f7\", diameter = \"20 mm\" }\n\
                  [[ask]]\noutput = \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
-    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let id = study.model.find("joint.gudgeon.radial_clearance").expect("a free number");
     let plays: Vec<_> = study.model.play_from(id).collect();
     assert_eq!(plays.len(), 1);

@@ -144,7 +144,7 @@ fn stores(out: &Path) -> Vec<(String, Vec<u8>)> {
             let outcome = if place % 3 == 1 { Err(place as u16) } else { Ok(vec![place as f64 / 3.7; 9]) };
             store.keep((place % 2) as u32, place, StoredRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome });
         }
-        store.settle().expect("rows are written");
+        store.flush().expect("rows are written");
         store
     };
     let read = |path: &Path| fs::read(path).expect("a store is read");

@@ -27,7 +27,7 @@ pub struct Case {
 impl Case {
     pub fn read(name: &'static str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../cases").join(name).join("model.toml");
-        let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let nominal = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &nominal).expect("it is a reference case");
         let sample = Sample::new(&mechanism, &nominal).expect("it is a reference case");

@@ -40,14 +40,14 @@ pub(crate) struct Kernel {
 }
 
 /// Places at which predictions are wanted, with what all models of the same points share there.
-pub(crate) struct SeenPlaces {
+pub(crate) struct ObservedPoints {
     pub places: Vec<Vec<f64>>,
     /// Distances from the points, and the terms of the polynomial, of [`PLACES_AT_ONCE`] places side by side.
     distances: Vec<Vec<[f64; PLACES_AT_ONCE]>>,
     terms: Vec<Vec<[f64; PLACES_AT_ONCE]>>,
 }
 
-impl SeenPlaces {
+impl ObservedPoints {
     /// What models on `points` share at `places`.
     pub fn new(places: Vec<Vec<f64>>, points: &[Vec<f64>], trend: Trend) -> Self {
         let distances = places.chunks(PLACES_AT_ONCE).map(|own| distances_of_each(own, points)).collect();
@@ -453,7 +453,7 @@ impl Model {
     }
 
     /// Predictions at all `seen` places, as far as the estimates have no part in them.
-    pub fn at_places(&self, seen: &SeenPlaces) -> AtPlaces {
+    pub fn at_places(&self, seen: &ObservedPoints) -> AtPlaces {
         let (places, count, size) = (seen.places.len(), self.points.len(), self.whitened.trend.len());
         let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
         let mut rest = Vec::with_capacity(places.div_ceil(4) * size);

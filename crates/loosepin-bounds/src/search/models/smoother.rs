@@ -23,7 +23,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::search::furthest::{Ends, Furthest, furthest};
 use crate::search::models::assessment::{Assessed, Assessment, Honest, cautious, least_honest};
-use crate::search::models::gaussian_process::{AtPlaces, Model, SeenPlaces, Smoothness};
+use crate::search::models::gaussian_process::{AtPlaces, Model, ObservedPoints, Smoothness};
 use crate::search::models::grid::Grid;
 use crate::search::models::noise::Noise;
 use crate::search::models::prediction::{Allowance, Prediction, Roughness};
@@ -48,7 +48,7 @@ pub(crate) struct Smoother {
     /// Where predictions are wanted: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
-    seen_places: SeenPlaces,
+    seen_places: ObservedPoints,
     /// Whether every place lies in the unit box.
     are_inside: bool,
     axes: Axes,
@@ -80,7 +80,7 @@ impl Smoother {
     pub fn new(grid: Arc<Grid>, points: Vec<Vec<f64>>, candidates: &[Vec<f64>], axes: &Axes) -> Self {
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
         let seen = places.iter().map(|place| axes.seen(place)).collect();
-        let seen_places = SeenPlaces::new(seen, &grid.seen, grid.trend);
+        let seen_places = ObservedPoints::new(seen, &grid.seen, grid.trend);
         let whole = Region::whole(places[0].len());
         let are_inside = places.iter().all(|place| whole.holds(place));
         let at_places = (0..grid.most_models()).map(|_| OnceLock::new()).collect();

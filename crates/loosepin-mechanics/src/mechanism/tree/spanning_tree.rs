@@ -222,7 +222,7 @@ impl Tree {
     /// A loop of driven joints alone.
     pub fn flexible(model: &Model, values: &Values, is_ideal: impl Fn(PlayId) -> bool) -> Result<Self, DrivenLoop> {
         let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
-        Self::grown(model, is_ideal, &driven, Some(values))
+        Self::build(model, is_ideal, &driven, Some(values))
     }
 
     /// As [`Tree::new`], as if there were drives of the joints `driven`.
@@ -234,10 +234,10 @@ impl Tree {
         is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],
     ) -> Result<Self, DrivenLoop> {
-        Self::grown(model, is_ideal, driven, None)
+        Self::build(model, is_ideal, driven, None)
     }
 
-    fn grown(
+    fn build(
         model: &Model,
         is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],

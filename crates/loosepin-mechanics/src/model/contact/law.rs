@@ -64,7 +64,7 @@ pub enum ContactLaw {
 }
 
 impl ContactLaw {
-    /// Reads it from the table of a contact; `None` after a complaint.
+    /// Reads it from the table of a contact; `None` after a diagnostic.
     pub(super) fn read(own: &LawTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
         let (table, default) = (&own.table, NormalDescription::Point(DEFAULT_LAW));
         let known = own.law.unwrap_or(Some(default));

@@ -38,7 +38,7 @@ pub struct Lubrication {
 }
 
 impl Lubrication {
-    /// Reads it; `None` after a complaint.
+    /// Reads it; `None` after a diagnostic.
     pub(super) fn read(entry: &Entry<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
         let FilmTable { law, viscosity, roughness, .. } = FilmTable::read(reader, entry)?;
         Some(Self { law, viscosity_pa_s: viscosity, roughness_m: roughness })

@@ -26,7 +26,7 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// Reads them from the table of a contact; `None` after a complaint.
+    /// Reads them from the table of a contact; `None` after a diagnostic.
     pub(super) fn read(own: &MaterialTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
         let moduli = [&own.youngs_modulus, &own.bearing_youngs_modulus, &own.journal_youngs_modulus];
         let ratios = [&own.poisson_ratio, &own.bearing_poisson_ratio, &own.journal_poisson_ratio];
@@ -69,7 +69,7 @@ fn of_both_parts(
         [None, None, Some(_)] => (journal, bearing),
         [None, None, None] => (other, both),
     };
-    reader.complain_of_missing(table, key, vec![missing]);
+    reader.report_missing(table, key, vec![missing]);
     None
 }
 

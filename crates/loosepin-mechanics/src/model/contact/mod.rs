@@ -48,7 +48,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Reads it from its table; `None` after a complaint.
+    /// Reads it from its table; `None` after a diagnostic.
     pub(super) fn read(name: &str, own: &ContactTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
         let law = ContactLaw::read(&own.law, reader);
         let minimum_impact_speed_m_s = own.minimum_impact_speed.quantity(reader);

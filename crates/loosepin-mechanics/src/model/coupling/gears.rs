@@ -32,7 +32,7 @@ impl KindOfCoupling for Gears {
         let mut backlash = Backlash::read(&own.play, reader);
         if let Some(entry) = own.play.backlash.as_ref().filter(|_| backlash.is_stated() && own.wheels.teeth.is_some()) {
             let problem = ModelProblem::BacklashNeedsRadii { entry: table.path.describe() };
-            reader.document().complain(&problem, entry.key_span);
+            reader.document().report(&problem, entry.key_span);
             backlash = backlash.refused();
         }
         let joints = reader.two_joints(table, [&own.first, &own.second], [Some(Dimension::ANGLE); 2])?;

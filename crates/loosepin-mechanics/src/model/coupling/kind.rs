@@ -21,7 +21,7 @@ pub trait KindOfCoupling: Sized {
     /// Keys of its table.
     const KEYS: &'static Keys;
 
-    /// Reads it from its table, which stands at `entry`; nothing after a complaint.
+    /// Reads it from its table, which stands at `entry`; nothing after a diagnostic.
     fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>>;
 
     /// The quantities that shape f.

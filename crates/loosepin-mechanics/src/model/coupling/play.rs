@@ -42,7 +42,7 @@ record! {
 /// Backlash and contact as a table states them.
 pub(super) struct Backlash {
     contact: Option<Option<ContactId>>,
-    /// The outer option is absent after a complaint, the inner for an ideal coupling.
+    /// The outer option is absent after a diagnostic, the inner for an ideal coupling.
     backlash_m: Option<Option<QuantityId>>,
 }
 
@@ -58,12 +58,12 @@ impl Backlash {
         self.backlash_m.flatten().is_some()
     }
 
-    /// The same after a complaint about it.
+    /// The same after a diagnostic about it.
     pub fn refused(self) -> Self {
         Self { backlash_m: None, ..self }
     }
 
-    /// The play between flanks; the outer option is absent after a complaint, the inner for an ideal coupling.
+    /// The play between flanks; the outer option is absent after a diagnostic, the inner for an ideal coupling.
     pub fn between_flanks(
         self,
         table: &Table<'_>,

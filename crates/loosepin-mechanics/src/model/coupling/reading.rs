@@ -7,7 +7,7 @@ use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 
-/// The reader of a model, as far as couplings know it. What returns nothing has complained.
+/// The reader of a model, as far as couplings know it. What returns nothing has reported.
 pub trait CouplingReader: EntryReader {
     /// Two different joints with coordinates, each of the dimension that is due, where one is.
     fn two_joints(
@@ -17,7 +17,7 @@ pub trait CouplingReader: EntryReader {
         dues: [Option<Dimension>; 2],
     ) -> Option<[JointId; 2]>;
 
-    /// Complains where the contact is one that flanks of teeth, or a cam and its follower, cannot have.
+    /// Reports where the contact is one that flanks of teeth, or a cam and its follower, cannot have.
     fn demand_contact_of_flanks(
         &mut self,
         table: &Table<'_>,

@@ -97,7 +97,7 @@ pub(super) const PRESSURE_ANGLE: Key = optional(
 
 impl Teeth {
     /// Reads the teeth whose force the joints feel from a table, with its entries for the pressure angle and the second joint; the outer
-    /// option is absent after a complaint, the inner where torques alone act.
+    /// option is absent after a diagnostic, the inner where torques alone act.
     pub(super) fn read(
         (table, pressure_angle, second): (&Table<'_>, &Option<Entry<'_>>, &Option<Entry<'_>>),
         joints: [JointId; 2],

@@ -33,7 +33,7 @@ record! {
 
 impl Wheels {
     /// Reads them from `own`, the table at `entry`, with the offset there; `are_opposed`: whether they turn against each other on the body
-    /// that carries both, nothing after a complaint.
+    /// that carries both, nothing after a diagnostic.
     pub(super) fn read(
         (entry, own, at_offset): (&Entry<'_>, &WheelsTable<'_>, &Option<Entry<'_>>),
         joints: [JointId; 2],

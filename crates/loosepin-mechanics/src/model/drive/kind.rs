@@ -64,7 +64,7 @@ pub trait MotionTable: KindOfDrive {
     /// Keys of its table.
     const KEYS: &'static Keys;
 
-    /// Reads it from its table, for a coordinate of `dimension`; nothing after a complaint.
+    /// Reads it from its table, for a coordinate of `dimension`; nothing after a diagnostic.
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>>;
 }
 

@@ -53,7 +53,7 @@ macro_rules! drive_laws {
         pub(super) static MOTION_KINDS: &[(&str, &Keys)] = &[$(($kind::WORD, $kind::KEYS)),*];
 
         impl DriveLaw {
-            /// Reads the motion of the kind `word` from its table; nothing after a complaint, or where there is no such kind.
+            /// Reads the motion of the kind `word` from its table; nothing after a diagnostic, or where there is no such kind.
             pub(super) fn read(
                 word: &str,
                 table: &Table<'_>,

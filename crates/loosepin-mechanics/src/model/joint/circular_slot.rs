@@ -50,12 +50,12 @@ impl KindOfJoint for CircularSlot {
                 }
                 let (bodies, span) = ([centre.body, pin.body], span_of(&own.clearance, table));
                 let clearance_m = reader.warm_clearance(cold.clearance_m, &[cold.half_width_m], bodies, span)?;
-                let half_width_m = reader.grown_with(cold.half_width_m, centre.body);
+                let half_width_m = reader.expanded_with(cold.half_width_m, centre.body);
                 Some(CircularSlotClearance { half_width_m, clearance_m, ..cold })
             }
             None => None,
         };
-        Some(Self { centre, radius_m: reader.grown_with(radius_m, centre.body), pin, clearance })
+        Some(Self { centre, radius_m: reader.expanded_with(radius_m, centre.body), pin, clearance })
     }
 
     fn points(&self) -> [PointId; 2] {
@@ -91,7 +91,7 @@ impl KindOfJoint for CircularSlot {
     }
 }
 
-/// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
+/// The clearance; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &CircularSlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option<CircularSlotClearance>> {
     const NEEDED: &[&str] = &["half_width", "contact"];
     const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };

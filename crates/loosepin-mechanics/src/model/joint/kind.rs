@@ -34,7 +34,7 @@ pub trait KindOfJoint: Sized {
     /// Whether it may wear.
     const WEARS: bool = false;
 
-    /// Reads it from its table; nothing after a complaint.
+    /// Reads it from its table; nothing after a diagnostic.
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self>;
 
     /// The two points that it connects; the first body is the one that holds: bearing, guide, slot.

@@ -46,7 +46,7 @@ macro_rules! joint_kinds {
         })*
 
         impl JointKind {
-            /// Reads a joint of the kind `word` from its table; nothing after a complaint, or where there is no such kind.
+            /// Reads a joint of the kind `word` from its table; nothing after a diagnostic, or where there is no such kind.
             pub(super) fn read(word: &str, table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
                 match word {
                     $(<$kind as KindOfJoint>::WORD => $kind::read(table, reader).map(Self::from),)*

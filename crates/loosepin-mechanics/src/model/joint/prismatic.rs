@@ -130,7 +130,7 @@ impl<'t, R: JointReader + ?Sized> Value<'t, R> for LineOfSlider {
     }
 }
 
-/// The clearance, in a guide without ends; the outer option is absent after a complaint, the inner for an ideal joint.
+/// The clearance, in a guide without ends; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &PrismaticTable<'_>, reader: &mut dyn JointReader) -> Option<Option<GuideClearance>> {
     const PLAY_KEYS: PlayKeys = PlayKeys {
         clearance: "clearance",
@@ -153,7 +153,7 @@ fn clearance(own: &PrismaticTable<'_>, reader: &mut dyn JointReader) -> Option<O
     }))
 }
 
-/// The ends of a guide; the outer option is absent after a complaint, the inner for a guide without ends.
+/// The ends of a guide; the outer option is absent after a diagnostic, the inner for a guide without ends.
 fn guide_ends(
     guide: &GuideTable<'_>,
     has_clearance: bool,
@@ -170,14 +170,14 @@ fn guide_ends(
             return reader.demand_order(start, end, span).then_some(Some([start, end]));
         }
     };
-    reader.complain_of_missing(&guide.table, key, vec![missing]);
+    reader.report_missing(&guide.table, key, vec![missing]);
     None
 }
 
 /// The radius of the corners belongs to a stiffness from the materials, and to no other.
 fn demand_corner_radius(own: &PrismaticTable<'_>, contact: ContactId, reader: &mut dyn JointReader) -> Option<()> {
     match (reader.contact_facts(contact).is_of_materials, own.corner_radius) {
-        (true, None) => reader.complain_of_missing(&own.table, "contact", vec!["corner_radius"]),
+        (true, None) => reader.report_missing(&own.table, "contact", vec!["corner_radius"]),
         (false, Some(_)) => reader.refuse_beside(&own.table, "corner_radius", "stiffness"),
         _ => return Some(()),
     }
@@ -190,8 +190,8 @@ fn warm(cold: GuideClearance, bodies: [BodyId; 2], span: Span, reader: &mut dyn 
     let outer = [cold.half_height_m, cold.clearance_m];
     let clearance_m = reader.warm_clearance(cold.clearance_m, &outer, bodies, span)?;
     let [half_length_m, half_height_m] =
-        [cold.half_length_m, cold.half_height_m].map(|length| reader.grown_with(length, bodies[1]));
-    let ends_m = cold.ends_m.map(|ends| ends.map(|end| reader.grown_with(end, bodies[0])));
+        [cold.half_length_m, cold.half_height_m].map(|length| reader.expanded_with(length, bodies[1]));
+    let ends_m = cold.ends_m.map(|ends| ends.map(|end| reader.expanded_with(end, bodies[0])));
     Some(GuideClearance { half_length_m, half_height_m, clearance_m, ends_m, ..cold })
 }
 

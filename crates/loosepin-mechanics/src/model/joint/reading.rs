@@ -28,7 +28,7 @@ pub struct ContactFacts {
     pub is_of_materials: bool,
 }
 
-/// The reader of a model, as far as joints know it. What returns nothing has complained.
+/// The reader of a model, as far as joints know it. What returns nothing has reported.
 pub trait JointReader: PartReader {
     /// A quantity that is not written, SI.
     fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId;
@@ -43,10 +43,10 @@ pub trait JointReader: PartReader {
         reads: &[QuantityId],
     ) -> QuantityId;
 
-    /// Complains that a key needs others.
-    fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>);
+    /// Reports that a key needs others.
+    fn report_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>);
 
-    /// Complains about a key that means nothing beside another.
+    /// Reports a key that means nothing beside another.
     fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str);
 
     /// Whether one quantity stays below another, whatever both are set to.
@@ -61,10 +61,10 @@ pub trait JointReader: PartReader {
     /// What a joint asks of a contact.
     fn contact_facts(&self, contact: ContactId) -> ContactFacts;
 
-    /// Complains where the contact is one that `what_touches`, on a plane, cannot have.
+    /// Reports where the contact is one that `what_touches`, on a plane, cannot have.
     fn demand_flat_contact(&mut self, table: &Table<'_>, contact: ContactId, what_touches: &'static str) -> Option<()>;
 
-    /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
+    /// The clearance of a joint that may have play; the outer option is absent after a diagnostic, the inner for an ideal joint.
     fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>>;
 
     /// A clearance with both parts as warm as their bodies: the outer part has the sizes `outer` at the drawing's temperature.
@@ -77,7 +77,7 @@ pub trait JointReader: PartReader {
     ) -> Option<QuantityId>;
 
     /// A length of a body that is as warm as it is.
-    fn grown_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId;
+    fn expanded_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId;
 }
 
 impl<'t, R: JointReader + ?Sized> Value<'t, R> for ContactId {

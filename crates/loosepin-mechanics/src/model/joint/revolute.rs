@@ -75,7 +75,7 @@ impl KindOfJoint for Revolute {
     }
 }
 
-/// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
+/// The clearance; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Option<Clearance>> {
     let (table, on_diameter) = (&own.table, own.diametral_clearance.is_some());
     let keys = PlayKeys {
@@ -117,7 +117,7 @@ fn half_of(diametral_m: QuantityId, path: &EntryPath, reader: &mut dyn JointRead
 /// The clearance with hole and pin as warm as their bodies.
 fn warm(cold: Clearance, bodies: [BodyId; 2], span: Span, reader: &mut dyn JointReader) -> Option<Clearance> {
     let radial_clearance_m = reader.warm_clearance(cold.radial_clearance_m, &[cold.bearing_radius_m], bodies, span)?;
-    let bearing_radius_m = reader.grown_with(cold.bearing_radius_m, bodies[0]);
+    let bearing_radius_m = reader.expanded_with(cold.bearing_radius_m, bodies[0]);
     Some(Clearance { bearing_radius_m, radial_clearance_m, ..cold })
 }
 

@@ -81,7 +81,7 @@ impl KindOfJoint for Slot {
     }
 }
 
-/// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
+/// The clearance; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &SlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option<SlotClearance>> {
     const NEEDED: &[&str] = &["half_length", "end_radius", "contact"];
     const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
@@ -99,7 +99,7 @@ fn clearance(own: &SlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option
 fn warm(cold: SlotClearance, bodies: [BodyId; 2], span: Span, reader: &mut dyn JointReader) -> Option<SlotClearance> {
     let clearance_m = reader.warm_clearance(cold.clearance_m, &[cold.end_radius_m], bodies, span)?;
     let [half_length_m, end_radius_m] =
-        [cold.half_length_m, cold.end_radius_m].map(|length| reader.grown_with(length, bodies[0]));
+        [cold.half_length_m, cold.end_radius_m].map(|length| reader.expanded_with(length, bodies[0]));
     Some(SlotClearance { half_length_m, end_radius_m, clearance_m, ..cold })
 }
 

@@ -20,7 +20,7 @@ pub trait KindOfLoad: Sized {
     /// How its size is written, where it has one that is constant or changes with time or with the motion of a joint.
     const SIZE: Option<SizeKeys>;
 
-    /// Reads it from its table, but for its size, which is handed on as it stands there; `None` of either after a complaint.
+    /// Reads it from its table, but for its size, which is handed on as it stands there; `None` of either after a diagnostic.
     fn read<'t>(table: Table<'t>, reader: &mut dyn PartReader) -> (Option<Self>, Option<SizeTable<'t>>);
 
     /// What it acts on.

@@ -15,7 +15,7 @@ pub struct SizeKeys {
     pub key: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
-    /// Reads the table of a size that goes up and down; `None` after a complaint.
+    /// Reads the table of a size that goes up and down; `None` after a diagnostic.
     pub harmonic: fn(&mut dyn PartReader, &Entry<'_>) -> Option<Course>,
 }
 

@@ -27,7 +27,7 @@ pub trait KindOfOutput: Sized {
     /// The number that is read at an instant; [`NoReading`] where there is none.
     type Reading: KindOfReading;
 
-    /// Reads it from its table, in which `measure` stands; nothing after a complaint.
+    /// Reads it from its table, in which `measure` stands; nothing after a diagnostic.
     fn read(measure: &'static str, table: &Table<'_>, reader: &mut dyn OutputReader) -> Option<Self>;
 
     /// Dimension of its columns.

@@ -91,7 +91,7 @@ pub(super) fn relative_body(
     Some(Relative { of, to: Some(to) })
 }
 
-/// Complains about what is seen from the body that it belongs to.
+/// Reports what is seen from the body that it belongs to.
 fn refuse_same_body(reader: &mut dyn OutputReader, beside: &Entry<'_>, of: BodyId, to: BodyId) -> Option<()> {
     if of != to {
         return Some(());

@@ -4,7 +4,7 @@ use crate::model::ids::{Actuator, BodyId, JointId};
 use crate::model::part_reader::PartReader;
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 
-/// The reader of a model, as far as outputs know it. What returns nothing has complained.
+/// The reader of a model, as far as outputs know it. What returns nothing has reported.
 pub trait OutputReader: PartReader {
     /// A drive or control, written `drive.NAME` or `control.NAME`.
     fn actuator(&mut self, entry: &Entry<'_>) -> Option<Actuator>;
@@ -72,7 +72,7 @@ pub(super) fn needed_entry<'t>(
     let entry = table.get(key);
     if entry.is_none() {
         let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
-        reader.document().complain(&problem, table.span);
+        reader.document().report(&problem, table.span);
     }
     entry
 }

@@ -41,8 +41,8 @@ impl KindOfOutput for Stress {
             }
             Some(BeamFacts { has_height: true, .. }) => return Some(Self { body }),
             Some(_) => BeamProblem::NoHeight { entry: entry_words, body: name },
-            // The complaint about its beam is enough.
-            None if !reader.document().complaints.is_empty() => return None,
+            // The diagnostic about its beam is enough.
+            None if !reader.document().diagnostics.is_empty() => return None,
             None => BeamProblem::IsRigid { entry: entry_words, body: name },
         };
         reader.document().refuse(&problem, entry.span)

@@ -64,14 +64,14 @@ record! {
 }
 
 impl Friction {
-    /// Reads friction of a contact; `None` after a complaint.
+    /// Reads friction of a contact; `None` after a diagnostic.
     pub(in crate::model) fn of_contact(entry: &Entry<'_>, reader: &mut dyn JointReader) -> Option<Self> {
         let FrictionTable { own, sliding_velocity, .. } = FrictionTable::read(reader, entry)?;
         let friction = Self::read(&own, reader)?;
         Some(Self { sliding_velocity: sliding_velocity?, ..friction })
     }
 
-    /// Reads friction of an ideal joint, in which there is one sliding velocity alone; `None` after a complaint.
+    /// Reads friction of an ideal joint, in which there is one sliding velocity alone; `None` after a diagnostic.
     pub(in crate::model) fn of_joint(entry: &Entry<'_>, reader: &mut dyn JointReader) -> Option<Self> {
         let own = JointFrictionTable::read(reader, entry)?;
         Self::read(&own, reader)
@@ -98,7 +98,7 @@ impl Friction {
                 reader.document().demand(table, key).then(|| reader.quantity(table, key)).flatten()
             }
         });
-        // All of them are read, so that all complaints come together.
+        // All of them are read, so that all diagnostics come together.
         let numbers: Vec<Option<QuantityId>> = numbers.collect();
         if let Some(keys) = law.below {
             let place = |key: &str| law.numbers.iter().position(|number| number.name() == key);

@@ -18,7 +18,7 @@ use crate::model::values::quantity::{QuantityId, QuantityTable};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, Span};
 use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
 
 /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
@@ -71,14 +71,14 @@ pub struct Model {
     pub outputs: Vec<Output>,
     /// What runs need and the file does not say: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and the
     /// numbers that stand for it are not to be used.
-    pub missing_for_runs: Vec<Complaint>,
+    pub missing_for_runs: Vec<Diagnostic>,
     /// Warnings: entries that are allowed and yet look like an oversight.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
     /// The file.
     pub(in crate::model) source: Arc<Source>,
     /// The CSV files that it names, in the order of the file.
     pub(in crate::model) tables: Vec<Arc<Source>>,
-    /// Places of its tables by dotted path, for complaints about what they mean together.
+    /// Places of its tables by dotted path, for diagnostics about what they mean together.
     pub(in crate::model) places: HashMap<String, Span>,
 }
 
@@ -87,7 +87,7 @@ impl Model {
     ///
     /// # Errors
     /// Each missing entry, at its place.
-    pub fn demand_dynamics(&self) -> Result<(), Complaints> {
+    pub fn demand_dynamics(&self) -> Result<(), Diagnostics> {
         match self.missing_for_runs.as_slice() {
             [] => Ok(()),
             missing => Err(missing.iter().cloned().collect()),

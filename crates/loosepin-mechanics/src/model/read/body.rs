@@ -54,7 +54,7 @@ impl ModelReader {
                 }
                 continue;
             }
-            // A body that could not be read keeps its name, so that joints are not complained about as well.
+            // A body that could not be read keeps its name, so that joints are not reported as well.
             let mut body = Body {
                 name: entry.name.to_owned(),
                 mass_kg: Some(UNREAD),
@@ -70,9 +70,10 @@ impl ModelReader {
                 self.elongations.extend(elongation.map(|elongation| (id, elongation)));
                 body.mass_kg = own.mass.as_ref().and_then(|entry| self.quantity_at(entry));
                 let inertia = own.inertia.as_ref().and_then(|entry| self.quantity_at(entry));
-                body.inertia_kg_m2 = inertia.map(|inertia| self.times_grown(inertia, elongation, 2));
+                body.inertia_kg_m2 = inertia.map(|inertia| self.thermally_scaled(inertia, elongation, 2));
                 let centre = own.centre_of_mass.as_ref().map(|entry| self.vector(entry));
-                body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
+                body.centre_of_mass_m =
+                    centre.map(|centre| centre.map(|length| self.thermally_expanded(length, elongation)));
                 body.points = self.points(&own.points, elongation);
                 if let Some(entry) = &own.beam {
                     for key in MASS_KEYS {
@@ -96,12 +97,12 @@ impl ModelReader {
         }
     }
 
-    /// Complains where two keys stand of which each excludes the other.
+    /// Reports where two keys stand of which each excludes the other.
     fn refuse_both(&mut self, table: &Table<'_>, keys: [&'static str; 2]) {
         if let Some(entry) = table.get(keys[1]).filter(|_| table.has(keys[0])) {
             let (table, given) = (table.path.describe(), keys.to_vec());
             self.reader
-                .complain(&DocumentProblem::MoreThanOneOf { table, given: given.clone(), keys: given }, entry.key_span);
+                .report(&DocumentProblem::MoreThanOneOf { table, given: given.clone(), keys: given }, entry.key_span);
         }
     }
 
@@ -110,7 +111,7 @@ impl ModelReader {
         let mut points = Vec::new();
         for entry in self.reader.named(entry, "a point") {
             self.remember(&entry);
-            let position_m = self.vector(&entry).map(|length| self.grown(length, elongation));
+            let position_m = self.vector(&entry).map(|length| self.thermally_expanded(length, elongation));
             points.push(Point { name: entry.name.to_owned(), position_m });
         }
         points

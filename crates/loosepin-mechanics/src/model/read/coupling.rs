@@ -44,7 +44,7 @@ impl ModelReader {
             let name = self.joints[joint.0].name.clone();
             let due = if due == Dimension::LENGTH { "prismatic" } else { "revolute" };
             self.reader
-                .complain(&ModelProblem::WrongJoint { entry: entry.path.describe(), joint: name, due }, entry.span);
+                .report(&ModelProblem::WrongJoint { entry: entry.path.describe(), joint: name, due }, entry.span);
             return None;
         }
         Some(joint)

@@ -44,7 +44,7 @@ mod tests {
     /// Its law, whether the file names it, and the law of its energy loss.
     fn law(change: impl Fn(&str) -> String) -> (&'static str, bool, &'static str) {
         let text = change(SLIDER_CRANK);
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let contact = &model.contacts[0];
         (contact.law.name(), contact.is_law_named, contact.law.loss().map_or("", |law| law.name))
     }

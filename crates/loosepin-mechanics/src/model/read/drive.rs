@@ -113,7 +113,7 @@ impl ModelReader {
         if let Some(other) = other {
             let joint = self.joints[driven.joint.0].name.clone();
             let problem = ModelProblem::WrongStart { entry: own.table.path.describe(), found, due, kind, joint };
-            self.reader.complain(&problem, other.key_span);
+            self.reader.report(&problem, other.key_span);
         }
         let start = start.as_ref().and_then(|entry| self.quantity_at(entry));
         Some(DriveLaw::steady_motion(Steady { speed: speed?, start: start? }))

@@ -26,7 +26,7 @@ impl ModelReader {
                 let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
                 if !is_echo {
                     let span = self.reader.inside(entry, text, &error.span);
-                    self.reader.complain(&error.problem, span);
+                    self.reader.report(&error.problem, span);
                 }
                 return None;
             }

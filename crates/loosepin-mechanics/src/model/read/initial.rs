@@ -75,7 +75,7 @@ impl ModelReader {
         let own = InitialBody::read(self, entry);
         let (Some(own), Some(body)) = (own, self.body(&entry.at_key(), entry.name)) else { return };
         if body == BodyId(0) {
-            self.reader.complain(&ModelProblem::InitialOfGround, entry.key_span);
+            self.reader.report(&ModelProblem::InitialOfGround, entry.key_span);
             return;
         }
         let of = InitialOf::BodyAngle(body);
@@ -101,7 +101,7 @@ impl ModelReader {
         let (Some(own), Some(joint)) = (own, joint) else { return };
         offsets.extend(self.initial_offset(&own, joint));
         let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
-            self.reader.complain(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
+            self.reader.report(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
             return;
         };
         let of = InitialOf::joint(joint, coordinate);
@@ -118,7 +118,7 @@ impl ModelReader {
             } else {
                 let key = entry.name.to_owned();
                 let problem = ModelProblem::WrongCoordinate { entry: own.table.path.describe(), key };
-                self.reader.complain(&problem, entry.key_span);
+                self.reader.report(&problem, entry.key_span);
             }
         }
     }

@@ -47,13 +47,13 @@ impl ModelReader {
         self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
     }
 
-    /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
+    /// Friction of an ideal joint with its size under `key`; the outer option is absent after a diagnostic.
     fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
         let size_m = self.quantity(table, key);
         let friction = table.get("friction").map(|entry| Friction::of_joint(&entry, self));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
-                self.complain_of_missing(table, key, vec![needs]);
+                self.report_missing(table, key, vec![needs]);
                 return None;
             }
         }
@@ -80,8 +80,8 @@ impl JointReader for ModelReader {
         Self::derived(self, path, dimension, rule, ops, reads)
     }
 
-    fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
-        Self::complain_of_missing(self, table, key, needs);
+    fn report_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
+        Self::report_missing(self, table, key, needs);
     }
 
     fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
@@ -129,8 +129,8 @@ impl JointReader for ModelReader {
         Self::warm_clearance(self, clearance, outer, bodies, span)
     }
 
-    fn grown_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId {
+    fn expanded_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId {
         let elongation = self.elongations.get(&body).copied();
-        self.grown(length, elongation)
+        self.thermally_expanded(length, elongation)
     }
 }

@@ -63,7 +63,7 @@ impl ModelReader {
         self.changing(entry, keys.dimension, Rule::Finite, &variables).map(Course::from)
     }
 
-    /// Complains of a joint that the size of a load does not read.
+    /// Reports a joint that the size of a load does not read.
     fn refuse_unread_joint(&mut self, own: &SizeTable<'_>, course: &Course, keys: &SizeKeys) -> Option<()> {
         let is_of_time = matches!(course, Course::Table(LoadTable { variable: 0, .. }));
         if (is_of_time || matches!(course, Course::Constant(_) | Course::Harmonic { .. }))
@@ -90,7 +90,7 @@ impl ModelReader {
         let PointsOfLoad { csv, of, period, curve, .. } = &own.rest;
         let piston = own.pressures.as_ref().map_or(Some(None), |pressures| self.piston(&own.table, pressures));
         let Some(argument) = of else {
-            self.complain_of_missing(&own.table, given, vec!["of"]);
+            self.report_missing(&own.table, given, vec!["of"]);
             return None;
         };
         let word = self.reader.choice(argument, &ARGUMENTS.map(|word| (word, word)))?;
@@ -125,7 +125,7 @@ impl ModelReader {
     fn piston(&mut self, table: &Table<'_>, (area, back): &(Option<Entry<'_>>, Later<'_>)) -> Option<Option<Piston>> {
         let Some(area) = area else {
             if matches!(back, Later::Written(_)) {
-                self.complain_of_missing(table, "back_pressure", vec!["area"]);
+                self.report_missing(table, "back_pressure", vec!["area"]);
                 return None;
             }
             return Some(None);

@@ -4,7 +4,7 @@ use super::reader::ModelReader;
 use crate::model::contact::Contact;
 use crate::model::ids::ContactId;
 use crate::model::values::quantity::{Origin, Quantity};
-use loosepin_text::diagnostics::Complaint;
+use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{DocumentProblem, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -14,7 +14,7 @@ const NO_CONTACT: &str = "(no contact)";
 impl ModelReader {
     /// Notes that a key of a table is missing.
     pub(super) fn miss_for_runs(&mut self, table: &Table<'_>, key: &'static str) {
-        // A key that is not known may have been meant for it, and was complained about.
+        // A key that is not known may have been meant for it, and was reported.
         if table.has_unknown() {
             return;
         }
@@ -26,7 +26,7 @@ impl ModelReader {
             doc: key.doc,
         };
         let place = self.reader.place(table.span);
-        self.missing_for_runs.push(Complaint::error(&problem, Some(place)));
+        self.missing_for_runs.push(Diagnostic::error(&problem, Some(place)));
     }
 
     /// The contact of joints that name none. Its numbers stand for nothing: a model with it is not run.

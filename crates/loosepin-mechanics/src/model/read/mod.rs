@@ -1,4 +1,4 @@
-//! From the text of a model file to a model, with all its complaints at once.
+//! From the text of a model file to a model, with all its diagnostics at once.
 //! A file for each part, with its table. Kinds of joints, couplings, loads, drives and outputs read their own tables in their folders.
 
 mod beams;
@@ -43,7 +43,7 @@ use control::ControlTable;
 use cycle::CycleTable;
 use drive::DriveTable;
 use initial::InitialTable;
-use loosepin_text::diagnostics::{Complaint, Complaints, Source};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Kind, Table, quantity};
 use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
 use loosepin_text::record;
@@ -112,7 +112,7 @@ impl Model {
     ///
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
-    pub fn from_path(path: &Path) -> Result<Model, Complaints> {
+    pub fn from_path(path: &Path) -> Result<Model, Diagnostics> {
         Model::from_source(read_source(path)?)
     }
 
@@ -120,7 +120,7 @@ impl Model {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn from_text(name: &str, text: &str) -> Result<Model, Complaints> {
+    pub fn from_text(name: &str, text: &str) -> Result<Model, Diagnostics> {
         Model::from_source(Source::new(name, text))
     }
 
@@ -128,7 +128,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Model::from_text`]; bytes that are not UTF-8.
-    pub fn from_bytes(name: &str, bytes: Vec<u8>) -> Result<Model, Complaints> {
+    pub fn from_bytes(name: &str, bytes: Vec<u8>) -> Result<Model, Diagnostics> {
         Model::from_source(source_from_bytes(name, bytes)?)
     }
 
@@ -137,7 +137,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Model::from_text`].
-    pub fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
+    pub fn from_source(source: Arc<Source>) -> Result<Model, Diagnostics> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
         let root = file.reader.root(toml.get_ref(), &ModelTable::KEYS);
@@ -154,11 +154,11 @@ fn with_warnings(mut model: Model) -> Model {
 }
 
 impl ModelReader {
-    fn read(mut self, root: Table<'_>) -> Result<Model, Complaints> {
+    fn read(mut self, root: Table<'_>) -> Result<Model, Diagnostics> {
         if self.refuses_sizes(&root) {
-            return Err(self.reader.complaints);
+            return Err(self.reader.diagnostics);
         }
-        let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.reader.complaints) };
+        let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.reader.diagnostics) };
         let name = own.name.unwrap_or_default();
         if let Some(entry) = &own.parameter {
             self.read_parameters(entry);
@@ -198,7 +198,7 @@ impl ModelReader {
         self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
         match cycle {
-            Some(cycle) if !self.reader.complaints.has_errors() => Ok(with_warnings(Model {
+            Some(cycle) if !self.reader.diagnostics.has_errors() => Ok(with_warnings(Model {
                 name,
                 quantities: self.quantities,
                 gravity_m_s2,
@@ -223,11 +223,11 @@ impl ModelReader {
                 places: self.places,
             })),
             // What looks unused may be so only because of an error, so warnings wait until there is none.
-            _ => Err(self.reader.complaints),
+            _ => Err(self.reader.diagnostics),
         }
     }
 
-    /// Complains about the first entry of a table that is one too many; true where there is one, and nothing is to be read.
+    /// Reports the first entry of a table that is one too many; true where there is one, and nothing is to be read.
     fn refuses_sizes(&mut self, root: &Table<'_>) -> bool {
         let mut is_too_large = false;
         for (key, what, most) in SIZES {
@@ -235,7 +235,7 @@ impl ModelReader {
             let entries = self.reader.any_keys(&entry);
             let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
             if let Some(surplus) = counted.get(most) {
-                self.reader.complain(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
+                self.reader.report(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
                 is_too_large = true;
             }
         }
@@ -258,7 +258,7 @@ impl ModelReader {
             let span = self.places.get(&path).copied().or(written);
             let place = span.map(|span| self.reader.place(span));
             let problem = ModelProblem::Unused { entry: describe_path(&path) };
-            self.warnings.push(Complaint::warning(&problem, place));
+            self.warnings.push(Diagnostic::warning(&problem, place));
         }
     }
 
@@ -268,7 +268,7 @@ impl ModelReader {
         for entry in self.reader.any_keys(&guess) {
             let angle_rad = self.quantity_of(&entry, Dimension::ANGLE, Rule::Finite);
             match self.body(&entry.at_key(), entry.name) {
-                Some(BodyId(0)) => self.reader.complain(&ModelProblem::GuessOfGround, entry.key_span),
+                Some(BodyId(0)) => self.reader.report(&ModelProblem::GuessOfGround, entry.key_span),
                 Some(body) => guesses.extend(angle_rad.map(|angle_rad| Guess { body, angle_rad })),
                 None => {}
             }

@@ -43,7 +43,7 @@ impl ModelReader {
         let unit = ReadableUnit::of_dimension(text, due);
         if unit.is_none() {
             let problem = ModelProblem::WrongUnit { entry: entry.path.describe(), unit: text.to_owned(), due };
-            self.reader.complain(&problem, entry.span);
+            self.reader.report(&problem, entry.span);
         }
         unit
     }

@@ -24,7 +24,7 @@ impl ModelReader {
             .collect();
         self.parameters.order = entries.iter().map(|entry| entry.name.to_owned()).collect();
         let (order, stuck) = sorted(&needs);
-        self.complain_of_circles(&entries, &needs, &stuck);
+        self.report_circles(&entries, &needs, &stuck);
         for index in order {
             self.read_parameter(&entries[index]);
         }
@@ -35,7 +35,7 @@ impl ModelReader {
         let name = entry.name;
         if !is_parameter_name(name) {
             let problem = ModelProblem::BadParameterName { name: name.to_owned(), is_reserved: is_reserved_name(name) };
-            self.reader.complain(&problem, entry.key_span);
+            self.reader.report(&problem, entry.key_span);
             self.parameters.broken.insert(name.to_owned());
             return;
         }
@@ -52,8 +52,8 @@ impl ModelReader {
         }
     }
 
-    /// Complains once of each circle among the parameters that could not be sorted.
-    fn complain_of_circles(&mut self, entries: &[Entry<'_>], needs: &[Vec<usize>], stuck: &[usize]) {
+    /// Reports once of each circle among the parameters that could not be sorted.
+    fn report_circles(&mut self, entries: &[Entry<'_>], needs: &[Vec<usize>], stuck: &[usize]) {
         let is_stuck: HashSet<usize> = stuck.iter().copied().collect();
         let mut seen = HashSet::new();
         for &start in stuck {
@@ -73,7 +73,7 @@ impl ModelReader {
             {
                 let circle = &walk[begin..];
                 let names = circle.iter().chain(circle.first()).map(|step| entries[*step].name.to_owned()).collect();
-                self.reader.complain(&ModelProblem::ParameterCycle { circle: names }, entries[circle[0]].span);
+                self.reader.report(&ModelProblem::ParameterCycle { circle: names }, entries[circle[0]].span);
             }
         }
     }

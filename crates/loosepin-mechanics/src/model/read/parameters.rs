@@ -10,9 +10,9 @@ pub(super) struct Parameters {
     pub known: HashMap<String, (usize, Dimension)>,
     /// In file order.
     pub order: Vec<String>,
-    /// Those that were complained about: whoever uses them is not complained about again.
+    /// Those that were reported: whoever uses them is not reported again.
     pub broken: HashSet<String>,
-    /// Those that were complained about where they are used, since they lack their unit.
+    /// Those that were reported where they are used, since they lack their unit.
     blamed: HashSet<String>,
     used: HashSet<usize>,
 }
@@ -27,12 +27,12 @@ impl Names for Parameters {
 }
 
 impl Parameters {
-    /// Whether a parameter of this name was complained about.
+    /// Whether a parameter of this name was reported.
     pub fn is_broken(&self, name: &str) -> bool {
         self.broken.contains(name)
     }
 
-    /// Notes that a parameter is complained about for its missing unit; false where it was before.
+    /// Notes that a parameter is reported for its missing unit; false where it was before.
     pub fn blame(&mut self, name: &str) -> bool {
         self.blamed.insert(name.to_owned())
     }

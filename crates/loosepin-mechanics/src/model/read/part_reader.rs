@@ -63,7 +63,7 @@ mod tests {
             let (before, drive) = SLIDER_CRANK.split_once("[drive.").unwrap();
             let text =
                 format!("{before}[drive.{}", drive.replacen("joint = \"main\"", &format!("joint = \"{joint}\""), 1));
-            let model = Model::from_text("model.toml", &text).map_err(|complaints| complaints.to_string())?;
+            let model = Model::from_text("model.toml", &text).map_err(|diagnostics| diagnostics.to_string())?;
             Ok::<String, String>(model.joints[model.drives[0].joint.0].name.clone())
         };
         assert_eq!(joint_of_drive("main"), Ok("main".to_owned()));

@@ -12,14 +12,14 @@ use loosepin_text::units::{Dimension, Expression, Rule, run};
 const CONTACT: &str = "contact";
 
 impl ModelReader {
-    /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
+    /// The clearance of a joint that may have play; the outer option is absent after a diagnostic, the inner for an ideal joint.
     pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
         let is_missing = |key: &&'static str| *key != CONTACT && !table.has(key);
         let missing: Vec<&'static str> = keys.needed.iter().copied().filter(is_missing).collect();
         let has_no_contact = keys.needed.contains(&CONTACT) && !table.has(CONTACT);
         let Some(entry) = table.get(keys.clearance) else {
             if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
-                self.complain_of_missing(table, key, vec![keys.clearance]);
+                self.report_missing(table, key, vec![keys.clearance]);
                 return None;
             }
             return Some(None);
@@ -32,7 +32,7 @@ impl ModelReader {
         }
         let clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
         if !missing.is_empty() {
-            self.complain_of_missing(table, keys.clearance, missing);
+            self.report_missing(table, keys.clearance, missing);
             return None;
         }
         if has_no_contact {
@@ -41,7 +41,7 @@ impl ModelReader {
         Some(Some(clearance_m))
     }
 
-    /// Complains where the contact is one that `what_touches`, on a plane, cannot have.
+    /// Reports where the contact is one that `what_touches`, on a plane, cannot have.
     pub(super) fn demand_flat_contact(
         &mut self,
         table: &Table<'_>,

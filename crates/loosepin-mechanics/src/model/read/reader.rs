@@ -14,11 +14,11 @@ use crate::model::values::quantity::{Origin, Quantity, QuantityId, QuantityTable
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use loosepin_text::diagnostics::{Complaint, Source, Span, nearest_name};
+use loosepin_text::diagnostics::{Diagnostic, Source, Span, nearest_name};
 use loosepin_text::document::{Entry, EntryPath, Keys, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Op, Rule, parse_expression, run};
 
-/// Names of the file with the things that they stand for; absent where they were complained about already.
+/// Names of the file with the things that they stand for; absent where they were reported already.
 pub(super) type NamesOf<T> = Vec<(String, Option<T>)>;
 
 /// A model in the making.
@@ -57,8 +57,8 @@ pub(super) struct ModelReader {
     pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
     pub tables: Vec<Arc<Source>>,
-    pub missing_for_runs: Vec<Complaint>,
-    pub warnings: Vec<Complaint>,
+    pub missing_for_runs: Vec<Diagnostic>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl ModelReader {
@@ -109,7 +109,7 @@ impl ModelReader {
     }
 
     /// The quantity behind a key, of the dimension and rule that the table of keys demands; absent where it is not
-    /// written or was complained about.
+    /// written or was reported.
     pub fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId> {
         let entry = table.get(key)?;
         let (dimension, rule) = entry.due_quantity()?;
@@ -174,7 +174,7 @@ impl ModelReader {
                         let error = due.map_or(error.clone(), |due| error.for_due(text, due));
                         let error = error.for_key(text, entry.example());
                         let span = self.reader.inside(entry, text, &error.span);
-                        self.reader.complain(&error.problem, span);
+                        self.reader.report(&error.problem, span);
                     }
                     None
                 }
@@ -182,7 +182,7 @@ impl ModelReader {
         }
     }
 
-    /// Adds a quantity; complains where its value breaks the rule.
+    /// Adds a quantity; reports where its value breaks the rule.
     pub fn add(&mut self, entry: &Entry<'_>, expression: &Expression, rule: Rule) -> Option<QuantityId> {
         let origin = if expression.reads.is_empty() {
             Origin::Literal
@@ -228,14 +228,14 @@ impl ModelReader {
         self.quantities.add_expression(Quantity { path, dimension, rule, origin, span }, &expression)
     }
 
-    /// Demands that one quantity be below another; complains at `span` if the values of the file do not obey.
+    /// Demands that one quantity be below another; reports at `span` if the values of the file do not obey.
     pub fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool {
         let Err(problem) = self.quantities.demand_order(smaller, larger) else { return true };
-        let mut complaint = Complaint::error(&problem, Some(self.reader.place(span)));
+        let mut diagnostic = Diagnostic::error(&problem, Some(self.reader.place(span)));
         if let Some(limit) = self.quantities[larger].span.filter(|limit| *limit != span) {
-            complaint = complaint.with_label(self.reader.place(limit), "it must be below this");
+            diagnostic = diagnostic.with_label(self.reader.place(limit), "it must be below this");
         }
-        self.reader.complaints.push(complaint);
+        self.reader.diagnostics.push(diagnostic);
         false
     }
 
@@ -261,22 +261,22 @@ impl ModelReader {
         Some((kind, self.reader.table(entry, keys)?))
     }
 
-    /// Complains about a key, where it is written, that means nothing beside another.
+    /// Reports a key, where it is written, that means nothing beside another.
     pub fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
         if let Some(entry) = table.get(key) {
             let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key, beside };
-            self.reader.complain(&problem, entry.key_span);
+            self.reader.report(&problem, entry.key_span);
         }
     }
 
-    /// Complains about a key that needs others.
-    pub fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
+    /// Reports a key that needs others.
+    pub fn report_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
         // A key that is not known may have been meant for it.
         if table.has_unknown() {
             return;
         }
         let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
-        self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+        self.reader.report(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
     }
 
     /// The point that an entry names as `body.point`.
@@ -291,7 +291,7 @@ impl ModelReader {
         if let Some(point) = points.iter().position(|point| point.name == point_name) {
             return Some(PointId { body, point });
         }
-        // Its points have a complaint already.
+        // Its points have a diagnostic already.
         if self.without_points.contains(&body) {
             return None;
         }
@@ -342,7 +342,7 @@ impl ModelReader {
         nearest: Option<String>,
         known: Vec<String>,
     ) {
-        // What is meant may stand in a misspelt table, which has its complaint.
+        // What is meant may stand in a misspelt table, which has its diagnostic.
         if self.has_unknown_tables {
             return;
         }
@@ -353,6 +353,6 @@ impl ModelReader {
             nearest,
             known,
         };
-        self.reader.complain(&problem, entry.span);
+        self.reader.report(&problem, entry.span);
     }
 }

@@ -4,7 +4,7 @@ use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
 use crate::model::values::quantity::{Origin, Quantity, QuantityId, UNREAD};
-use loosepin_text::diagnostics::{Complaint, Place, Source};
+use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_text::document::{Entry, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
@@ -65,19 +65,19 @@ impl ModelReader {
         let name = self.reader.text(entry)?;
         let source = match read_beside(&self.reader.source, name) {
             Ok(source) => source,
-            Err(complaints) => {
+            Err(diagnostics) => {
                 // The place that names the file is where a person looks for the slip.
-                for complaint in complaints.sorted() {
-                    let place = complaint.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
-                    self.reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+                for diagnostic in diagnostics.sorted() {
+                    let place = diagnostic.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
+                    self.reader.diagnostics.push(Diagnostic { place: Some(place), ..diagnostic.clone() });
                 }
                 return None;
             }
         };
         self.tables.push(source.clone());
         let path = entry.path.dotted();
-        let complain = |reader: &mut Self, problem: ModelProblem, span: std::ops::Range<usize>| {
-            reader.reader.complaints.push(Complaint::error(&problem, Some(Place::new(&source, span))));
+        let report = |reader: &mut Self, problem: ModelProblem, span: std::ops::Range<usize>| {
+            reader.reader.diagnostics.push(Diagnostic::error(&problem, Some(Place::new(&source, span))));
         };
         let mut units: Option<[String; 2]> = None;
         let mut points: Vec<[QuantityId; 2]> = Vec::new();
@@ -86,7 +86,7 @@ impl ModelReader {
             let [Some(first), Some(second), None] = [cells.first(), cells.get(1), cells.get(2)] else {
                 let span = cells.first().map_or(0, |cell| cell.start)..cells.last().map_or(0, |cell| cell.end);
                 let text = source.text()[span.clone()].to_owned();
-                complain(self, ModelProblem::CsvColumns { found: cells.len(), text }, span);
+                report(self, ModelProblem::CsvColumns { found: cells.len(), text }, span);
                 return None;
             };
             let cells = [first.clone(), second.clone()];
@@ -97,11 +97,11 @@ impl ModelReader {
                     let written = text.strip_suffix(']').and_then(|text| text.rsplit_once('['));
                     let measured = written.and_then(|(_, unit)| parse_quantity(&format!("1 {}", unit.trim())).ok());
                     let Some((written, measured)) = written.zip(measured) else {
-                        complain(self, ModelProblem::CsvHeader { text: text.to_owned() }, cell.clone());
+                        report(self, ModelProblem::CsvHeader { text: text.to_owned() }, cell.clone());
                         return None;
                     };
                     if measured.dimension != due {
-                        complain(self, ModelProblem::CsvDimension { text: text.to_owned(), due }, cell.clone());
+                        report(self, ModelProblem::CsvDimension { text: text.to_owned(), due }, cell.clone());
                         return None;
                     }
                     *unit = written.1.trim().to_owned();
@@ -115,7 +115,7 @@ impl ModelReader {
                 let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
                 let value = number.and_then(|_| parse_quantity(&format!("{text} {}", units[side])).ok());
                 let Some(value) = value else {
-                    complain(self, ModelProblem::CsvNumber { text: text.to_owned() }, cell.clone());
+                    report(self, ModelProblem::CsvNumber { text: text.to_owned() }, cell.clone());
                     is_sound = false;
                     continue;
                 };
@@ -134,13 +134,13 @@ impl ModelReader {
                 && let Err(problem) = self.quantities.demand_order(*before, ids[0])
             {
                 let place = Place::new(&source, cells[0].clone());
-                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+                self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
                 is_sound = false;
             }
             points.push(ids);
         }
         if points.len() < MIN_POINTS {
-            complain(self, ModelProblem::TooFewPoints { entry: entry.path.describe(), least: MIN_POINTS }, 0..0);
+            report(self, ModelProblem::TooFewPoints { entry: entry.path.describe(), least: MIN_POINTS }, 0..0);
             return None;
         }
         is_sound.then_some(points)

@@ -1,10 +1,10 @@
-//! Numbers under `[parameter]` that lack their unit: complained about where they stand, not where they are used.
+//! Numbers under `[parameter]` that lack their unit: reported where they stand, not where they are used.
 
 use super::parameters::Parameters;
 use super::reader::ModelReader;
 use crate::model::problem::ModelProblem;
 use crate::model::values::quantity::{Origin, QuantityId};
-use loosepin_text::diagnostics::Complaint;
+use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{Entry, Written};
 use loosepin_text::units::{Dimension, Names, parse_expression, referenced_names};
 use std::collections::HashSet;
@@ -28,7 +28,7 @@ impl Names for Taken<'_> {
 
 impl ModelReader {
     /// Whether the text at an entry, which does not measure what is due, would measure it if numbers under `[parameter]` had units.
-    /// Then these are complained about, each once.
+    /// Then these are reported, each once.
     pub(super) fn blames_parameter(&mut self, entry: &Entry<'_>, due: Dimension) -> bool {
         if !entry.is_text() {
             return false;
@@ -56,9 +56,9 @@ impl ModelReader {
                 due: meant,
             };
             let place = self.quantities[id].span.map(|span| self.reader.place(span));
-            let complaint =
-                Complaint::error(&problem, place).with_label(self.reader.place(entry.span), "it is used here");
-            self.reader.complaints.push(complaint);
+            let diagnostic =
+                Diagnostic::error(&problem, place).with_label(self.reader.place(entry.span), "it is used here");
+            self.reader.diagnostics.push(diagnostic);
         }
         true
     }

@@ -36,7 +36,7 @@ impl ModelReader {
             _ => None,
         };
         if let Some([key, needed]) = needs {
-            self.complain_of_missing(&own.table, key, vec![needed]);
+            self.report_missing(&own.table, key, vec![needed]);
             return None;
         }
         let (expansion, rise_k) = (expansion?, own_rise.or(self.temperature_rise_k)?);
@@ -49,12 +49,17 @@ impl ModelReader {
     }
 
     /// A length of a part with the elongation ε: L (1 + ε).
-    pub(super) fn grown(&mut self, length: QuantityId, elongation: Option<QuantityId>) -> QuantityId {
-        self.times_grown(length, elongation, 1)
+    pub(super) fn thermally_expanded(&mut self, length: QuantityId, elongation: Option<QuantityId>) -> QuantityId {
+        self.thermally_scaled(length, elongation, 1)
     }
 
     /// What grows with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
-    pub(super) fn times_grown(&mut self, own: QuantityId, elongation: Option<QuantityId>, power: usize) -> QuantityId {
+    pub(super) fn thermally_scaled(
+        &mut self,
+        own: QuantityId,
+        elongation: Option<QuantityId>,
+        power: usize,
+    ) -> QuantityId {
         let Some(elongation) = elongation else { return own };
         let mut ops = vec![Op::Load(own.0)];
         for _ in 0..power {
@@ -65,7 +70,7 @@ impl ModelReader {
         let span = quantity.span;
         let id = self.derived(path, dimension, rule, ops, &[own, elongation]);
         if let (Err(problem), Some(span)) = (self.quantities[id].check(self.quantities.nominal_value(id)), span) {
-            self.reader.complain(&problem, span);
+            self.reader.report(&problem, span);
         }
         id
     }

@@ -19,7 +19,7 @@ const FOUNDATION_KEYS: [&str; 2] = ["foundation", "foundation_stiffness"];
 const PRESSURE_KEY: &str = "pressure";
 
 impl ModelReader {
-    /// Wear of a revolute joint with this table; the outer option is absent after a complaint. `clearance` is what was read of its play.
+    /// Wear of a revolute joint with this table; the outer option is absent after a diagnostic. `clearance` is what was read of its play.
     pub(super) fn joint_wear(&mut self, table: &Table<'_>, clearance: Option<&Clearance>) -> Option<Option<JointWear>> {
         let Some(entry) = table.get("wear") else { return Some(None) };
         let wear = JointWearTable::read(self, &entry)?;
@@ -48,7 +48,7 @@ impl ModelReader {
         for key in ["radial_clearance", "bearing_length"] {
             let is_there = table.has(key) || (key == "radial_clearance" && table.has("diametral_clearance"));
             if !is_there {
-                self.complain_of_missing(table, "wear", vec![key]);
+                self.report_missing(table, "wear", vec![key]);
                 return None;
             }
         }
@@ -77,7 +77,7 @@ impl ModelReader {
             return coefficient.filter(|_| hardness.is_none());
         }
         if archard.is_some() && hardness.is_none() {
-            self.complain_of_missing(&table, "archard", vec!["hardness"]);
+            self.report_missing(&table, "archard", vec!["hardness"]);
             return None;
         }
         let (archard, hardness) = (archard??, hardness??);
@@ -123,14 +123,14 @@ impl ModelReader {
         Some(WearGeometry::Fixed)
     }
 
-    /// Complains of joints that wear with the unworn shape and do not go with it; nothing where one does not.
+    /// Reports joints that wear with the unworn shape and do not go with it; nothing where one does not.
     fn fixed_joints(&mut self) -> Option<()> {
         let mut is_sound = true;
         for (name, contact, pressure, _) in self.wearing_joints() {
             let path = format!("joint.{name}.wear");
             for key in FOUNDATION_KEYS {
                 if let Some(span) = self.places.get(&format!("{path}.{key}")).copied() {
-                    self.reader.complain(&ModelProblem::OnlyWorn { entry: describe_path(&path), key }, span);
+                    self.reader.report(&ModelProblem::OnlyWorn { entry: describe_path(&path), key }, span);
                     is_sound = false;
                 }
             }
@@ -139,7 +139,7 @@ impl ModelReader {
             if pressure == WearPressure::HertzLine && !has_materials {
                 let contact = self.contacts[contact].name.clone();
                 let problem = ModelProblem::WearNeedsMaterials { entry: describe_path(&path), contact };
-                self.reader.complain(&problem, span);
+                self.reader.report(&problem, span);
                 is_sound = false;
             }
         }
@@ -183,7 +183,7 @@ impl ModelReader {
         Some(WearGeometry::Worn(jumps))
     }
 
-    /// Complains of outputs of wear that need the worn shape, or a limit.
+    /// Reports outputs of wear that need the worn shape, or a limit.
     pub(super) fn refuse_measures_of_fixed_wear(&mut self, outputs: &[Output], life: Option<&WearLife>) {
         let Some(life) = life else { return };
         for output in outputs {
@@ -196,19 +196,19 @@ impl ModelReader {
             let problem =
                 ModelProblem::MeasureOfWornGeometry { output: output.name.clone(), measure: measure.word(), needs };
             if let Some(span) = self.places.get(&format!("output.{}", output.name)).copied() {
-                self.reader.complain(&problem, span);
+                self.reader.report(&problem, span);
             }
         }
     }
 
-    /// The deviation that ends the life of the mechanism; the outer option is absent after a complaint.
+    /// The deviation that ends the life of the mechanism; the outer option is absent after a diagnostic.
     fn limit(&mut self, life: &LifeTable<'_>, outputs: &[Output]) -> Option<Option<LifeLimit>> {
         let (of, limit) = match (&life.limit_of, &life.limit) {
             (None, None) => return Some(None),
             (Some(of), Some(limit)) => (of, limit),
             (of, _) => {
                 let [key, needed] = if of.is_some() { ["limit_of", "limit"] } else { ["limit", "limit_of"] };
-                self.complain_of_missing(&life.table, key, vec![needed]);
+                self.report_missing(&life.table, key, vec![needed]);
                 return None;
             }
         };

@@ -72,7 +72,7 @@ mod tests {
         let (before, rest) = SLIDER_CRANK.split_once("[contact.steel_pin]").unwrap();
         let (_, after) = rest.split_once("\n[").unwrap();
         let text = format!("{before}[contact.steel_pin]\n{lines}\n[{after}");
-        Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"))
+        Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}\n{text}"))
     }
 
     const STEEL: &str = "restitution = 0.9\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
@@ -118,7 +118,7 @@ mod tests {
                 &format!("contact = \"steel_pin\"\nbearing_length = \"20 mm\"\nwear = {{ bearing = {{ coefficient = \"2e-15 m^2/N\" }}{wear} }}\n"),
             ) + &format!("\n[wear]\ncycles = 1000\ngeometry = \"{geometry}\"\n");
             let model =
-                Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"));
+                Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}\n{text}"));
             model.with_law(ContactId(0), law("johnson")).map(|model| model.contacts[0].law.name())
         };
         assert_eq!(

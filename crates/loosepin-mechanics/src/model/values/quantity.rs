@@ -15,7 +15,7 @@ pub(in crate::model) const DIAMETRAL: &str = "diametral_clearance";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct QuantityId(pub usize);
 
-/// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
+/// Stands where a quantity could not be read. No model with diagnostics is handed out, so it is never looked up.
 pub(in crate::model) const UNREAD: QuantityId = QuantityId(0);
 
 /// One number of the model.

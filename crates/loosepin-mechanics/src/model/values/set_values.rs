@@ -5,7 +5,7 @@ use crate::model::ids::ContactId;
 use crate::model::parts::topology::Model;
 use crate::model::values::quantity::{Origin, QuantityError, QuantityId, Values};
 use crate::model::values::setting::{Setting, SettingError, measured};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, nearest_name};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
 use loosepin_text::units::{Dimension, Rule, format_refused};
 
 /// Settings read from text, and the values of the model that follow from them.
@@ -25,8 +25,8 @@ impl Model {
     ///
     /// # Errors
     /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
-    pub fn set_values(&self, texts: &[String]) -> Result<SetValues, Complaints> {
-        let mut complaints = Complaints::new();
+    pub fn set_values(&self, texts: &[String]) -> Result<SetValues, Diagnostics> {
+        let mut diagnostics = Diagnostics::new();
         let mut settings: Vec<(Setting, &str)> = Vec::new();
         let mut laws: Vec<(ContactId, &str)> = Vec::new();
         let mut model = self.clone();
@@ -35,61 +35,61 @@ impl Model {
                 let set = law.and_then(|(contact, law)| {
                     if let Some((_, earlier)) = laws.iter().find(|(known, _)| *known == contact) {
                         let path = format!("contact.{}.law", self.contacts[contact.0].name);
-                        let complaint = Complaint::error(&SettingError::Twice { path }, Some(whole("--set", text)));
-                        return Err(complaint.with_label(whole("--set (the earlier one)", earlier), "set here"));
+                        let diagnostic = Diagnostic::error(&SettingError::Twice { path }, Some(whole("--set", text)));
+                        return Err(diagnostic.with_label(whole("--set (the earlier one)", earlier), "set here"));
                     }
                     laws.push((contact, text));
-                    let complain =
-                        |error: LawError| Complaint::error(&SettingError::from(error), Some(whole("--set", text)));
-                    model.with_law(contact, law).map_err(complain)
+                    let report =
+                        |error: LawError| Diagnostic::error(&SettingError::from(error), Some(whole("--set", text)));
+                    model.with_law(contact, law).map_err(report)
                 });
                 match set {
                     Ok(changed) => model = changed,
-                    Err(complaint) => complaints.push(complaint),
+                    Err(diagnostic) => diagnostics.push(diagnostic),
                 }
                 continue;
             }
             match self.parse_setting(text) {
-                Err(complaint) => complaints.push(complaint),
+                Err(diagnostic) => diagnostics.push(diagnostic),
                 Ok(setting) => match settings.iter().find(|(earlier, _)| earlier.id == setting.id) {
                     Some((_, earlier)) => {
                         let path = self.quantities[setting.id].path.clone();
-                        let complaint = Complaint::error(&SettingError::Twice { path }, Some(whole("--set", text)));
-                        complaints.push(complaint.with_label(whole("--set (the earlier one)", earlier), "set here"));
+                        let diagnostic = Diagnostic::error(&SettingError::Twice { path }, Some(whole("--set", text)));
+                        diagnostics.push(diagnostic.with_label(whole("--set (the earlier one)", earlier), "set here"));
                     }
                     None => settings.push((setting, text)),
                 },
             }
         }
-        if !complaints.is_empty() {
-            return Err(complaints);
+        if !diagnostics.is_empty() {
+            return Err(diagnostics);
         }
         let set: Vec<(QuantityId, f64)> = settings.iter().map(|(setting, _)| (setting.id, setting.value_si)).collect();
         match self.quantities.evaluate(&set) {
             Ok(values) => {
                 Ok(SetValues { model, settings: settings.into_iter().map(|(setting, _)| setting).collect(), values })
             }
-            Err(error) => Err(self.complaint_about_set(&error, &settings).into()),
+            Err(error) => Err(self.diagnostic_of_set(&error, &settings).into()),
         }
     }
 
     /// A setting of a law; nothing where the text sets something else.
-    fn law_setting(&self, text: &str) -> Option<Result<(ContactId, NormalDescription), Complaint>> {
+    fn law_setting(&self, text: &str) -> Option<Result<(ContactId, NormalDescription), Diagnostic>> {
         let (path, name) = text.split_once('=')?;
         let contact = self.contact_of_law(path.trim())?;
         let source = Source::new("--set", text);
-        let complain = |error: SettingError, span| Complaint::error(&error, Some(Place::new(&source, span)));
-        Some(contact.map_err(|error| complain(error.into(), 0..path.len())).and_then(|contact| {
+        let report = |error: SettingError, span| Diagnostic::error(&error, Some(Place::new(&source, span)));
+        Some(contact.map_err(|error| report(error.into(), 0..path.len())).and_then(|contact| {
             let name = name.trim();
             NormalDescription::all().find(|law| law.name() == name).map(|law| (contact, law)).ok_or_else(|| {
                 let nearest = nearest_name(name, NormalDescription::all().map(|law| law.name())).map(str::to_owned);
-                complain(SettingError::UnknownLaw { name: name.to_owned(), nearest }, path.len() + 1..text.len())
+                report(SettingError::UnknownLaw { name: name.to_owned(), nearest }, path.len() + 1..text.len())
             })
         }))
     }
 
-    /// A complaint at the setting that is to blame, if one is, and otherwise in the file.
-    fn complaint_about_set(&self, error: &QuantityError, settings: &[(Setting, &str)]) -> Complaint {
+    /// A diagnostic at the setting that is to blame, if one is, and otherwise in the file.
+    fn diagnostic_of_set(&self, error: &QuantityError, settings: &[(Setting, &str)]) -> Diagnostic {
         let blamed = |path: &str| {
             let id = self.quantities.id(path)?;
             let roots = self.roots(id);
@@ -100,16 +100,16 @@ impl Model {
             QuantityError::BreaksRule { .. } | QuantityError::NotSettable { .. } => None,
         };
         match blamed(error.path()).or_else(|| limit_path.and_then(blamed)) {
-            None => Complaint::error(error, self.place(error.path())),
+            None => Diagnostic::error(error, self.place(error.path())),
             Some((setting, text)) => {
-                let complaint = Complaint::error(error, Some(whole("--set", text)));
+                let diagnostic = Diagnostic::error(error, Some(whole("--set", text)));
                 let is_set_itself = self.quantities[setting.id].path == error.path();
                 match self.place(error.path()).filter(|_| !is_set_itself) {
                     Some(place) if self.is_an_expression(error.path()) => {
-                        complaint.with_label(place, "which gives this its value")
+                        diagnostic.with_label(place, "which gives this its value")
                     }
-                    Some(place) => complaint.with_label(place, "which must be smaller"),
-                    None => complaint,
+                    Some(place) => diagnostic.with_label(place, "which must be smaller"),
+                    None => diagnostic,
                 }
             }
         }
@@ -124,8 +124,8 @@ impl Model {
 /// Reads an argument that is a value with its unit, for example `--tolerance "1e-9 m"`.
 ///
 /// # Errors
-/// A complaint whose place is in the text of the argument.
-pub fn measured_argument(name: &str, text: &str, due: Dimension, rule: Rule) -> Result<f64, Complaint> {
+/// A diagnostic whose place is in the text of the argument.
+pub fn measured_argument(name: &str, text: &str, due: Dimension, rule: Rule) -> Result<f64, Diagnostic> {
     measured(&Source::new(name, text), 0, text, name, due, |value_si| {
         if rule.allows(value_si) {
             return Ok(());

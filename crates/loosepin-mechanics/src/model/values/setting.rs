@@ -7,7 +7,7 @@ use crate::model::values::path_error::PathError;
 use crate::model::values::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
 use std::sync::Arc;
 
-use loosepin_text::diagnostics::{Code, Complaint, Place, Source, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, problems};
 use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
@@ -136,12 +136,12 @@ impl Model {
     /// values are checked by [`crate::model::QuantityTable::evaluate`] once all settings are known.
     ///
     /// # Errors
-    /// A complaint whose place is in the text of the setting.
-    pub fn parse_setting(&self, text: &str) -> Result<Setting, Complaint> {
+    /// A diagnostic whose place is in the text of the setting.
+    pub fn parse_setting(&self, text: &str) -> Result<Setting, Diagnostic> {
         let source = Source::new("--set", text);
         let Some((path, value)) = text.split_once('=') else {
             let error = SettingError::NoEqualsSign { text: text.to_owned() };
-            return Err(Complaint::error(&error, Some(Place::new(&source, 0..text.len()))));
+            return Err(Diagnostic::error(&error, Some(Place::new(&source, 0..text.len()))));
         };
         let id = self.find_in(&source, path)?;
         let value_si = self.value_in(&source, id, path.len() + 1, value)?;
@@ -151,13 +151,13 @@ impl Model {
     /// Reads a range `path=from..to` and checks both ends like [`Self::parse_setting`].
     ///
     /// # Errors
-    /// A complaint whose place is in the text of the range.
-    pub fn parse_setting_range(&self, text: &str) -> Result<SettingRange, Complaint> {
+    /// A diagnostic whose place is in the text of the range.
+    pub fn parse_setting_range(&self, text: &str) -> Result<SettingRange, Diagnostic> {
         let source = Source::new("--over", text);
         let whole = || Some(Place::new(&source, 0..text.len()));
         let parts = text.split_once('=').and_then(|(path, values)| Some((path, values.split_once("..")?)));
         let Some((path, (from, to))) = parts else {
-            return Err(Complaint::error(&SettingError::NoRange { text: text.to_owned() }, whole()));
+            return Err(Diagnostic::error(&SettingError::NoRange { text: text.to_owned() }, whole()));
         };
         let id = self.find_in(&source, path)?;
         let from_start = path.len() + 1;
@@ -166,19 +166,19 @@ impl Model {
         if from_si == to_si {
             let quantity = &self.quantities[id];
             let value = format_value(from_si, quantity.dimension);
-            return Err(Complaint::error(&SettingError::EmptyRange { path: quantity.path.clone(), value }, whole()));
+            return Err(Diagnostic::error(&SettingError::EmptyRange { path: quantity.path.clone(), value }, whole()));
         }
         Ok(SettingRange { id, from_si, to_si })
     }
 
     /// The quantity named at the start of the text of `source`.
-    fn find_in(&self, source: &Arc<Source>, path: &str) -> Result<QuantityId, Complaint> {
+    fn find_in(&self, source: &Arc<Source>, path: &str) -> Result<QuantityId, Diagnostic> {
         self.find(path.trim())
-            .map_err(|error| Complaint::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
+            .map_err(|error| Diagnostic::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
     }
 
     /// The value of the quantity `id` that stands at `start` in the text of `source`, SI.
-    fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Complaint> {
+    fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Diagnostic> {
         let quantity = &self.quantities[id];
         let (path, due) = (quantity.path.as_str(), quantity.dimension);
         measured(source, start, value, path, due, |value_si| quantity.check(value_si).map_err(SettingError::from))
@@ -193,13 +193,13 @@ pub(in crate::model) fn measured(
     name: &str,
     due: Dimension,
     check: impl Fn(f64) -> Result<(), SettingError>,
-) -> Result<f64, Complaint> {
-    let complain = |error: SettingError, span: std::ops::Range<usize>| {
-        Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
+) -> Result<f64, Diagnostic> {
+    let report = |error: SettingError, span: std::ops::Range<usize>| {
+        Diagnostic::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
     };
     let measured = parse_quantity(text).map_err(|error| {
         let error = error.for_due(text, due);
-        complain(error.problem.into(), error.span)
+        report(error.problem.into(), error.span)
     })?;
     let (path, found) = (name.to_owned(), measured.dimension);
     let checked = if found == due {
@@ -209,5 +209,5 @@ pub(in crate::model) fn measured(
     } else {
         Err(SettingError::WrongDimension { path, found, due })
     };
-    checked.map(|()| measured.value_si).map_err(|error| complain(error, 0..text.len()))
+    checked.map(|()| measured.value_si).map_err(|error| report(error, 0..text.len()))
 }

@@ -27,7 +27,7 @@ use crate::observer::{DenseOutput, Source, Step};
 use crate::recording::report::{FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::{Settings, Window};
 use crate::start::resting;
-use crate::start::settle::settle;
+use crate::start::static_equilibrium::static_equilibrium;
 use crate::stepping::gap::{ContactStep, GapJet};
 use crate::stepping::motion::Motion;
 use crate::stepping::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
@@ -109,19 +109,19 @@ pub(crate) struct Batch<'a> {
 
 impl<'a> Batch<'a> {
     /// Runs everything in `queue`.
-    pub fn conduct(
+    pub fn run(
         mechanism: &'a Mechanism,
         follow: &Follow,
         settings: &Settings,
         execution: Execution,
         queue: &mut dyn QueueOfHandles,
     ) {
-        Self::conduct_until_long(mechanism, follow, settings, (execution, None), queue);
+        Self::run_until_long(mechanism, follow, settings, (execution, None), queue);
     }
 
     /// The one run in `queue`, which follows nothing, by itself; and where it is long, with those of `kept` before it, from then on by the
     /// execution `later`. `kept` is of this mechanism and these settings.
-    pub fn conduct_alone(
+    pub fn run_alone(
         mechanism: &'a Mechanism,
         settings: &Settings,
         later: Option<Execution>,
@@ -129,10 +129,10 @@ impl<'a> Batch<'a> {
         queue: &mut dyn QueueOfHandles,
     ) {
         let later = later.map(|execution| (execution, kept));
-        Self::conduct_until_long(mechanism, &Follow::default(), settings, (Execution::Scalar, later), queue);
+        Self::run_until_long(mechanism, &Follow::default(), settings, (Execution::Scalar, later), queue);
     }
 
-    fn conduct_until_long(
+    fn run_until_long(
         mechanism: &'a Mechanism,
         follow: &Follow,
         settings: &Settings,
@@ -276,7 +276,7 @@ impl<'a> Batch<'a> {
         self.viewed = self.started;
         self.view.dynamics.sample_mut().clone_from(&sample);
         if resume.is_none()
-            && let Err(failure) = settle(&mut self.view, state)
+            && let Err(failure) = static_equilibrium(&mut self.view, state)
         {
             return queue.finished(observer, Err(failure));
         }

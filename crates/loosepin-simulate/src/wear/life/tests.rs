@@ -54,7 +54,7 @@ impl Pressed {
         let text = MODEL.replace("radial_clearance = \"0.5 mm\"\n", &joint).replace("5000 rpm", "300 rpm")
             + "\n[load.press]\nkind = \"force\"\npoint = \"slider.pin\"\ndirection = \"180 deg\"\nforce = \"500 N\"\n\
                [wear]\ncycles = 4000\ngeometry = \"worn\"\n";
-        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
         let sample = Sample::new(&mechanism, &values).unwrap_or_else(|error| panic!("{error}"));

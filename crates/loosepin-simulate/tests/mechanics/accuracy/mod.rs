@@ -47,7 +47,7 @@ pub(crate) fn build_model(model: &Model, set: &[(&str, f64)]) -> Built {
 
 pub(crate) fn build_case_with(case: &str, set: &[(&str, f64)]) -> Built {
     let path = cases().join(case).join("model.toml");
-    build_model(&Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")), set)
+    build_model(&Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}")), set)
 }
 
 pub(crate) fn build_case(case: &str) -> Built {
@@ -55,7 +55,7 @@ pub(crate) fn build_case(case: &str) -> Built {
 }
 
 pub(crate) fn build_text(text: &str) -> Built {
-    build_model(&Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}")), &[])
+    build_model(&Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}")), &[])
 }
 
 pub(crate) fn cases() -> PathBuf {

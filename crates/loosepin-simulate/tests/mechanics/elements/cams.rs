@@ -123,7 +123,7 @@ const TABLE: &str =
 #[test]
 fn identity_a_table_in_a_file_is_the_table_in_the_model() {
     let (_kept, path) = folder(&from_file(), TABLE);
-    let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(model.tables().len(), 1);
     assert_eq!(model.tables()[0].text(), TABLE);
     let values = model.quantities.nominal();
@@ -140,7 +140,7 @@ fn identity_a_table_in_a_file_is_the_table_in_the_model() {
         let mechanism = Mechanism::new(&model, &values).expect("it moves");
         Sample::<f64>::new(&mechanism, &values).expect("it fits").numbers()
     };
-    let read = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let read = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(sample(read), sample(build(&lifter(inline)).mechanism.model));
 }
 
@@ -148,8 +148,8 @@ fn identity_a_table_in_a_file_is_the_table_in_the_model() {
 fn what_is_wrong_with_a_table_is_told_at_its_place() {
     let said = |model: &str, table: &str| {
         let (kept, path) = folder(model, table);
-        let complaints = Model::from_path(&path).expect_err("it is refused").to_string();
-        complaints.replace(&format!("{}/", kept.path().display()), "")
+        let diagnostics = Model::from_path(&path).expect_err("it is refused").to_string();
+        diagnostics.replace(&format!("{}/", kept.path().display()), "")
     };
     let model = from_file();
     let of = |table: &str| said(&model, table);

@@ -225,7 +225,7 @@ fn identity_a_coupling_does_no_net_work_beside_play() {
 fn what_couplings_repeat_or_contradict_is_told() {
     let model = |elements: &str| {
         let text = wheels(elements);
-        Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"))
+        Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
     };
     let coupling = between(BETWEEN[0].0);
     let cycle = "[cycle]\nduration = \"0.5 s\"\n";

@@ -104,7 +104,7 @@ fn an_expression_without_a_value_ends_the_run_and_is_named() {
         assert_eq!(element.as_deref(), Some("load.push"), "{force}");
         assert!((from_s..=to_s).contains(time_s), "{force}: {failure}");
         assert_eq!(failure.code(), "not_finite");
-        let said = failure.complaint(&build(&slider(force)).mechanism.model).to_string();
+        let said = failure.diagnostic(&build(&slider(force)).mechanism.model).to_string();
         assert!(said.starts_with("model.toml:18:7: error[E0803]: at "), "{said}");
         assert!(
             said.contains("load 'push' is not a finite number\nhint: its expression leaves the range of log"),

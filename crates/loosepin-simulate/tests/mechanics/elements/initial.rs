@@ -287,7 +287,8 @@ along = "y"
 #[test]
 fn starts_that_do_not_fit_are_refused() {
     let refused = |initial: &str| {
-        let model = Model::from_text("model.toml", &bars(initial)).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model =
+            Model::from_text("model.toml", &bars(initial)).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         Mechanism::new(&model, &model.quantities.nominal()).expect_err("it is refused").to_string()
     };
     assert_eq!(
@@ -305,7 +306,7 @@ fn starts_that_do_not_fit_are_refused() {
     let doubled = slider(SPRING, "[initial.joint.rail]\nposition = \"20 mm\"").mechanism.model;
     let twice =
         doubled.source().text().replace("[cycle]", "[initial.body.slider]\nposition = [\"24 mm\", \"0 mm\"]\n[cycle]");
-    let twice = Model::from_text("model.toml", &twice).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let twice = Model::from_text("model.toml", &twice).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     assert_eq!(
         Mechanism::new(&twice, &twice.quantities.nominal()).expect_err("it is refused").to_string(),
         "initial: body 'slider': position x cannot be 24 mm at the start; the links and what else is given come no closer than 22 mm"

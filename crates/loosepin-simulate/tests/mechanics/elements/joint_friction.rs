@@ -229,10 +229,10 @@ velocity = "0.3 m/s"
 [cycle]
 duration = "0.2 s"
 "#;
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let error = Mechanism::new(&model, &model.quantities.nominal()).expect_err("nobody knows which rail carries");
     assert_eq!(
-        error.complaint(&model).to_string(),
+        error.diagnostic(&model).to_string(),
         "model.toml:11:8: error[E0708]: joint 'lower' has friction, and what it carries is not determined: constraints of \
          ideal joints repeat each other\nhint: remove what holds the mechanism twice, or the friction"
     );
@@ -255,7 +255,7 @@ fn slider_crank(law: &str) -> Built {
         let size = if own.contains("prismatic") { "guide_length = \"70 mm\"" } else { "pin_radius = \"12 mm\"" };
         text.insert_str(start, &format!("{size}\nfriction = {law}\n"));
     }
-    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
     Built { values, mechanism }

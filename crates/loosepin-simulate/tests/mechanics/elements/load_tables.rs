@@ -242,10 +242,11 @@ fn values_that_do_not_fit_the_period_are_refused() {
         "of = \"time\"\nperiod = \"0.2 s\"\npoints = [[\"0 s\", \"3 N\"], [\"0.1 s\", \"4 N\"], [\"0.2 s\", \"3 N\"]]";
     let mechanism = slider(load, "position = \"0 mm\"\nvelocity = \"0 m/s\"").mechanism;
     let refused = |setting: &str| {
-        let set = mechanism.model.set_values(&[setting.to_owned()]).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let set =
+            mechanism.model.set_values(&[setting.to_owned()]).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         Sample::<f64>::new(&mechanism, &set.values)
             .expect_err("it does not fit")
-            .complaint(&mechanism.model)
+            .diagnostic(&mechanism.model)
             .to_string()
     };
     assert_eq!(
@@ -277,7 +278,7 @@ fn identity_a_file_of_pressures_is_the_table_in_the_model() {
             "crank angle [deg], pressure [bar]\n0, 1.2\n370, 54\n720, 1.2\n",
         )
         .expect("written");
-        let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let model = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let values = model.quantities.nominal();
         let mechanism = loosepin_mechanics::mechanism::Mechanism::new(&model, &values).expect("it moves");
         Sample::<f64>::new(&mechanism, &values).expect("it fits").numbers()

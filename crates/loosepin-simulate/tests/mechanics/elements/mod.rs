@@ -37,7 +37,7 @@ impl Built {
 }
 
 pub(crate) fn build(text: &str) -> Built {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{}: {error}", model.name));
     Built { values, mechanism }

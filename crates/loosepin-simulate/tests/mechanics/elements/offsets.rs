@@ -181,14 +181,14 @@ fn offsets_that_do_not_fit_are_refused() {
         Sample::<f64>::new(&long.mechanism, &long.values).expect_err("it is refused").to_string(),
         "initial: joint 'gudgeon': offset is 0.5080354 mm long; must be at most the radial clearance of 0.5 mm"
     );
-    let complaints = |text: &str| Model::from_text("model.toml", text).expect_err("it is refused").to_string();
-    let beside = complaints(&slider_crank("[initial.joint.main]\noffset = [\"0 mm\", \"0.1 mm\"]\n"));
+    let diagnostics = |text: &str| Model::from_text("model.toml", text).expect_err("it is refused").to_string();
+    let beside = diagnostics(&slider_crank("[initial.joint.main]\noffset = [\"0 mm\", \"0.1 mm\"]\n"));
     assert!(
         beside.contains("'offset' is of a journal in its bearing; joint 'main' is no revolute joint with a clearance"),
         "{beside}"
     );
     let twice =
-        complaints(&slider_crank("[initial.joint.gudgeon]\nstart = \"resting\"\noffset = [\"0 mm\", \"0.1 mm\"]\n"));
+        diagnostics(&slider_crank("[initial.joint.gudgeon]\nstart = \"resting\"\noffset = [\"0 mm\", \"0.1 mm\"]\n"));
     assert!(twice.contains("'offset' cannot be used with 'start'"), "{twice}");
     // A rod that just reaches: with both journals pulled together it does not.
     let text = slider_crank(
@@ -211,7 +211,7 @@ fn a_velocity_in_the_bearing_needs_drives() {
         let text = format!("{before}{initial}[assembly]{after}");
         text.replace("drive = \"crank\"\nrecorded_turns = 0.05", "duration = \"5 ms\"")
     };
-    let model = |text: &str| Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = |text: &str| Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let moving = model(&free("[initial.joint.gudgeon]\noffset_velocity = [\"1 mm/s\", \"0 m/s\"]\n"));
     assert_eq!(
         Mechanism::new(&moving, &moving.quantities.nominal()).expect_err("it is refused").to_string(),

@@ -140,9 +140,9 @@ contact = "steel"
 duration = "0.1 s"
 "#
         );
-        Model::from_text("model.toml", &text).map_err(|complaints| complaints.to_string())
+        Model::from_text("model.toml", &text).map_err(|diagnostics| diagnostics.to_string())
     };
-    let read = |joint: &str| model(joint).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let read = |joint: &str| model(joint).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let close = |value: f64, exact: f64| assert!((value - exact).abs() < ROUND_OFF * 0.02, "{value} {exact}");
     let revolute = |clearance: &str| {
         format!(

@@ -211,17 +211,17 @@ fn identity_momenta_and_energy_with_points_inside() {
 
 #[test]
 fn messages_of_points_that_cannot_be() {
-    let complaint = |text: &str| match Model::from_text("model.toml", text) {
-        Err(complaints) => complaints.to_string(),
+    let diagnostic = |text: &str| match Model::from_text("model.toml", text) {
+        Err(diagnostics) => diagnostics.to_string(),
         Ok(model) => Mechanism::new(&model, &model.quantities.nominal())
             .expect_err("it is refused")
-            .complaint(&model)
+            .diagnostic(&model)
             .to_string(),
     };
     let text = rod_with_a_bob("");
-    let found = complaint(&text.replace("eye = [\"90 mm\", \"6 mm\"]", "eye = [\"301 mm\", \"6 mm\"]"));
+    let found = diagnostic(&text.replace("eye = [\"90 mm\", \"6 mm\"]", "eye = [\"301 mm\", \"6 mm\"]"));
     assert!(found.contains("point 'eye' of body 'rod' lies beyond the ends of its beam"), "{found}");
-    let found = complaint(&text.replace(
+    let found = diagnostic(&text.replace(
         "[joint.hinge]\nkind = \"revolute\"\nbearing = \"rod.eye\"\njournal = \"bob.pin\"",
         "[joint.hinge]\nkind = \"rigid\"\nfirst = \"rod.eye\"\nsecond = \"bob.pin\"\nangle = \"0 deg\"",
     ));

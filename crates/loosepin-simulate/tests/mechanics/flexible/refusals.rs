@@ -6,12 +6,12 @@ use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::{Plan, simulate};
 
-/// The complaints about a text, without place and colour: first lines.
-fn complaints(text: &str) -> String {
+/// The diagnostics about a text, without place and colour: first lines.
+fn diagnostics(text: &str) -> String {
     match Model::from_text("model.toml", text) {
-        Err(complaints) => complaints.to_string(),
+        Err(diagnostics) => diagnostics.to_string(),
         Ok(model) => match Mechanism::new(&model, &model.quantities.nominal()) {
-            Err(error) => error.complaint(&model).to_string(),
+            Err(error) => error.diagnostic(&model).to_string(),
             Ok(_) => String::new(),
         },
     }
@@ -119,10 +119,10 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         ),
     ];
     for (text, due) in cases {
-        let found = complaints(&text);
+        let found = diagnostics(&text);
         assert!(found.contains(due), "{due}\nis not said:\n{found}");
     }
-    assert_eq!(complaints(&text), "");
+    assert_eq!(diagnostics(&text), "");
 }
 
 /// A beam that no step can follow is named where it stands, in either formulation: the only number that is far from those of a real part.
@@ -135,7 +135,7 @@ fn messages_of_a_run_that_a_beam_takes_beyond_finite_numbers() {
             let built = build(&text);
             let plan = Plan::of_model(&built.mechanism.model);
             let failure = simulate(&built.mechanism, &built.values, &plan).expect_err("no step follows it");
-            let said = failure.complaint(&built.mechanism.model).to_string();
+            let said = failure.diagnostic(&built.mechanism.model).to_string();
             assert_eq!(
                 said,
                 "model.toml:20:11: error[E0803]: at 0 ms the beam of body 'rod' swings faster than the smallest step: a position or velocity is \

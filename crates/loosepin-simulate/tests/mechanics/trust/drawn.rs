@@ -75,7 +75,7 @@ pub(super) struct DrawnRun {
 pub(super) fn drawn_run(names: &[&'static str], seed: u64, index: usize) -> DrawnRun {
     let name = names[index % names.len()];
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name).join("model.toml");
-    let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let model = Model::from_path(&path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let nominal = model.quantities.nominal();
     let drawn = (0..MAX_DRAWS).find_map(|draw| {
         let values =

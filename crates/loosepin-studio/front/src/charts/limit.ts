@@ -1,5 +1,5 @@
 // A limit as it is written, with another value.
-import type { SeenLimit } from '../messages.ts';
+import type { LimitView } from '../messages.ts';
 
 /** The least of 1, 2, 5 times a power of ten that is not below `least`. */
 export function roundStep(least: number): number {
@@ -13,7 +13,7 @@ export function rounded(value: number, step: number): string {
 }
 
 /** The text of a limit with the value `si`, in its own unit, in steps that are seen; null where it is no number with a unit. */
-export function limitText(limit: SeenLimit, si: number, stepSi: number): string | null {
+export function limitText(limit: LimitView, si: number, stepSi: number): string | null {
   const found = /^(\d+(?:\.\d*)?)(\s*\S+.*)$/.exec(limit.written);
   const number = Number(found?.[1]);
   if (!found || !(number > 0)) return null;

@@ -1,15 +1,15 @@
 // Dimensions of what is chosen, on the drawing: a line with its ends, and the length with its tolerance.
-import type { SeenBody, SeenDimension } from '../messages.ts';
+import type { BodyView, DimensionView } from '../messages.ts';
 import { element } from './element.ts';
 
 /** The side of a line on which a body has less: 1 is to the left of it. */
-function freeSide({ from, to }: SeenDimension, part: SeenBody | undefined): 1 | -1 {
+function freeSide({ from, to }: DimensionView, part: BodyView | undefined): 1 | -1 {
   const across = (part?.points ?? []).reduce((sum, { x, y }) => sum + (to[0] - from[0]) * (y - from[1]) - (to[1] - from[1]) * (x - from[0]), 0);
   return across > 0 ? -1 : 1;
 }
 
 /** Adds the dimensions; the player moves them with their bodies. `fontMm` is the size of the letters. */
-export function addDimensions(svg: SVGSVGElement, dimensions: SeenDimension[], parts: SeenBody[], textOf: (dimension: SeenDimension) => string, fontMm: number): void {
+export function addDimensions(svg: SVGSVGElement, dimensions: DimensionView[], parts: BodyView[], textOf: (dimension: DimensionView) => string, fontMm: number): void {
   const upright = element('g', { transform: 'scale(1 -1)', class: 'dimensions', 'aria-hidden': 'true' });
   for (const dimension of dimensions) {
     const { kind, body, from } = dimension;

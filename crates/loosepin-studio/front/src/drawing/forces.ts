@@ -1,12 +1,12 @@
 // Springs and loads in the drawing: their signs, each a button with a name.
 import { element } from './element.ts';
-import type { SeenForce } from '../messages.ts';
+import type { ForceView } from '../messages.ts';
 
 /** A spring from (0, 0) to (1, 0), its coils 1 to either side. */
 const turns = 10;
 const coils = 'M0 0H.25' + Array.from({ length: turns }, (_, turn) => `L${(0.25 + (0.5 * (turn + 0.5)) / turns).toFixed(3)} ${turn % 2 === 0 ? 1 : -1}`).join('') + 'L.75 0H1';
 
-function sign(force: SeenForce, size: number): SVGElement[] {
+function sign(force: ForceView, size: number): SVGElement[] {
   const [first, second] = force.ends;
   if (!first) return [];
   const at = (name: string, attributes: Record<string, string>, ...children: SVGElement[]): SVGElement => {
@@ -36,7 +36,7 @@ function sign(force: SeenForce, size: number): SVGElement[] {
 }
 
 /** Adds the signs; the player of the drawing moves them with their bodies. `size` is that of letters, mm. */
-export function addForces(svg: SVGSVGElement, forces: SeenForce[], nameOf: (force: SeenForce) => string, size: number): void {
+export function addForces(svg: SVGSVGElement, forces: ForceView[], nameOf: (force: ForceView) => string, size: number): void {
   // y points up in the drawing.
   const upright = element('g', { transform: 'scale(1 -1)', class: 'forces' });
   for (const force of forces) {

@@ -1,7 +1,7 @@
 // What can be taken in a drawing that moves: pins, points that no pin holds, the lines of guides. Each is a button with a name.
 import type { Point } from '../editing/drag.ts';
 import { element } from './element.ts';
-import type { Held, Motion, Outline, SeenDimension, SeenJoint } from '../messages.ts';
+import type { Held, Motion, Outline, DimensionView, JointView } from '../messages.ts';
 import { posesAt, worldOf } from './player.ts';
 import type { PointName, Target } from './targets.ts';
 
@@ -22,7 +22,7 @@ const named = (text: string): PointName => {
 };
 
 /** Of a joint, where it is a pin. */
-export function gripOfJoint({ name, pin, points }: SeenJoint): Grippable | null {
+export function gripOfJoint({ name, pin, points }: JointView): Grippable | null {
   return pin && { key: 'joint ' + name, held: { take: 'joint', joint: name }, body: pin.body, own: [pin.x, pin.y], points: points.map(named) };
 }
 
@@ -43,7 +43,7 @@ export function freeGrips(outline: Outline): Grippable[] {
 }
 
 /** Of the line of a guide: taken `far` from its point, mm. */
-export function gripOfGuide({ of, body, from, to }: SeenDimension, far: number): Grippable {
+export function gripOfGuide({ of, body, from, to }: DimensionView, far: number): Grippable {
   const own: Point = [from[0] + (to[0] - from[0]) * far, from[1] + (to[1] - from[1]) * far];
   return { key: 'guide ' + of, held: { take: 'guide', joint: of }, body, own, points: [] };
 }

@@ -1,5 +1,5 @@
 // What a tool can take on a drawing: places where points of bodies are, each a button with a name.
-import type { End, Motion, SeenBody } from '../messages.ts';
+import type { End, Motion, BodyView } from '../messages.ts';
 import type { Point } from '../editing/drag.ts';
 import { element } from './element.ts';
 import { posesAt, worldOf } from './player.ts';
@@ -22,7 +22,7 @@ export interface Target {
 const samePlaceMm = 1e-3;
 
 /** The places of all points at an angle of the drive. */
-export function targetsOf(parts: SeenBody[], motion: Motion, angle: number): Target[] {
+export function targetsOf(parts: BodyView[], motion: Motion, angle: number): Target[] {
   const poses = posesAt(motion, angle);
   const targets: Target[] = [];
   parts.forEach((part, body) => {

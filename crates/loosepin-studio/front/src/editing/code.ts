@@ -7,11 +7,11 @@ import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import { classHighlighter } from '@lezer/highlight';
 import type { Change } from './history.ts';
-import type { Fix, SeenComplaint } from '../messages.ts';
+import type { Fix, DiagnosticView } from '../messages.ts';
 
 export interface Code {
   apply(change: Change): void;
-  complain(complaints: SeenComplaint[], mend: (fix: Fix) => void): void;
+  report(found: DiagnosticView[], mend: (fix: Fix) => void): void;
   reveal(from: number, to: number): void;
   measure(): void;
   destroy(): void;
@@ -46,16 +46,16 @@ const theme = EditorView.theme({
   '.cm-lintRange-warning': { backgroundImage: 'none', textDecoration: 'underline dotted var(--undecided) 2px', textUnderlineOffset: '3px' },
 });
 
-function diagnosticOf(complaint: SeenComplaint, length: number, mend: (fix: Fix) => void): Diagnostic[] {
-  if (complaint.from == null || complaint.to == null) return [];
-  const from = Math.min(complaint.from, length);
-  const { fix } = complaint;
+function diagnosticOf(one: DiagnosticView, length: number, mend: (fix: Fix) => void): Diagnostic[] {
+  if (one.from == null || one.to == null) return [];
+  const from = Math.min(one.from, length);
+  const { fix } = one;
   return [{
     from,
-    to: Math.min(Math.max(complaint.to, from), length),
-    severity: complaint.severity,
-    source: complaint.code,
-    message: [complaint.message, complaint.hint].filter(Boolean).join('\n'),
+    to: Math.min(Math.max(one.to, from), length),
+    severity: one.severity,
+    source: one.code,
+    message: [one.message, one.hint].filter(Boolean).join('\n'),
     actions: fix ? [{ name: fix.words, apply: () => mend(fix) }] : [],
   }];
 }
@@ -94,8 +94,8 @@ export function codeIn({ parent, text, label, nonce, changed }: Options): Code {
     apply(change) {
       view.dispatch({ changes: change, annotations: fromOutside.of(true) });
     },
-    complain(complaints, mend) {
-      const diagnostics = complaints.flatMap((complaint) => diagnosticOf(complaint, view.state.doc.length, mend));
+    report(found, mend) {
+      const diagnostics = found.flatMap((one) => diagnosticOf(one, view.state.doc.length, mend));
       view.dispatch(setDiagnostics(view.state, diagnostics));
     },
     reveal(from, to) {

@@ -1,6 +1,6 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, KnowAnswer, KnowRequest, Named, NamedPoses, Reshaped, RestructureAnswer, RestructureRequest, Seen, SeenComplaint, SeenLimit, SeenQuantity, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, Reshaped, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
@@ -39,12 +39,12 @@ export class Desk {
   readonly head = new Head();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
-  complaints = $state.raw<SeenComplaint[]>([]);
-  /** Counts the answers: complaints come anew with each. */
+  diagnostics = $state.raw<DiagnosticView[]>([]);
+  /** Counts the answers: diagnostics come anew with each. */
   answers = $state(0);
-  quantities = $state.raw<SeenQuantity[]>([]);
+  quantities = $state.raw<QuantityView[]>([]);
   /** Limits of the study, where they are in its text now. */
-  limits = $state.raw<SeenLimit[]>([]);
+  limits = $state.raw<LimitView[]>([]);
   isStale = $state(false);
   /** The last look took too long and was stopped. */
   isCut = $state(false);
@@ -76,7 +76,7 @@ export class Desk {
   private poses: NamedPoses = {};
   /** The same by the text of the model. */
   private readonly posesBy = new Map<string, NamedPoses>();
-  /** Version of the texts whose complaints are known, and who waits for those of a newer one. */
+  /** Version of the texts whose diagnostics are known, and who waits for those of a newer one. */
   private checked = -1;
   private waiting: (() => void)[] = [];
   private confirmed: { answer: RestructureAnswer; version: number } | null = null;
@@ -112,7 +112,7 @@ export class Desk {
         }
         this.quantities = moveAll(this.quantities, step.document, step.change);
         if (step.document === 'study') this.limits = this.limits.map((limit) => ({ ...limit, ...movedRange(limit, step.change) }));
-        this.complaints = moveAll(this.complaints, step.document, step.change);
+        this.diagnostics = moveAll(this.diagnostics, step.document, step.change);
         this.looker.soon(typingPauseMs);
       }),
     ];
@@ -200,7 +200,7 @@ export class Desk {
   }
 
   /** A limit of the study with another value; one name is one step to undo. */
-  changeLimit(limit: SeenLimit, insert: string, name: string): void {
+  changeLimit(limit: LimitView, insert: string, name: string): void {
     const place = this.limits.indexOf(limit);
     const share = parseFloat(insert) / parseFloat(limit.written);
     this.documents.change('study', { from: limit.from, to: limit.to, insert }, { name, joins: 'always' });
@@ -220,13 +220,13 @@ export class Desk {
     this.change('study', { from: text.length, to: text.length, insert }, { name: 'add limit', joins: 'never' });
   }
 
-  textAt(quantity: SeenQuantity): string {
+  textAt(quantity: QuantityView): string {
     return this.documents.sheet(quantity.document)?.text.slice(quantity.from, quantity.to) ?? '';
   }
 
   /** The error that stands at a field, with its way out. */
   messageAt(field: FieldOf): string | null {
-    const found = this.complaints.find(
+    const found = this.diagnostics.find(
       ({ document, severity, from, to }) =>
         document === field.quantity.document && severity === 'error' && from != null && to != null && from <= field.to && to >= field.from && to - from < 400,
     );
@@ -234,22 +234,22 @@ export class Desk {
   }
 
   /** Writes how well a number is known into both texts, as one step to undo; says why, where that cannot be. */
-  async know(path: string, text: string): Promise<string | null> {
+  async setUncertainty(path: string, text: string): Promise<string | null> {
     const { documents } = this;
     const { version } = documents;
     const model = documents.textOf('model');
     if (!model) return words.editor.noModel;
-    const body = { model, study: documents.textOf('study'), path, text } satisfies KnowRequest;
-    let answer: KnowAnswer;
+    const body = { model, study: documents.textOf('study'), path, text } satisfies SetUncertaintyRequest;
+    let answer: SetUncertaintyAnswer;
     try {
-      answer = await ask<KnowAnswer>('POST', '/api/know', body);
+      answer = await ask<SetUncertaintyAnswer>('POST', '/api/set-uncertainty', body);
     } catch (error) {
       return messageOf(error);
     }
     const { changes, refusal } = answer;
     if (refusal) return [refusal.message, refusal.hint].filter(Boolean).join(': ');
     // The texts went on meanwhile: the places of the answer are old.
-    if (documents.version !== version) return this.know(path, text);
+    if (documents.version !== version) return this.setUncertainty(path, text);
     this.apply(changes, `know ${path} ${version}`);
     return null;
   }
@@ -371,7 +371,7 @@ export class Desk {
   }
 
   /** The first error of the texts as they are now; null where there is none, or where the server does not say in time. */
-  async firstError(): Promise<SeenComplaint | null> {
+  async firstError(): Promise<DiagnosticView | null> {
     if (this.checked !== this.documents.version) {
       this.looker.now();
       await new Promise<void>((resolve) => {
@@ -380,7 +380,7 @@ export class Desk {
       });
     }
     if (this.checked !== this.documents.version) return null;
-    return this.complaints.find(({ severity }) => severity === 'error') ?? null;
+    return this.diagnostics.find(({ severity }) => severity === 'error') ?? null;
   }
 
   private check(version: number): void {
@@ -416,7 +416,7 @@ export class Desk {
     return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text) }, version };
   }
 
-  private hear(seen: Seen, version: number, isFinest: boolean): void {
+  private hear(seen: LookAnswer, version: number, isFinest: boolean): void {
     const { documents, drag } = this;
     this.isCut = seen.is_cut;
     if (seen.is_cut) {
@@ -434,11 +434,11 @@ export class Desk {
       version = documents.version;
     }
     this.isSettled = isFinest && version === documents.version;
-    this.complaints = seen.complaints.map((complaint) => {
-      const { document, from, to } = complaint;
-      const fix = complaint.fix && documents.moved(complaint.fix.document, complaint.fix, version);
-      if (document === null || from == null || to == null) return { ...complaint, fix };
-      return { ...documents.moved(document, { ...complaint, from, to }, version), fix };
+    this.diagnostics = seen.diagnostics.map((diagnostic) => {
+      const { document, from, to } = diagnostic;
+      const fix = diagnostic.fix && documents.moved(diagnostic.fix.document, diagnostic.fix, version);
+      if (document === null || from == null || to == null) return { ...diagnostic, fix };
+      return { ...documents.moved(document, { ...diagnostic, from, to }, version), fix };
     });
     this.check(version);
     this.isStale = seen.view === null;

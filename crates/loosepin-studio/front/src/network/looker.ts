@@ -1,5 +1,5 @@
 // Asks the server what the texts mean: one look in flight, the newest text next, never a queue.
-import type { FromPage, Look, Seen } from '../messages.ts';
+import type { FromPage, Look, LookAnswer } from '../messages.ts';
 
 const patienceMs = 500;
 const settledMs = 250;
@@ -34,7 +34,7 @@ export class Looker {
   constructor(
     private readonly make: () => { look: Omit<Look, 'seq' | 'positions'>; version: number } | null,
     private readonly send: (look: Extract<FromPage, { kind: 'look' }>) => boolean,
-    private readonly hear: (seen: Seen, version: number, isFinest: boolean) => void,
+    private readonly hear: (seen: LookAnswer, version: number, isFinest: boolean) => void,
   ) {}
 
   /** At the next frame: for drags, where each frame counts. */
@@ -69,7 +69,7 @@ export class Looker {
     this.now();
   }
 
-  heard(seen: Seen): void {
+  heard(seen: LookAnswer): void {
     if (seen.is_cut && seen.seq === this.passed?.seq) {
       // The newer one waits for its end: that it was stopped is all that is known yet.
       this.hear(seen, this.passed.version, false);

@@ -1,5 +1,5 @@
 // The one connection of the page, and what it says to all screens.
-import type { FromPage, HelloAnswer, Job, Seen, ToPage } from '../messages.ts';
+import type { FromPage, HelloAnswer, Job, LookAnswer, ToPage } from '../messages.ts';
 import { ask, Live, Refusal, type Connection } from './wire.ts';
 
 class Session {
@@ -12,7 +12,7 @@ class Session {
   /** A message that the server did not take, in its words. */
   refusal = $state<string | null>(null);
   private readonly live = new Live((message) => this.hear(message), (connection) => this.connected(connection));
-  private readonly seenBy = new Set<(seen: Seen) => void>();
+  private readonly seenBy = new Set<(seen: LookAnswer) => void>();
   private readonly changedBy = new Set<(path: string) => void>();
   private readonly openedBy = new Set<() => void>();
 
@@ -26,7 +26,7 @@ class Session {
   }
 
   /** Calls back until the returned function is called. */
-  listen(on: { seen: (seen: Seen) => void; changed: (path: string) => void; opened: () => void }): () => void {
+  listen(on: { seen: (seen: LookAnswer) => void; changed: (path: string) => void; opened: () => void }): () => void {
     this.seenBy.add(on.seen);
     this.changedBy.add(on.changed);
     this.openedBy.add(on.opened);

@@ -1,5 +1,5 @@
 // Sorts the numbers of the texts into groups, and names them.
-import type { SeenQuantity } from '../messages.ts';
+import type { QuantityView } from '../messages.ts';
 import { piecesOf } from './pieces.ts';
 import { words } from '../words.ts';
 
@@ -7,7 +7,7 @@ export interface FieldOf {
   /** Stays the same while the texts change. */
   key: string;
   label: string;
-  quantity: SeenQuantity;
+  quantity: QuantityView;
   from: number;
   to: number;
 }
@@ -26,20 +26,20 @@ export interface Group {
 
 const order = ['unknown', 'scatter', 'parameter', 'joint', 'drive', 'contact', 'body', 'other'];
 
-function groupOf(quantity: SeenQuantity): string {
+function groupOf(quantity: QuantityView): string {
   if (quantity.kind !== 'number') return quantity.kind;
   const first = quantity.path.split('.')[0] ?? '';
   return order.includes(first) ? first : 'other';
 }
 
-function labelOf(quantity: SeenQuantity): string {
+function labelOf(quantity: QuantityView): string {
   // The heading of the group says what it is a part of.
   if (quantity.words) return quantity.words.replace(/^[a-z]+ '([^']+)'/, '$1');
   const parts = quantity.path.split('.').map((part) => part.replaceAll('_', ' '));
   return (parts.length > 1 ? parts.slice(1) : parts).join(', ');
 }
 
-export function groupsOf(quantities: SeenQuantity[], textOf: (quantity: SeenQuantity) => string, sought: string): Group[] {
+export function groupsOf(quantities: QuantityView[], textOf: (quantity: QuantityView) => string, sought: string): Group[] {
   const needle = sought.trim().toLowerCase();
   const groups = new Map<string, Entry[]>(order.map((name) => [name, []]));
   const seen = new Map<string, number>();

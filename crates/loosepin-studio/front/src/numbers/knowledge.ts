@@ -1,5 +1,5 @@
 // What the texts say of how well a number is known, in the short form in which it is typed.
-import type { SeenQuantity } from '../messages.ts';
+import type { QuantityView } from '../messages.ts';
 
 const quoted = `"([^"]*)"|'([^']*)'|([-+.\\deE]+)`;
 
@@ -39,7 +39,7 @@ export interface Known {
 }
 
 /** How well the number at a path is known; null where there is no such number. */
-export function knownOf(path: string, quantities: SeenQuantity[], textOf: (quantity: SeenQuantity) => string): Known | null {
+export function knownOf(path: string, quantities: QuantityView[], textOf: (quantity: QuantityView) => string): Known | null {
   const own = quantities.filter((quantity) => quantity.path === path);
   const said = own.find((quantity) => quantity.kind !== 'number');
   const number = own.find((quantity) => quantity.kind === 'number');

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use loosepin::diagnostics::Complaints;
+use loosepin::diagnostics::Diagnostics;
 use loosepin::mechanism::{Mechanism, MechanismError};
 use loosepin::model::Model;
 use loosepin::study::{InputFile, Study};
@@ -49,7 +49,7 @@ pub struct Said {
 /// It has not, or cannot be read, in words.
 pub fn check(old: &Texts, new: &Texts, due: &Due) -> Result<Model, Refusal> {
     let before = Model::from_source(old.model.clone()).map_err(|_| unreadable("model"))?;
-    let after = Model::from_source(new.model.clone()).map_err(|complaints| first_of(&complaints))?;
+    let after = Model::from_source(new.model.clone()).map_err(|diagnostics| first_of(&diagnostics))?;
     if expected(&facts(&before), due) != beside_added(&facts(&after), due) {
         return Err(otherwise("model"));
     }
@@ -110,8 +110,8 @@ pub fn unreadable(which: &str) -> Refusal {
         .with_hint("correct its problems first; they are listed below the drawing")
 }
 
-fn first_of(complaints: &Complaints) -> Refusal {
-    let first = complaints.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
+fn first_of(diagnostics: &Diagnostics) -> Refusal {
+    let first = diagnostics.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
     let (message, hint) = first.unwrap_or_default();
     Refusal { hint, ..Refusal::bad(message) }
 }
@@ -248,7 +248,7 @@ pub fn said(texts: &Texts) -> Said {
 }
 
 /// Why a mechanism does not move, in words: first how many degrees of freedom are too many or too few.
-pub fn why_not(file: &InputFile, found: &Complaints) -> String {
+pub fn why_not(file: &InputFile, found: &Diagnostics) -> String {
     let model = file.model();
     let bodies = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     match Mechanism::new(model, &model.quantities.nominal()) {

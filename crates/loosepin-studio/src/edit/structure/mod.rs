@@ -34,7 +34,7 @@ use edit::Joined;
 use remove::removed;
 use rename::renamed;
 
-use super::know::known_texts;
+use super::set_uncertainty::known_texts;
 use super::toml::change::changes;
 use super::toml::lines::Lines;
 use crate::drawing::still::{NamedPoses, placed};

@@ -127,7 +127,7 @@ impl StudyReader {
         let entries = self.double_brackets(written);
         if let Some(surplus) = entries.get(MAX_READINGS) {
             let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
-            self.reader.complain(&problem, surplus.span);
+            self.reader.report(&problem, surplus.span);
             return (Vec::new(), Vec::new());
         }
         let (mut read, mut motion): (Vec<Measured>, Vec<MeasuredMotion>) = (Vec::new(), Vec::new());
@@ -158,7 +158,7 @@ impl StudyReader {
                 None => (table.table.path.describe(), table.table.span),
             };
             let problem = MeasuredProblem::AnotherError { entry: words, instrument: reading.instrument.clone() };
-            self.reader.complain(&problem, span);
+            self.reader.report(&problem, span);
         }
     }
 
@@ -234,7 +234,7 @@ impl StudyReader {
             angle_rad = Some(self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite)?);
         }
         if angle_rad.is_none() {
-            self.reader.complain(&MeasuredProblem::NoPose { entry: entry.path.describe() }, entry.span);
+            self.reader.report(&MeasuredProblem::NoPose { entry: entry.path.describe() }, entry.span);
         }
         angle_rad
     }
@@ -246,7 +246,7 @@ impl StudyReader {
         let point = at.as_ref().map(|entry| self.pushed_point(entry));
         if let Some(moment) = moment {
             for beside in [at, direction].into_iter().flatten() {
-                self.reader.complain(&MeasuredProblem::BesideMoment { entry: beside.path.describe() }, beside.key_span);
+                self.reader.report(&MeasuredProblem::BesideMoment { entry: beside.path.describe() }, beside.key_span);
             }
             let Position::Angle(body) = travel else {
                 let problem = MeasuredProblem::MomentOnPoint { entry: moment.path.describe() };

@@ -354,8 +354,8 @@ impl StudyReader {
         });
         let table = match read {
             Ok(table) => table,
-            Err(complaints) => {
-                adopt(&mut self.reader, &complaints, entry.span);
+            Err(diagnostics) => {
+                adopt(&mut self.reader, &diagnostics, entry.span);
                 return None;
             }
         };

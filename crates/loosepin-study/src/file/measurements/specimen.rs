@@ -8,7 +8,7 @@ use crate::file::study::Study;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_simulate::measured::{JointColumn, JointSample};
-use loosepin_text::diagnostics::{Complaint, Span, nearest_name};
+use loosepin_text::diagnostics::{Diagnostic, Span, nearest_name};
 use loosepin_text::document::{Entry, Kind, Reads, read_beside};
 use loosepin_text::record;
 use loosepin_uncertainty::{Copula, Distribution, EmpiricalCopula, RandomVariable, sample_correlation};
@@ -45,13 +45,13 @@ impl StudyReader {
         let file = self.reader.text(&written)?.to_owned();
         let sample = match read_beside(&self.reader.source, &file).and_then(JointSample::from_source) {
             Ok(sample) => sample,
-            Err(complaints) => {
-                adopt(&mut self.reader, &complaints, written.span);
+            Err(diagnostics) => {
+                adopt(&mut self.reader, &diagnostics, written.span);
                 return None;
             }
         };
         self.tables.push(Arc::clone(&sample.source));
-        if self.reader.complaints.has_errors() {
+        if self.reader.diagnostics.has_errors() {
             // A random input that could not be read would be a column too many.
             return None;
         }
@@ -60,7 +60,7 @@ impl StudyReader {
         let count = sample.rows_si.len();
         if count < MIN_ROWS {
             let problem = SpecimenProblem::FewRows { found: count, least: MIN_ROWS };
-            self.reader.complaints.push(Complaint::error(&problem, Some(sample.header_place())));
+            self.reader.diagnostics.push(Diagnostic::error(&problem, Some(sample.header_place())));
             return None;
         }
         let rows: Vec<Vec<f64>> =
@@ -79,7 +79,7 @@ impl StudyReader {
         }
         let place = self.reader.place(written.span);
         let problem = SpecimenProblem::Finite { rows: count, effective };
-        self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         Some((Copula::Empirical(copula), SpecimenRows { file, rows_si: rows, effective }))
     }
 
@@ -88,14 +88,14 @@ impl StudyReader {
         if let Some(input) = self.random.iter().find(|input| !input.parameters.is_empty()) {
             let path = input.path.clone();
             let span = random.and_then(|table| table.get(&path)).map_or(Span::default(), |entry| entry.span);
-            self.reader.complain(&SpecimenProblem::UncertainParameter { path }, span);
+            self.reader.report(&SpecimenProblem::UncertainParameter { path }, span);
         }
     }
 
     /// Refuses a surrogate beside a joint sample.
     pub(crate) fn refuse_surrogate(&mut self, written: Option<&Entry<'_>>) {
         let span = written.map(|entry| entry.key_span).unwrap_or_default();
-        self.reader.complain(&SpecimenProblem::Beside { what: "a surrogate" }, span);
+        self.reader.report(&SpecimenProblem::Beside { what: "a surrogate" }, span);
     }
 
     /// Of each random input its column.
@@ -104,7 +104,7 @@ impl StudyReader {
         if known.is_empty() {
             return self.refused(&SpecimenProblem::NothingRandom, written.span);
         }
-        let mut is_right = !self.reader.complaints.has_errors();
+        let mut is_right = !self.reader.diagnostics.has_errors();
         for column in &sample.columns {
             let due = self.random.iter().find(|input| input.path == column.name);
             let problem = match due {
@@ -122,7 +122,7 @@ impl StudyReader {
                 Some(_) => continue,
             };
             is_right = false;
-            self.reader.complaints.push(Complaint::error(&problem, Some(sample.column_place(column))));
+            self.reader.diagnostics.push(Diagnostic::error(&problem, Some(sample.column_place(column))));
         }
         let column_of = |path: &String| sample.columns.iter().position(|column: &JointColumn| column.name == *path);
         let order: Vec<Option<usize>> = known.iter().map(column_of).collect();
@@ -130,7 +130,7 @@ impl StudyReader {
             if column.is_none() {
                 is_right = false;
                 let problem = SpecimenProblem::NoColumn { path: path.clone(), file: file.to_owned() };
-                self.reader.complaints.push(Complaint::error(&problem, Some(sample.header_place())));
+                self.reader.diagnostics.push(Diagnostic::error(&problem, Some(sample.header_place())));
             }
         }
         if is_right { order.into_iter().collect() } else { None }
@@ -163,7 +163,7 @@ impl StudyReader {
         }
         let Some((row, error)) = impossible.first().cloned() else { return Some(()) };
         let problem = SpecimenProblem::ImpossibleRow { rows: impossible.len(), error };
-        self.reader.complaints.push(Complaint::error(&problem, Some(sample.row_place(row))));
+        self.reader.diagnostics.push(Diagnostic::error(&problem, Some(sample.row_place(row))));
         None
     }
 
@@ -183,7 +183,7 @@ impl StudyReader {
                 let dimension = self.model.quantities[*quantity].dimension;
                 let problem = StudyProblem::Distribution { entry: format!("column '{path}'"), error, dimension };
                 let place = sample.column_place(&sample.columns[order[input]]);
-                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+                self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
                 None
             }
         }

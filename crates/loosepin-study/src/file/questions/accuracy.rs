@@ -11,7 +11,7 @@ use crate::file::sizes::MAX_RUNS;
 use crate::file::study::Study;
 use crate::file::words::{dimension_of_statistic, numbers, statistic_name};
 use loosepin_result::study::Budget;
-use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, Span, nearest_name, problems};
 use loosepin_text::document::{Entry, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
 
@@ -124,9 +124,9 @@ impl Study {
     ///
     /// # Errors
     /// An output or statistic that is not asked for; a value that no bound can be measured by, or that is not positive.
-    pub fn add_accuracy(&mut self, text: &str) -> Result<(), Complaint> {
+    pub fn add_accuracy(&mut self, text: &str) -> Result<(), Diagnostic> {
         let source = Source::new("--accuracy", text);
-        let target = self.parse_accuracy(text).map_err(|(problem, span)| complaint(&problem, &source, span))?;
+        let target = self.parse_accuracy(text).map_err(|(problem, span)| diagnostic(&problem, &source, span))?;
         self.accuracy.push(target);
         self.stated.extend(["--accuracy".to_owned(), text.to_owned()]);
         Ok(())
@@ -136,9 +136,9 @@ impl Study {
     ///
     /// # Errors
     /// A text that is none.
-    pub fn set_budget(&mut self, text: &str) -> Result<(), Complaint> {
+    pub fn set_budget(&mut self, text: &str) -> Result<(), Diagnostic> {
         let source = Source::new("--budget", text);
-        let budget = parse_budget(text).map_err(|problem| complaint(&problem, &source, 0..text.len()))?;
+        let budget = parse_budget(text).map_err(|problem| diagnostic(&problem, &source, 0..text.len()))?;
         self.budget = Some(budget);
         self.stated.extend(["--budget".to_owned(), text.to_owned()]);
         self.budget_place = Some(Place::new(&source, 0..text.len()));
@@ -225,8 +225,8 @@ fn asked_statistic(name: &str) -> Result<&'static str, AccuracyProblem> {
     })
 }
 
-fn complaint(problem: &AccuracyProblem, source: &Arc<Source>, span: Range<usize>) -> Complaint {
-    Complaint::error(problem, Some(Place::new(source, span)))
+fn diagnostic(problem: &AccuracyProblem, source: &Arc<Source>, span: Range<usize>) -> Diagnostic {
+    Diagnostic::error(problem, Some(Place::new(source, span)))
 }
 
 /// Rounds, at most.
@@ -278,7 +278,7 @@ impl StudyReader {
         let Some(entry) = entry else { return found };
         let entries = if entry.is_list() { self.reader.list(entry).unwrap_or_default() } else { vec![entry.clone()] };
         if entry.is_empty_list() {
-            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
+            self.report(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
         }
         for entry in entries {
             let Some((text, measured)) = self.any_value(&entry) else { continue };
@@ -311,7 +311,7 @@ impl StudyReader {
         for (what, text, measured, span) in written.written {
             let is_twice = targets.iter().any(|target: &AccuracyTarget| target.dimension == measured.dimension);
             match checked(&what, &text, measured, &concerned) {
-                Ok(_) if is_twice => self.reader.complain(&AccuracyProblem::Twice { what }, span),
+                Ok(_) if is_twice => self.reader.report(&AccuracyProblem::Twice { what }, span),
                 Ok(Measured { value_si: most_si, dimension }) => targets.push(AccuracyTarget {
                     is_argument: false,
                     ask: of_ask,
@@ -320,7 +320,7 @@ impl StudyReader {
                     dimension,
                     most_si,
                 }),
-                Err(problem) => self.reader.complain(&problem, span),
+                Err(problem) => self.reader.report(&problem, span),
             }
         }
         targets

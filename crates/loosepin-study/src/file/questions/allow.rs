@@ -42,7 +42,7 @@ impl StudyReader {
         let Some(entry) = written else { return Vec::new() };
         let allowances = self.reader.any_keys(entry).iter().filter_map(|entry| self.allowance(inputs, entry)).collect();
         if !has_requirements {
-            self.complain(&StudyProblem::NothingRequired, &entry.at_key());
+            self.report(&StudyProblem::NothingRequired, &entry.at_key());
         }
         allowances
     }
@@ -51,8 +51,8 @@ impl StudyReader {
     pub fn together(&mut self, written: Option<&Entry<'_>>, allowances: &[Allowance]) -> Option<Together> {
         let entry = written?;
         let TogetherWord(together) = TogetherWord::read(self, entry)?;
-        // An input that is refused has its own complaint.
-        if self.reader.complaints.has_errors() {
+        // An input that is refused has its own diagnostic.
+        if self.reader.diagnostics.has_errors() {
             return None;
         }
         let is_number_possible = match together {
@@ -77,7 +77,7 @@ impl StudyReader {
             return self.fit_allowance(path, entry, &table, fits);
         }
         let Some((input, least, dimension)) = self.allowed_input(&path) else {
-            // An input that is refused where it is described has its complaint there.
+            // An input that is refused where it is described has its diagnostic there.
             return if self.is_refused(inputs, &path) {
                 None
             } else {
@@ -192,6 +192,6 @@ impl StudyReader {
 
     fn above(&mut self, entry: &Entry<'_>, found: f64, least: f64, dimension: Dimension) {
         let [found, least] = format_apart([found, least], dimension);
-        self.complain(&StudyProblem::AllowedRange { entry: entry.path.describe(), found, least }, entry);
+        self.report(&StudyProblem::AllowedRange { entry: entry.path.describe(), found, least }, entry);
     }
 }

@@ -11,7 +11,7 @@ use crate::file::sampling::ACCURACY;
 use crate::file::words::{PLAIN_STATISTICS, REDUCTIONS, STATISTICS, WITH_A_NUMBER, words};
 use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
 use loosepin_result::study::{Deviation, Reduction, Side};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, Value, choice, optional};
 use loosepin_text::units::{Dimension, Rule, format_number};
 use loosepin_text::{choices, record};
@@ -247,7 +247,7 @@ impl StudyReader {
             if matches!(asked, Asked::Statistic(statistic) if !statistic.is_by_shares()) {
                 let problem = StudyProblem::MomentOfLife { entry: entry.path.describe() };
                 let place = Place::new(&self.reader.source, entry.span);
-                self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+                self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
             }
         }
     }

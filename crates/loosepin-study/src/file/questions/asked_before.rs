@@ -19,7 +19,7 @@ fn places(location: &Where) -> Vec<Where> {
 }
 
 impl StudyReader {
-    /// Complains about what was asked `of` an output and a deviation at the same place before. `statistics` are the entries of the list, and
+    /// Reports what was asked `of` an output and a deviation at the same place before. `statistics` are the entries of the list, and
     /// what they ask.
     pub(crate) fn check_new(&mut self, statistics: &[(Entry<'_>, Asked)], of: (usize, Deviation), location: &Where) {
         for (entry, asked) in statistics {
@@ -36,7 +36,7 @@ impl StudyReader {
             let questions: Vec<String> = places(&location).into_iter().map(name).collect();
             if questions.iter().any(|question| self.questions.contains(question)) {
                 let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
-                self.complain(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);
+                self.report(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);
             }
             self.questions.extend(questions);
         }

@@ -75,7 +75,7 @@ impl StudyReader {
                 let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
                 if angles_rad.contains(&angle_rad) {
                     let pose = format_value(angle_rad, Dimension::ANGLE);
-                    self.complain(&StudyProblem::PoseTwice { entry: angle.path.describe(), pose }, &angle);
+                    self.report(&StudyProblem::PoseTwice { entry: angle.path.describe(), pose }, &angle);
                     continue;
                 }
                 self.check_apart(&angle, of, angle_rad);
@@ -83,8 +83,8 @@ impl StudyReader {
             }
         }
         if angles_rad.is_empty() {
-            if !self.reader.complaints.has_errors() {
-                self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
+            if !self.reader.diagnostics.has_errors() {
+                self.report(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
             }
             return None;
         }
@@ -103,7 +103,7 @@ impl StudyReader {
                 pose: format_value(angle_rad, Dimension::ANGLE),
                 apart: format!("{:.1e} rad", (angle_rad - beside_rad).abs()),
             };
-            self.complain(&problem, entry);
+            self.report(&problem, entry);
         }
     }
 }

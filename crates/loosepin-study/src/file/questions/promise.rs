@@ -41,7 +41,7 @@ impl StudyReader {
                 _ => {
                     let (entry, of) = (asked_entry.path.describe(), of_words(*asked));
                     let is_unbounded = matches!(asked, Asked::Statistic(statistic) if !statistic.is_by_shares());
-                    self.complain(&StudyProblem::PromiseOf { entry, of, is_unbounded }, asked_entry);
+                    self.report(&StudyProblem::PromiseOf { entry, of, is_unbounded }, asked_entry);
                     continue;
                 }
             };
@@ -74,7 +74,7 @@ impl StudyReader {
     fn check_promise_runs(&mut self, entry: &Entry<'_>, least: usize, of: String) {
         let inner = self.promise.inner;
         if !self.random.is_empty() && inner < least {
-            self.complain(&StudyProblem::PromiseRuns { entry: entry.path.describe(), of, inner, least }, entry);
+            self.report(&StudyProblem::PromiseRuns { entry: entry.path.describe(), of, inner, least }, entry);
         }
     }
 
@@ -96,7 +96,7 @@ impl StudyReader {
             _ if !is_fixed => StudyProblem::PromiseBeside { entry: words, what: "another reading of intervals" },
             _ => return true,
         };
-        self.complain(&problem, entry);
+        self.report(&problem, entry);
         false
     }
 
@@ -111,12 +111,12 @@ impl StudyReader {
         if is_asked || requirements.iter().any(|requirement| requirement.is_promised) {
             if let Some(entry) = allow {
                 let problem = StudyProblem::PromiseBeside { entry: entry.path.describe(), what: "a promise" };
-                self.complain(&problem, &entry.at_key());
+                self.report(&problem, &entry.at_key());
             }
             return Some(self.promise);
         }
-        if let Some(entry) = written.filter(|_| !self.reader.complaints.has_errors()) {
-            self.complain(&StudyProblem::NothingPromised { entry: entry.path.describe() }, &entry.at_key());
+        if let Some(entry) = written.filter(|_| !self.reader.diagnostics.has_errors()) {
+            self.report(&StudyProblem::NothingPromised { entry: entry.path.describe() }, &entry.at_key());
         }
         None
     }

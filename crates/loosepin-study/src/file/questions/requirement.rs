@@ -6,7 +6,7 @@ use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::reader::StudyReader;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{Deviation, Reduction};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Kind, Reads, choice};
 use loosepin_text::units::{Dimension, Rule, format_number, format_refused};
 use loosepin_text::{choices, record};
@@ -134,7 +134,7 @@ impl StudyReader {
         if probability_at_least == 1.0 && !self.random.is_empty() {
             let problem = StudyProblem::CertaintyOfSamples { entry: probability_entry.path.describe() };
             let place = Place::new(&self.reader.source, probability_entry.span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
         // A life is to be long, everything else of wear small.

@@ -6,7 +6,7 @@ use crate::file::questions::requirement::Requirement;
 use crate::file::reader::StudyReader;
 use crate::file::sampling::SamplingTable;
 use loosepin_bounds::least_counted_runs;
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::Entry;
 
 /// `inner` is raised to this at most where the file leaves it out: more runs than that are somebody's decision.
@@ -60,7 +60,7 @@ impl StudyReader {
                 is_written: is_inner_written,
             };
             let place = Place::new(&self.reader.source, entry.span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
     }
 }

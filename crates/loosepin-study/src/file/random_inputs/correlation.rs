@@ -22,7 +22,7 @@ record! {
 impl StudyReader {
     /// Reads all `[[correlation]]` tables; nothing where there are none, or something is wrong.
     pub fn read_correlations(&mut self, written: Option<&Entry<'_>>) -> Option<Correlation> {
-        let had_errors = self.reader.complaints.has_errors();
+        let had_errors = self.reader.diagnostics.has_errors();
         let entries = self.double_brackets(written);
         let mut stated: Vec<StatedCorrelation> = Vec::new();
         let mut is_right = true;
@@ -130,11 +130,11 @@ impl StudyReader {
         if place.is_none() {
             let words = entry.path.describe();
             if self.epistemic.iter().any(|input| input.quantity() == Some(quantity)) {
-                self.reader.complain(&RandomProblem::Epistemic { entry: words, path }, entry.span);
+                self.reader.report(&RandomProblem::Epistemic { entry: words, path }, entry.span);
             } else if !had_errors {
                 // After an error above it may be one that could not be read.
                 let known = self.random.iter().map(|input| input.path.clone()).collect();
-                self.reader.complain(&RandomProblem::NotRandom { entry: words, path, known }, entry.span);
+                self.reader.report(&RandomProblem::NotRandom { entry: words, path, known }, entry.span);
             }
         }
         place

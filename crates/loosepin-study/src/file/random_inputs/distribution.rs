@@ -133,11 +133,11 @@ impl StudyReader {
         if probabilities.len() != values.len() {
             let due = format!("expected one for each of the {} values", values.len());
             let found = format!("{} entries", probabilities.len());
-            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
+            self.reader.report(&RandomProblem::Probabilities { entry, found, due }, shares.span);
             is_right = false;
         } else if !((sum - 1.0).abs() <= 1e-9) {
             let (found, due) = (format!("the sum {}", format_number(sum)), "the sum must be 1".to_owned());
-            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
+            self.reader.report(&RandomProblem::Probabilities { entry, found, due }, shares.span);
             is_right = false;
         }
         is_right.then_some(Distribution::Discrete { values, probabilities })

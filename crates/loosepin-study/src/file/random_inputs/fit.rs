@@ -5,7 +5,7 @@ use crate::file::random_inputs::random_problem::RandomProblem;
 use crate::file::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
 use loosepin_mechanics::model::{Joint, PlayId, QuantityId};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Key, Kind, Table, optional};
 use loosepin_text::units::{Dimension, Rule, format_value};
 use loosepin_uncertainty::{Distribution, Interval};
@@ -71,7 +71,7 @@ impl StudyReader {
             let clearance_m = limits.radial_clearance_m().map(|clearance_m| place.per_radial * clearance_m);
             if let Some(known) = fits.iter().find(|known| known.clearance_m == clearance_m) {
                 let problem = RandomProblem::SameFit { fit: name, other: known.name.clone() };
-                self.reader.complain(&problem, written.span);
+                self.reader.report(&problem, written.span);
                 is_whole = false;
                 continue;
             }
@@ -130,7 +130,7 @@ impl StudyReader {
         let per_radial = self.per_radial(quantity);
         let is_play = per_radial.is_some() && !concerned.is_empty();
         if !is_play {
-            self.reader.complain(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
+            self.reader.report(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
         }
         let has_diameter = self.reader.demand(table, "diameter");
         let diameter_entry = table.get("diameter").filter(|_| has_diameter)?;
@@ -148,7 +148,7 @@ impl StudyReader {
                     bearing,
                 };
                 let place = Place::new(&self.reader.source, diameter_entry.span);
-                self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+                self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
             }
         }
         Some(FitPlace { diameter_m, entry: diameter_entry, is_play, per_radial: per_radial.unwrap_or(1.0) })

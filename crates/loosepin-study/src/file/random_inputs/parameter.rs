@@ -92,7 +92,7 @@ impl StudyReader {
             (Some(table), None) if mean <= 0.0 => {
                 let (entry, found) = (table.path.join("mean").describe(), format_value(mean, dimension));
                 let rule = "> 0, and is the value in the model where it is left out".to_owned();
-                self.reader.complain(&StudyProblem::DistributionRule { entry, found, rule }, table.span);
+                self.reader.report(&StudyProblem::DistributionRule { entry, found, rule }, table.span);
                 false
             }
             (Some(_), _) => self.positive(mean_entry, mean, dimension),
@@ -116,7 +116,7 @@ impl StudyReader {
         self.refuse_number(lower_entry, found, format!("below the upper end {limit}"))
     }
 
-    /// Whether a number is above zero; complains if not.
+    /// Whether a number is above zero; reports if not.
     pub(crate) fn positive(&mut self, entry: &Option<Entry<'_>>, value: f64, dimension: Dimension) -> bool {
         if value > 0.0 {
             return true;
@@ -143,7 +143,7 @@ impl StudyReader {
         if entry.is_some() { self.parameter(entry, dimension) } else { Some(0.0) }
     }
 
-    /// Complains about a number of a distribution, where it is written.
+    /// Reports a number of a distribution, where it is written.
     pub(crate) fn refuse_number<T>(&mut self, entry: &Option<Entry<'_>>, found: String, rule: String) -> Option<T> {
         let entry = entry.as_ref()?;
         // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.

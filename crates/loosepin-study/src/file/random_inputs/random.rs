@@ -10,7 +10,7 @@ use crate::file::reader::{StudyReader, adopt};
 use crate::file::words::words;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
-use loosepin_text::diagnostics::Complaint;
+use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, joined, read_beside};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_number, format_value, parse_quantity};
@@ -128,11 +128,11 @@ impl StudyReader {
         Some((variable, parameters, Some(origin)))
     }
 
-    /// Complains about keys that say more about another one that is not there.
+    /// Reports keys that say more about another one that is not there.
     pub(crate) fn refuse_stray(&mut self, table: &Table<'_>, belongs_to: &[(&'static str, &'static str)]) {
         for &(key, to) in belongs_to {
             if let Some(entry) = table.get(key).filter(|_| !table.has(to)) {
-                self.reader.complain(&RandomProblem::StrayKey { entry: entry.path.describe(), to }, entry.key_span);
+                self.reader.report(&RandomProblem::StrayKey { entry: entry.path.describe(), to }, entry.key_span);
             }
         }
     }
@@ -174,8 +174,8 @@ impl StudyReader {
         let read = read_beside(&self.reader.source, file);
         let column = match read.and_then(|source| SampleColumn::from_source(source, column)) {
             Ok(column) => column,
-            Err(complaints) => {
-                adopt(&mut self.reader, &complaints, entry.span);
+            Err(diagnostics) => {
+                adopt(&mut self.reader, &diagnostics, entry.span);
                 return None;
             }
         };
@@ -225,7 +225,7 @@ impl StudyReader {
                 distance: short_number(goodness.anderson_darling),
             };
             let place = self.reader.place(entry.span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
     }
 

@@ -8,7 +8,7 @@ use crate::file::reader::StudyReader;
 use crate::file::study_table::StudyTable;
 use loosepin_bounds::Statistic;
 use loosepin_mechanics::model::QuantityError;
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_uncertainty::RandomVariable;
 
 /// Probability of impossible values below which nothing is said: a thousandth of a run among a thousand.
@@ -30,7 +30,7 @@ impl StudyReader {
         for (path, problem) in found {
             let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.span);
             let place = Place::new(&self.reader.source, span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
     }
 
@@ -71,7 +71,7 @@ impl StudyReader {
             let problem =
                 StudyProblem::QuantileBeyondSamples { percent: 100.0 * p, inner: sampling.inner, none_percent, needed };
             let place = Place::new(&self.reader.source, written.key_span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
     }
 }

@@ -106,7 +106,7 @@ const OF_FLOATING_FRAME: [&str; 8] = [
 const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
 
 impl ModelReader {
-    /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a complaint.
+    /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a diagnostic.
     pub(in crate::model) fn beam(&mut self, entry: &Entry<'_>, body: &mut Body) {
         self.remember(entry);
         body.beam = BeamTable::read(self, entry).and_then(|own| self.beam_of(entry, &own, body));
@@ -200,7 +200,7 @@ impl ModelReader {
         })
     }
 
-    /// The formulation of a beam; nothing after a complaint about a key that it has not.
+    /// The formulation of a beam; nothing after a diagnostic about a key that it has not.
     fn formulation(&mut self, own: &BeamTable<'_>) -> Option<Formulation> {
         let (formulation, integration, elements) = (own.formulation?, own.integration?, own.elements?);
         let (others, word) = match formulation {
@@ -210,7 +210,7 @@ impl ModelReader {
         let mut fits = true;
         for (key, found) in others.iter().filter_map(|key| Some((*key, own.table.get(key)?))) {
             let problem = BeamProblem::OfOtherFormulation { entry: own.table.path.describe(), key, formulation: word };
-            self.reader.complain(&problem, found.key_span);
+            self.reader.report(&problem, found.key_span);
             fits = false;
         }
         let nodal = Formulation::AbsoluteNodal { elements, rule: integration.0 };

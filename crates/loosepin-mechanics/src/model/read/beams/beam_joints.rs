@@ -11,7 +11,7 @@ use loosepin_text::diagnostics::Span;
 use loosepin_text::document::describe_path;
 
 impl ModelReader {
-    /// Complains about what a mechanism with flexible bodies cannot have.
+    /// Reports what a mechanism with flexible bodies cannot have.
     pub(in crate::model) fn refuse_beside_beams(&mut self) {
         let flexible: Vec<BodyId> =
             (1..self.bodies.len()).map(BodyId).filter(|body| self.bodies[body.0].beam.is_some()).collect();
@@ -30,7 +30,7 @@ impl ModelReader {
         found.extend(self.controls.iter().map(|control| beside(format!("control.{}", control.name))));
         for (path, problem) in found {
             let span = self.span_of(&path);
-            self.reader.complain(&problem, span);
+            self.reader.report(&problem, span);
         }
     }
 

@@ -86,7 +86,7 @@ impl ModelReader {
         body.centre_of_mass_m = Some(centre);
     }
 
-    /// The lumps of a beam; those with a complaint are left out.
+    /// The lumps of a beam; those with a diagnostic are left out.
     pub(in crate::model) fn lumps(&mut self, entry: &Entry<'_>, body: &Body) -> Vec<Lump> {
         let mut lumps = Vec::new();
         for entry in self.reader.named(entry, "a lump") {

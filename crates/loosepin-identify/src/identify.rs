@@ -15,7 +15,7 @@ use loosepin_result::identification::{
 };
 use loosepin_result::repeat::Repeat;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, distinct, format_value};
 use loosepin_uncertainty::{normal_quantile, student_factor};
 
@@ -70,24 +70,24 @@ impl Default for Options {
 ///
 /// # Errors
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
-pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -> Result<Identification, Complaints> {
+pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -> Result<Identification, Diagnostics> {
     let confidence = options.confidence;
     if !(0.5..=MAX_CONFIDENCE).contains(&confidence) {
-        return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
+        return Err(Diagnostics::one(&IdentifyProblem::Confidence { found: confidence }, None));
     }
     if study.measured.is_empty() && study.motion.is_empty() {
         let place = Place::new(study.source(), 0..0);
-        return Err(Complaint::error(&IdentifyProblem::NoReadings, Some(place)).into());
+        return Err(Diagnostic::error(&IdentifyProblem::NoReadings, Some(place)).into());
     }
     if study.specimen.is_some() {
         let place = Place::new(study.source(), 0..0);
-        return Err(Complaint::error(&IdentifyProblem::Conditioned, Some(place)).into());
+        return Err(Diagnostic::error(&IdentifyProblem::Conditioned, Some(place)).into());
     }
     let wanted = specimens(study, options)?;
     let is_wanted = |specimen: &Option<String>| options.specimen.is_none() || options.specimen == *specimen;
     if options.with_lengths && !study.motion.iter().any(|feature| is_wanted(&feature.specimen)) {
         let place = Place::new(study.source(), 0..0);
-        return Err(Complaint::error(&IdentifyProblem::NoMotion, Some(place)).into());
+        return Err(Diagnostic::error(&IdentifyProblem::NoMotion, Some(place)).into());
     }
     let asked = MotionValues {
         confidence,
@@ -124,7 +124,7 @@ pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -
         let scattering = readings.iter().copied().filter(|reading| has_scatter(reading)).count();
         of_readings(&rig, name, &readings, share / scattering.max(1) as f64, options.looks_further)
     };
-    let specimens = wanted.iter().map(of_specimen).collect::<Result<_, Complaints>>()?;
+    let specimens = wanted.iter().map(of_specimen).collect::<Result<_, Diagnostics>>()?;
     let random = rig.others.iter().filter(|other| other.is_random).map(|other| InputRange {
         path: other.path.clone(),
         unit: other.unit.clone(),
@@ -134,7 +134,7 @@ pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -
 }
 
 /// The specimens of the readings, in the order of the file, or the one that is asked for.
-fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Complaints> {
+fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Diagnostics> {
     let found = distinct(study.measured.iter().map(|reading| reading.specimen.clone()));
     let Some(wanted) = &options.specimen else { return Ok(found) };
     if found.iter().flatten().any(|known| known == wanted) {
@@ -149,7 +149,7 @@ fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Co
 ///
 /// # Errors
 /// No reading and no feature of a motion is of it.
-pub(crate) fn known_specimen(study: &Study, wanted: &str) -> Result<(), Complaints> {
+pub(crate) fn known_specimen(study: &Study, wanted: &str) -> Result<(), Diagnostics> {
     let readings = study.measured.iter().filter_map(|reading| reading.specimen.as_ref());
     let mut known: Vec<String> = Vec::new();
     for name in readings.chain(study.motion.iter().filter_map(|feature| feature.specimen.as_ref())) {
@@ -161,7 +161,7 @@ pub(crate) fn known_specimen(study: &Study, wanted: &str) -> Result<(), Complain
             known.push(quoted);
         }
     }
-    Err(Complaints::one(&IdentifyProblem::UnknownSpecimen { name: wanted.to_owned(), known }, None))
+    Err(Diagnostics::one(&IdentifyProblem::UnknownSpecimen { name: wanted.to_owned(), known }, None))
 }
 
 /// Largest independent error of the mean of a reading, of either sign, but for `share`.
@@ -181,7 +181,7 @@ fn of_readings(
     readings: &[&Measured],
     share: f64,
     looks_further: bool,
-) -> Result<Specimen, Complaints> {
+) -> Result<Specimen, Diagnostics> {
     let instruments: Vec<&str> = distinct(readings.iter().map(|reading| reading.instrument.as_str()));
     let tests: Vec<Test> = readings
         .iter()
@@ -197,10 +197,10 @@ fn of_readings(
         .iter()
         .zip(&tests)
         .map(|(reading, test)| States::new(rig, test).map_err(|error| locked(reading, error.into())))
-        .collect::<Result<Vec<States>, Complaints>>()?;
+        .collect::<Result<Vec<States>, Diagnostics>>()?;
     // Contacts yield the more alike, and the loops are the straighter, the smaller the box of the plays is: what the readings leave
     // of it is the next box.
-    let influences_in = |plays_si: &[[f64; 2]]| -> Result<Vec<Influence>, Complaints> {
+    let influences_in = |plays_si: &[[f64; 2]]| -> Result<Vec<Influence>, Diagnostics> {
         let of = |((reading, test), states): ((&&Measured, &Test), &States)| {
             Influence::new(rig, test, states, plays_si).map_err(|error| locked(reading, error))
         };
@@ -211,7 +211,7 @@ fn of_readings(
     for (reading, influence) in readings.iter().zip(&influences) {
         if !influence.is_moved() {
             let problem = IdentifyProblem::DoesNotMove { reading: reading.name.clone() };
-            return Err(Complaint::error(&problem, Some(reading.place.clone())).into());
+            return Err(Diagnostic::error(&problem, Some(reading.place.clone())).into());
         }
     }
     let independent: Vec<f64> = readings.iter().map(|reading| independent_si(reading, share)).collect();
@@ -385,11 +385,11 @@ pub(crate) fn push_words(rig: &Rig<'_>, push: &Push) -> String {
 }
 
 /// A mechanism that cannot be locked or does not settle, at the reading that asks for it.
-fn locked(reading: &Measured, failure: Failure) -> Complaints {
+fn locked(reading: &Measured, failure: Failure) -> Diagnostics {
     let name = reading.name.clone();
     let (problem, place) = match failure {
         Failure::Accuracy(error) => (IdentifyProblem::Locked { reading: name, error }, &reading.pose_place),
         Failure::TooLoaded { joint } => (IdentifyProblem::TooLoaded { reading: name, joint }, &reading.place),
     };
-    Complaint::error(&problem, Some(place.clone())).into()
+    Diagnostic::error(&problem, Some(place.clone())).into()
 }

@@ -1,23 +1,23 @@
-//! Compile and sample errors as complaints at a place of the model file.
+//! Compile and sample errors as diagnostics at a place of the model file.
 
 use super::error::{MechanismError, SampleError};
 use crate::mechanism::tree::blocking::{Blocking, blocking};
 use crate::model::{CycleSpan, Model};
-use loosepin_text::diagnostics::{Complaint, Place, Problem};
+use loosepin_text::diagnostics::{Diagnostic, Place, Problem};
 
 impl MechanismError {
-    /// The complaint about the model that could not be compiled, at the joint, body or drive that it is about.
-    pub fn complaint(&self, model: &Model) -> Complaint {
+    /// The diagnostic about the model that could not be compiled, at the joint, body or drive that it is about.
+    pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         let may_be_blocked = match self {
             Self::CannotClose { .. } | Self::CannotCloseAsGiven { .. } | Self::SingularStart { .. } => true,
             Self::TooManyDrives { mobility, .. } => *mobility == 0,
             _ => false,
         };
         if let Some(blocking) = may_be_blocked.then(|| blocking(model)).flatten() {
-            return blocking.complaint(model);
+            return blocking.diagnostic(model);
         }
         match self {
-            Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
+            Self::Quantity(error) => Diagnostic::error(error, model.place(error.path())),
             Self::TooFewDrives { undetermined: bodies, .. } | Self::SingularStart { bodies } => {
                 labelled(self, bodies.iter().map(|body| model.place(&format!("body.{body}"))), "this can move too")
             }
@@ -26,12 +26,12 @@ impl MechanismError {
                 bodies.iter().map(|body| model.place(&format!("body.{body}"))),
                 "this is not determined either",
             ),
-            Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
+            Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Diagnostic::error(self, model.place("initial")),
             Self::StartContradicts { path, .. }
             | Self::PitchCirclesApart { path, .. }
-            | Self::OffsetOfFreeMotion { path } => Complaint::error(self, model.place(path)),
+            | Self::OffsetOfFreeMotion { path } => Diagnostic::error(self, model.place(path)),
             Self::NothingToControl { control } | Self::NoInverseDynamics { control, .. } => {
-                Complaint::error(self, model.place(&format!("control.{control}")))
+                Diagnostic::error(self, model.place(&format!("control.{control}")))
             }
             Self::TooManyDrives { .. } => {
                 // The last drive is as good as any; the others are shown beside it.
@@ -39,21 +39,21 @@ impl MechanismError {
                 labelled(self, drives, "this is driven too")
             }
             Self::DrivenLoop { joint } | Self::CarriedNotDetermined { joint } => {
-                Complaint::error(self, model.place(&format!("joint.{joint}")))
+                Diagnostic::error(self, model.place(&format!("joint.{joint}")))
             }
-            Self::BeamHangs { body } => Complaint::error(self, model.place(&format!("body.{body}.beam"))),
+            Self::BeamHangs { body } => Diagnostic::error(self, model.place(&format!("body.{body}.beam"))),
             Self::BeyondBeam { body, point } => {
-                Complaint::error(self, model.place(&format!("body.{body}.points.{point}")))
+                Diagnostic::error(self, model.place(&format!("body.{body}.points.{point}")))
             }
-            Self::CannotClose { open, .. } => Complaint::error(self, model.place(&open.path)),
-            Self::ClosesTurned { path, .. } => Complaint::error(self, model.place(path)),
+            Self::CannotClose { open, .. } => Diagnostic::error(self, model.place(&open.path)),
+            Self::ClosesTurned { path, .. } => Diagnostic::error(self, model.place(path)),
         }
     }
 }
 
 impl Blocking {
-    /// The complaint at the last of the drives or joints, the others beside it.
-    fn complaint(&self, model: &Model) -> Complaint {
+    /// The diagnostic at the last of the drives or joints, the others beside it.
+    fn diagnostic(&self, model: &Model) -> Diagnostic {
         let (kind, names, text) = match self {
             Self::Drives { drives } => ("drive", drives, "this moves the same freedom"),
             Self::Joints { joints } => ("joint", joints, "this holds the others too"),
@@ -62,20 +62,20 @@ impl Blocking {
     }
 }
 
-/// A complaint at the first place, with the others beside it.
-fn labelled(error: &dyn Problem, mut places: impl Iterator<Item = Option<Place>>, text: &str) -> Complaint {
-    let complaint = Complaint::error(error, places.next().flatten());
-    places.flatten().fold(complaint, |complaint, place| complaint.with_label(place, text))
+/// A diagnostic at the first place, with the others beside it.
+fn labelled(error: &dyn Problem, mut places: impl Iterator<Item = Option<Place>>, text: &str) -> Diagnostic {
+    let diagnostic = Diagnostic::error(error, places.next().flatten());
+    places.flatten().fold(diagnostic, |diagnostic, place| diagnostic.with_label(place, text))
 }
 
 impl SampleError {
-    /// The complaint about the model whose values give no motion.
-    pub fn complaint(&self, model: &Model) -> Complaint {
+    /// The diagnostic about the model whose values give no motion.
+    pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         if let Some(blocking) = matches!(self, Self::CannotClose { .. }).then(|| blocking(model)).flatten() {
-            return blocking.complaint(model);
+            return blocking.diagnostic(model);
         }
         let path = match self {
-            Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
+            Self::Quantity(error) => return Diagnostic::error(error, model.place(error.path())),
             Self::ClearanceChangesTopology { joint, .. }
             | Self::ClearanceOutsideFit { joint, .. }
             | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
@@ -91,6 +91,6 @@ impl SampleError {
                 CycleSpan::Duration(_) => "cycle".to_owned(),
             },
         };
-        Complaint::error(self, model.place(&path))
+        Diagnostic::error(self, model.place(&path))
     }
 }

@@ -1,22 +1,23 @@
-//! Complaints as the page shows them.
+//! Diagnostics as the page shows them.
 
-use loosepin::diagnostics::{Complaint, Complaints, Place};
+use loosepin::diagnostics::{Diagnostic, Diagnostics, Place};
 
-use crate::messages::{Document, SeenComplaint, SeenLabel};
+use crate::messages::{DiagnosticView, Document, LabelView};
 use crate::view::fixes::fix;
 use crate::view::places::stretch;
 use crate::view::texts::Texts;
 
-/// Most complaints that a page is sent: a list of thousands is of no use to anybody, and takes seconds to be drawn.
+/// Most diagnostics that a page is sent: a list of thousands is of no use to anybody, and takes seconds to be drawn.
 const MAX_SHOWN: usize = 200;
 
-/// The first complaints in the order of their places; the last one says how many more there are.
-pub fn seen(complaints: &Complaints, texts: &Texts) -> Vec<SeenComplaint> {
-    let sorted = complaints.sorted();
-    let mut seen: Vec<SeenComplaint> = sorted.iter().take(MAX_SHOWN).map(|complaint| one(complaint, texts)).collect();
+/// The first diagnostics in the order of their places; the last one says how many more there are.
+pub fn seen(diagnostics: &Diagnostics, texts: &Texts) -> Vec<DiagnosticView> {
+    let sorted = diagnostics.sorted();
+    let mut seen: Vec<DiagnosticView> =
+        sorted.iter().take(MAX_SHOWN).map(|diagnostic| one(diagnostic, texts)).collect();
     if let Some(left) = sorted.get(MAX_SHOWN..).filter(|left| !left.is_empty()) {
-        let gravest = left.iter().max_by_key(|complaint| complaint.severity).unwrap_or(&left[0]);
-        seen.push(SeenComplaint {
+        let gravest = left.iter().max_by_key(|diagnostic| diagnostic.severity).unwrap_or(&left[0]);
+        seen.push(DiagnosticView {
             document: None,
             path: None,
             code: gravest.code.as_str(),
@@ -31,24 +32,24 @@ pub fn seen(complaints: &Complaints, texts: &Texts) -> Vec<SeenComplaint> {
     seen
 }
 
-fn one(complaint: &Complaint, texts: &Texts) -> SeenComplaint {
-    let place = complaint.place.as_ref();
+fn one(diagnostic: &Diagnostic, texts: &Texts) -> DiagnosticView {
+    let place = diagnostic.place.as_ref();
     let document = place.and_then(|place| document(place, texts));
-    let labels = complaint.labels.iter().map(|label| SeenLabel {
+    let labels = diagnostic.labels.iter().map(|label| LabelView {
         document: self::document(&label.place, texts),
         stretch: Some(stretch(&label.place)),
         text: label.text.clone(),
     });
-    SeenComplaint {
+    DiagnosticView {
         document,
         path: place.map(|place| place.source.name().to_owned()),
-        code: complaint.code.as_str(),
-        severity: complaint.severity,
-        message: complaint.message.clone(),
-        hint: complaint.hint.clone(),
+        code: diagnostic.code.as_str(),
+        severity: diagnostic.severity,
+        message: diagnostic.message.clone(),
+        hint: diagnostic.hint.clone(),
         stretch: place.map(stretch),
         labels: labels.collect(),
-        fix: fix(complaint, document),
+        fix: fix(diagnostic, document),
     }
 }
 

@@ -36,7 +36,7 @@ impl std::fmt::Display for Piece {
 
 /// How well a number is known.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Knowledge {
+pub enum UncertaintySpec {
     /// Its value, and nothing else.
     Exact(Piece),
     /// A value with its limits, as on a drawing: the nominal value, where it is written, and the limits.
@@ -58,33 +58,33 @@ pub enum Knowledge {
 ///
 /// # Errors
 /// What cannot be read, and what is expected.
-pub fn knowledge(text: &str, dimension: Dimension, unit: &str) -> Result<Knowledge, Refusal> {
+pub fn uncertainty_spec(text: &str, dimension: Dimension, unit: &str) -> Result<UncertaintySpec, Refusal> {
     let text = with_points(text.replace(['\u{a0}', '\u{202f}'], " ").trim())?;
     let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±").replace(['…', '–'], "..");
     if text.is_empty() {
         return Err(Refusal::bad("nothing is written").with_hint(FORMS));
     }
     if is_fit(&text) {
-        return Ok(Knowledge::Fit(text));
+        return Ok(UncertaintySpec::Fit(text));
     }
     let read = |parts: &[&str]| pieces(parts, dimension, unit);
     let only = |part: &str| Ok(read(&[part])?.swap_remove(0));
     if let Some(rest) = text.strip_prefix("sd ") {
-        return Ok(Knowledge::StandardDeviation(only(rest)?));
+        return Ok(UncertaintySpec::StandardDeviation(only(rest)?));
     }
     if let Some(rest) = text.strip_prefix("uniform") {
         let rest = rest.trim().strip_prefix('±').ok_or_else(|| unread(&text))?;
-        return Ok(Knowledge::Uniform(only(rest)?));
+        return Ok(UncertaintySpec::Uniform(only(rest)?));
     }
     if let Some((lower, upper)) = ends(&text)? {
         let [lower, upper] = <[Piece; 2]>::try_from(read(&[lower, upper])?).map_err(|_| unread(&text))?;
-        return Ok(Knowledge::Interval([lower, upper]));
+        return Ok(UncertaintySpec::Interval([lower, upper]));
     }
     if let Some((nominal, half)) = text.split_once('±') {
         let has_nominal = !nominal.trim().is_empty();
         let mut read = if has_nominal { read(&[nominal, half])? } else { read(&[half])? };
         let limits = format!("± {}", read.pop().ok_or_else(|| unread(&text))?);
-        return Ok(Knowledge::Tolerance(read.pop(), limits));
+        return Ok(UncertaintySpec::Tolerance(read.pop(), limits));
     }
     // Without a nominal value a zero stands for it.
     let with_nominal = if text.starts_with(['+', '-']) { format!("0 {text}") } else { text.clone() };
@@ -95,10 +95,10 @@ pub fn knowledge(text: &str, dimension: Dimension, unit: &str) -> Result<Knowled
         let first = read.pop().ok_or_else(|| unread(&text))?;
         let signed = |piece: &Piece| if piece.value_si < 0.0 { piece.to_string() } else { format!("+{piece}") };
         let limits = format!("{} {}", signed(&first), signed(&second));
-        return Ok(Knowledge::Tolerance(read.pop(), limits));
+        return Ok(UncertaintySpec::Tolerance(read.pop(), limits));
     }
     let mut values = read(&text.split(',').collect::<Vec<_>>())?;
-    Ok(if values.len() == 1 { Knowledge::Exact(values.swap_remove(0)) } else { Knowledge::OneOf(values) })
+    Ok(if values.len() == 1 { UncertaintySpec::Exact(values.swap_remove(0)) } else { UncertaintySpec::OneOf(values) })
 }
 
 fn unread(text: &str) -> Refusal {
@@ -200,21 +200,21 @@ fn canonical(number: &str, value: f64) -> String {
 mod tests {
     use super::*;
 
-    fn length(text: &str) -> Result<Knowledge, String> {
-        knowledge(text, Dimension::LENGTH, "mm").map_err(|refusal| refusal.message)
+    fn length(text: &str) -> Result<UncertaintySpec, String> {
+        uncertainty_spec(text, Dimension::LENGTH, "mm").map_err(|refusal| refusal.message)
     }
 
     /// The values as a file has them, in a line.
     fn shown(text: &str) -> String {
         match length(text).unwrap_or_else(|words| panic!("{text}: {words}")) {
-            Knowledge::Exact(value) => format!("= {}", value.quoted()),
-            Knowledge::Tolerance(None, limits) => limits,
-            Knowledge::Tolerance(Some(nominal), limits) => format!("{nominal} {limits}"),
-            Knowledge::StandardDeviation(value) => format!("sd {}", value.quoted()),
-            Knowledge::Uniform(value) => format!("uniform {}", value.quoted()),
-            Knowledge::Interval([lower, upper]) => format!("{} .. {}", lower.quoted(), upper.quoted()),
-            Knowledge::OneOf(values) => values.iter().map(Piece::quoted).collect::<Vec<_>>().join(", "),
-            Knowledge::Fit(fit) => fit,
+            UncertaintySpec::Exact(value) => format!("= {}", value.quoted()),
+            UncertaintySpec::Tolerance(None, limits) => limits,
+            UncertaintySpec::Tolerance(Some(nominal), limits) => format!("{nominal} {limits}"),
+            UncertaintySpec::StandardDeviation(value) => format!("sd {}", value.quoted()),
+            UncertaintySpec::Uniform(value) => format!("uniform {}", value.quoted()),
+            UncertaintySpec::Interval([lower, upper]) => format!("{} .. {}", lower.quoted(), upper.quoted()),
+            UncertaintySpec::OneOf(values) => values.iter().map(Piece::quoted).collect::<Vec<_>>().join(", "),
+            UncertaintySpec::Fit(fit) => fit,
         }
     }
 
@@ -256,9 +256,9 @@ mod tests {
         ] {
             assert_eq!(shown(text), due, "{text}");
         }
-        let number = knowledge("0.7...9", Dimension::NUMBER, "").map_err(|refusal| refusal.message);
+        let number = uncertainty_spec("0.7...9", Dimension::NUMBER, "").map_err(|refusal| refusal.message);
         assert!(number.is_err_and(|words| words.contains("third point")));
-        let Ok(Knowledge::Interval([lower, upper])) = knowledge("0.7..  .9", Dimension::NUMBER, "") else {
+        let Ok(UncertaintySpec::Interval([lower, upper])) = uncertainty_spec("0.7..  .9", Dimension::NUMBER, "") else {
             panic!("an interval")
         };
         assert_eq!((lower.quoted().as_str(), upper.quoted().as_str()), ("0.7", "0.9"));

@@ -1,10 +1,10 @@
-//! Errors of a study as complaints.
+//! Errors of a study as diagnostics.
 
 use super::error::StudyError;
 use super::file::Study;
 use crate::response::study_response::PrepareError;
 use loosepin_bounds::{PlanError, SurrogatePlanError};
-use loosepin_text::diagnostics::{Code, Complaint, Place, Problem};
+use loosepin_text::diagnostics::{Code, Diagnostic, Place, Problem};
 use loosepin_text::document::parse_toml;
 use loosepin_text::units::format_value;
 
@@ -79,17 +79,17 @@ impl Problem for StudyError {
 }
 
 impl StudyError {
-    /// The complaint about the study, or about its model, at what it is about.
-    pub fn complaint(&self, study: &Study) -> Complaint {
+    /// The diagnostic about the study, or about its model, at what it is about.
+    pub fn diagnostic(&self, study: &Study) -> Diagnostic {
         match self {
-            Self::Prepare(PrepareError::Mechanism(error)) => error.complaint(&study.model),
+            Self::Prepare(PrepareError::Mechanism(error)) => error.diagnostic(&study.model),
             Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
-                Complaint { hint, ..Complaint::error(self, Some(place)) }
+                Diagnostic { hint, ..Diagnostic::error(self, Some(place)) }
             }
             Self::Prepare(PrepareError::Nominal { failure }) | Self::AllFailed { reason: failure, .. } => {
                 // The words are those of the study, the place is that of the model.
-                Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
+                Diagnostic { place: failure.diagnostic(&study.model).place, ..Diagnostic::error(self, None) }
             }
             Self::Plan(_)
             | Self::Contributors(_)
@@ -108,23 +108,23 @@ impl StudyError {
                     Self::Surrogate(SurrogatePlanError::Confirming { .. }) => Some("confirming_runs"),
                     _ => None,
                 };
-                let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
+                let mut diagnostic = Diagnostic::error(self, Some(place_within(key, within, study)));
                 // These errors bring their way out with them.
-                if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
-                    complaint.message = message.to_owned();
-                    complaint.hint = Some(hint.to_owned());
+                if let Some((message, hint)) = diagnostic.message.clone().split_once("\nhint: ") {
+                    diagnostic.message = message.to_owned();
+                    diagnostic.hint = Some(hint.to_owned());
                 }
-                complaint
+                diagnostic
             }
             Self::Prepare(PrepareError::TooManyTurns { table, key, .. }) => {
-                Complaint::error(self, Some(place_within(table, Some(key), study)))
+                Diagnostic::error(self, Some(place_within(table, Some(key), study)))
             }
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
-                Complaint::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
+                Diagnostic::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
             }
             Self::Prepare(PrepareError::UncertainStart { path } | PrepareError::SpeedThroughZero { path }) => {
                 let table = if study.random.iter().any(|input| input.path == *path) { "random" } else { "epistemic" };
-                Complaint::error(self, Some(place_within(table, Some(path), study)))
+                Diagnostic::error(self, Some(place_within(table, Some(path), study)))
             }
             Self::Prepare(
                 PrepareError::Law(_)
@@ -133,24 +133,24 @@ impl StudyError {
                 | PrepareError::PoseNotRecorded { .. }
                 | PrepareError::PathStandsStill { .. },
             )
-            | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            | Self::Loosened { .. } => Diagnostic::error(self, Some(Place::new(study.source(), 0..0))),
             Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {
                 let also = if study.allowances.is_empty() { "" } else { ", and so do fewer inputs under [allow]" };
                 let hint = format!(
                     "a budget of {least} runs suffices for a first answer; fewer training_runs and confirming_runs under \
                      [surrogate] need fewer{also}"
                 );
-                Complaint { hint: Some(hint), ..Complaint::error(self, study.budget_place().cloned()) }
+                Diagnostic { hint: Some(hint), ..Diagnostic::error(self, study.budget_place().cloned()) }
             }
-            Self::BudgetTooSmall { .. } | Self::TimeOfShards => Complaint::error(self, study.budget_place().cloned()),
-            Self::NothingAsked => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            Self::BudgetTooSmall { .. } | Self::TimeOfShards => Diagnostic::error(self, study.budget_place().cloned()),
+            Self::NothingAsked => Diagnostic::error(self, Some(Place::new(study.source(), 0..0))),
             Self::Threads(_)
             | Self::Store(_)
             | Self::Table(_)
             | Self::RoundOpen(_)
             | Self::NotMade { .. }
             | Self::TooManyFailed(_)
-            | Self::Interrupted { .. } => Complaint::error(self, None),
+            | Self::Interrupted { .. } => Diagnostic::error(self, None),
         }
     }
 }

@@ -55,7 +55,7 @@ const FOLLOWED: f64 = 1e-3;
 ///
 /// # Errors
 /// There is no static shape, or none that is stable: the load is beyond what the beams bear. Or it leaves loops open that nothing else can close.
-pub fn settle(motion: &mut Motion<'_, f64>, state: &mut [f64]) -> Result<(), RunFailure> {
+pub fn static_equilibrium(motion: &mut Motion<'_, f64>, state: &mut [f64]) -> Result<(), RunFailure> {
     let coordinates = Coordinates::new(motion.dynamics.mechanism());
     if coordinates.shapes.is_empty() {
         return Ok(());

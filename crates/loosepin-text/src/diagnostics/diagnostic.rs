@@ -1,4 +1,4 @@
-//! One complaint, and all complaints of a file.
+//! One diagnostic, and all diagnostics of a file.
 
 use std::collections::HashSet;
 use std::fmt::{self, Display};
@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::visible::visible;
 use super::{Code, Place};
 
-/// Something wrong that can be complained about: `Display` says what is wrong, both numbers with units, the rule.
+/// Something wrong that can be reported: `Display` says what is wrong, both numbers with units, the rule.
 pub trait Problem: Display {
     /// The code that does not change between versions.
     fn code(&self) -> Code;
@@ -18,7 +18,7 @@ pub trait Problem: Display {
     }
 }
 
-/// How grave a complaint is.
+/// How grave a diagnostic is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
@@ -37,7 +37,7 @@ impl Display for Severity {
     }
 }
 
-/// A second place that matters to a complaint.
+/// A second place that matters to a diagnostic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The place.
@@ -46,9 +46,9 @@ pub struct Label {
     pub text: String,
 }
 
-/// One complaint.
+/// One diagnostic.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Complaint {
+pub struct Diagnostic {
     /// The code that does not change between versions.
     pub code: Code,
     /// How grave it is.
@@ -63,10 +63,10 @@ pub struct Complaint {
     pub labels: Vec<Label>,
 }
 
-impl Complaint {
+impl Diagnostic {
     /// An error at a place.
-    pub fn error(problem: &dyn Problem, place: Option<Place>) -> Complaint {
-        Complaint {
+    pub fn error(problem: &dyn Problem, place: Option<Place>) -> Diagnostic {
+        Diagnostic {
             code: problem.code(),
             severity: Severity::Error,
             message: visible(&problem.to_string()).into_owned(),
@@ -77,12 +77,12 @@ impl Complaint {
     }
 
     /// A warning at a place.
-    pub fn warning(problem: &dyn Problem, place: Option<Place>) -> Complaint {
-        Complaint { severity: Severity::Warning, ..Complaint::error(problem, place) }
+    pub fn warning(problem: &dyn Problem, place: Option<Place>) -> Diagnostic {
+        Diagnostic { severity: Severity::Warning, ..Diagnostic::error(problem, place) }
     }
 
-    /// The complaint with a second place.
-    pub fn with_label(mut self, place: Place, text: impl Into<String>) -> Complaint {
+    /// The diagnostic with a second place.
+    pub fn with_label(mut self, place: Place, text: impl Into<String>) -> Diagnostic {
         self.labels.push(Label { place, text: visible(&text.into()).into_owned() });
         self
     }
@@ -92,42 +92,42 @@ impl Complaint {
     }
 }
 
-/// All complaints about a file, in the order of their places.
+/// All diagnostics about a file, in the order of their places.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Complaints {
-    list: Vec<Complaint>,
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
 }
 
-impl Complaints {
-    /// No complaint.
-    pub fn new() -> Complaints {
-        Complaints::default()
+impl Diagnostics {
+    /// No diagnostic.
+    pub fn new() -> Diagnostics {
+        Diagnostics::default()
     }
 
     /// One error.
-    pub fn one(problem: &dyn Problem, place: Option<Place>) -> Complaints {
-        Complaints { list: vec![Complaint::error(problem, place)] }
+    pub fn one(problem: &dyn Problem, place: Option<Place>) -> Diagnostics {
+        Diagnostics { list: vec![Diagnostic::error(problem, place)] }
     }
 
-    /// Adds a complaint.
-    pub fn push(&mut self, complaint: Complaint) {
-        self.list.push(complaint);
+    /// Adds a diagnostic.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        self.list.push(diagnostic);
     }
 
     /// Adds all of another's.
-    pub fn extend(&mut self, other: Complaints) {
+    pub fn extend(&mut self, other: Diagnostics) {
         self.list.extend(other.list);
     }
 
-    /// Removes complaints whose text was seen before, and adds the others' texts to `seen`: a model may be read twice, by itself and for
+    /// Removes diagnostics whose text was seen before, and adds the others' texts to `seen`: a model may be read twice, by itself and for
     /// its study.
     pub fn remove_repeats(&mut self, seen: &mut HashSet<String>) {
-        self.list.retain(|complaint| seen.insert(complaint.to_string()));
+        self.list.retain(|diagnostic| seen.insert(diagnostic.to_string()));
     }
 
     /// Whether any of them is an error.
     pub fn has_errors(&self) -> bool {
-        self.list.iter().any(|complaint| complaint.severity == Severity::Error)
+        self.list.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
     }
 
     /// Whether there are none.
@@ -140,24 +140,24 @@ impl Complaints {
         self.list.len()
     }
 
-    /// The complaints, by file and place.
-    pub fn sorted(&self) -> Vec<&Complaint> {
-        let mut sorted: Vec<&Complaint> = self.list.iter().collect();
+    /// The diagnostics, by file and place.
+    pub fn sorted(&self) -> Vec<&Diagnostic> {
+        let mut sorted: Vec<&Diagnostic> = self.list.iter().collect();
         sorted.sort_by(|one, other| one.sort_key().cmp(&other.sort_key()));
         sorted
     }
 }
 
-impl From<Complaint> for Complaints {
-    fn from(complaint: Complaint) -> Complaints {
-        Complaints { list: vec![complaint] }
+impl From<Diagnostic> for Diagnostics {
+    fn from(diagnostic: Diagnostic) -> Diagnostics {
+        Diagnostics { list: vec![diagnostic] }
     }
 }
 
-impl FromIterator<Complaint> for Complaints {
-    fn from_iter<I: IntoIterator<Item = Complaint>>(complaints: I) -> Complaints {
-        Complaints { list: complaints.into_iter().collect() }
+impl FromIterator<Diagnostic> for Diagnostics {
+    fn from_iter<I: IntoIterator<Item = Diagnostic>>(diagnostics: I) -> Diagnostics {
+        Diagnostics { list: diagnostics.into_iter().collect() }
     }
 }
 
-impl std::error::Error for Complaints {}
+impl std::error::Error for Diagnostics {}

@@ -26,9 +26,9 @@ pub struct Stretch {
     pub to: usize,
 }
 
-/// A second place that matters to a complaint.
+/// A second place that matters to a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenLabel {
+pub struct LabelView {
     /// The text; nothing where it is none of the two.
     pub document: Option<Document>,
     /// Where in it.
@@ -40,7 +40,7 @@ pub struct SeenLabel {
 
 /// Something wrong, or worth a warning.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SeenComplaint {
+pub struct DiagnosticView {
     /// The text at fault; nothing where it is none of the two.
     pub document: Option<Document>,
     /// Path of the file at fault.
@@ -57,7 +57,7 @@ pub struct SeenComplaint {
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
     /// Other places.
-    pub labels: Vec<SeenLabel>,
+    pub labels: Vec<LabelView>,
     /// A change that mends it, where one is known.
     pub fix: Option<Fix>,
 }
@@ -75,7 +75,7 @@ pub struct Change {
     pub insert: String,
 }
 
-/// A change that mends a complaint.
+/// A change that mends a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fix {
     /// It.

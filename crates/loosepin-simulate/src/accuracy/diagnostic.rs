@@ -1,8 +1,8 @@
-//! Errors of the quasi-static answer as complaints at a place of the model file.
+//! Errors of the quasi-static answer as diagnostics at a place of the model file.
 
 use super::error::AccuracyError;
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Code, Complaint, Problem};
+use loosepin_text::diagnostics::{Code, Diagnostic, Problem};
 
 impl Problem for AccuracyError {
     fn code(&self) -> Code {
@@ -36,17 +36,17 @@ impl Problem for AccuracyError {
 }
 
 impl AccuracyError {
-    /// The complaint about the model, at what it is about.
-    pub fn complaint(&self, model: &Model) -> Complaint {
+    /// The diagnostic about the model, at what it is about.
+    pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         match self {
-            Self::Sample(error) => error.complaint(model),
-            Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
-            Self::NotDriven => Complaint::error(self, model.place("initial")),
-            Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
-            Self::CannotCloseWithPlay { open } => Complaint::error(self, model.place(&open.path)),
-            Self::TurnsOver { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
-            Self::TooFewPositions { .. } | Self::SingularWithPlay | Self::Stopped => Complaint::error(self, None),
+            Self::Sample(error) => error.diagnostic(model),
+            Self::Quantity(error) => Diagnostic::error(error, model.place(error.path())),
+            Self::NotDriven => Diagnostic::error(self, model.place("initial")),
+            Self::StandsStill { drive } => Diagnostic::error(self, model.place(&format!("drive.{drive}.speed"))),
+            Self::BadStandardDeviation { path, .. } => Diagnostic::error(self, model.place(path)),
+            Self::CannotCloseWithPlay { open } => Diagnostic::error(self, model.place(&open.path)),
+            Self::TurnsOver { joint } => Diagnostic::error(self, model.place(&format!("joint.{joint}"))),
+            Self::TooFewPositions { .. } | Self::SingularWithPlay | Self::Stopped => Diagnostic::error(self, None),
         }
     }
 }

@@ -7,15 +7,15 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-use loosepin::diagnostics::{Complaints, Source};
+use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::document::describe_path;
 use loosepin::model::{Model, Origin};
 use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
-use super::knowledge::{Knowledge, Piece, knowledge, piece};
 use super::toml::change::changes;
 use super::toml::lines::{Lines, owned};
+use super::uncertainty_spec::{Piece, UncertaintySpec, piece, uncertainty_spec};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
@@ -40,7 +40,7 @@ const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nl
 ///
 /// # Errors
 /// What cannot be read, or why this number cannot be known so.
-pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
+pub fn set_uncertainty(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
     let (model, study) = known_texts(folder, texts, path, text)?;
     let of = |document, old: &Arc<Source>, new: Option<String>| new.map(|new| changes(document, old, &new));
     let mut all = of(Document::Model, &texts.model, model).unwrap_or_default();
@@ -51,7 +51,7 @@ pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Ve
 /// The texts that say how well a number is known: of the model and of the study, each only where it changes.
 ///
 /// # Errors
-/// As [`know`].
+/// As [`set_uncertainty`].
 pub fn known_texts(
     folder: &Folder,
     texts: &Texts,
@@ -64,13 +64,13 @@ pub fn known_texts(
         Some(id) if model.quantities[id].origin != Origin::Fixed => Number::of(&model, path)?,
         _ => Number::of_new_play(&model, path)?,
     };
-    let known = knowledge(text, number.dimension, &number.unit)?;
+    let known = uncertainty_spec(text, number.dimension, &number.unit)?;
     let mut in_model = Lines::new(texts.model.text());
     match (&number.place, &known) {
-        (Place::There(range), Knowledge::Exact(value)) => in_model.replace([(range.clone(), value.quoted())])?,
+        (Place::There(range), UncertaintySpec::Exact(value)) => in_model.replace([(range.clone(), value.quoted())])?,
         // The model keeps its value: the drawn one.
         (Place::There(_), _) => {}
-        (Place::NewPlay(joint), Knowledge::Exact(value) | Knowledge::Interval([value, _])) => {
+        (Place::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {
             give_play(&mut in_model, &model, joint, &value.quoted())?;
         }
         (Place::NewPlay(joint), _) => {
@@ -101,8 +101,8 @@ pub fn known_texts(
 
 /// Whether the new texts can be read, and know of the same numbers as the old ones but for that at `path`.
 fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Result<(), Refusal> {
-    let refused = |complaints: Complaints| {
-        let first = complaints.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
+    let refused = |diagnostics: Diagnostics| {
+        let first = diagnostics.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
         let (message, hint) = first.unwrap_or_default();
         Refusal { hint, ..Refusal::bad(message) }
     };
@@ -196,31 +196,31 @@ fn missing(path: &str) -> Refusal {
 /// An entry of a study: the table, and what stands behind the equals sign.
 type StudyEntry = (&'static str, String);
 
-fn entry(known: &Knowledge, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {
+fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {
     let nominal = || number.nominal.as_ref().ok_or_else(|| missing(path));
     Ok(match known {
-        Knowledge::Exact(_) => None,
-        Knowledge::Tolerance(own, limits) => {
+        UncertaintySpec::Exact(_) => None,
+        UncertaintySpec::Tolerance(own, limits) => {
             let own = own.as_ref().map(|own| format!("{own} ")).unwrap_or_default();
             nominal()?;
             Some((RANDOM, format!("{{ tolerance = \"{own}{limits}\" }}")))
         }
-        Knowledge::StandardDeviation(deviation) => {
+        UncertaintySpec::StandardDeviation(deviation) => {
             nominal()?;
             Some((RANDOM, format!("{{ normal = {{ standard_deviation = {} }} }}", deviation.quoted())))
         }
-        Knowledge::Uniform(half) => {
+        UncertaintySpec::Uniform(half) => {
             let [lower, upper] = around(nominal()?, half).map(|end| end.quoted());
             Some((RANDOM, format!("{{ uniform = {{ lower = {lower}, upper = {upper} }} }}")))
         }
-        Knowledge::Interval([lower, upper]) => {
+        UncertaintySpec::Interval([lower, upper]) => {
             Some((EPISTEMIC, format!("{{ interval = [{}, {}] }}", lower.quoted(), upper.quoted())))
         }
-        Knowledge::OneOf(values) => {
+        UncertaintySpec::OneOf(values) => {
             let values: Vec<String> = values.iter().map(Piece::quoted).collect();
             Some((EPISTEMIC, format!("{{ any_of = [{}] }}", values.join(", "))))
         }
-        Knowledge::Fit(fit) => {
+        UncertaintySpec::Fit(fit) => {
             let radius =
                 path.rsplit_once('.').and_then(|(joint, _)| model.quantities.id(&format!("{joint}.bearing_radius")));
             let radius_m = radius.map(|id| model.quantities.nominal()[id]).ok_or_else(|| {

@@ -3,7 +3,7 @@
 use super::turns::TurnsRecorder;
 use crate::{
     Arms, Column, Execution, FlightClock, Follow, FollowedRun, IdealReference, Queue, Run, RunFailure, RunReport,
-    Settings, SmallestClearance, Turns, Window, columns, conduct, input, period_turns, section_sizes,
+    Settings, SmallestClearance, Turns, Window, columns, input, period_turns, run_batch, section_sizes,
 };
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRange, Values};
@@ -154,7 +154,7 @@ impl SweepRuns<'_> {
         stop: &AtomicBool,
     ) -> Vec<(usize, SweepPoint)> {
         let mut queue = SweepQueue { runs: self, taken, finished, heard, stop, points: Vec::new() };
-        conduct(self.mechanism, &Follow::default(), &self.plan.settings, Execution::best(), &mut queue);
+        run_batch(self.mechanism, &Follow::default(), &self.plan.settings, Execution::best(), &mut queue);
         queue.points
     }
 
