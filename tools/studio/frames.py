@@ -40,7 +40,7 @@ NOTE = """(() => {
             heard.add(this);
             this.addEventListener('message', ({ data }) => {
                 const answer = JSON.parse(data);
-                if (answer.kind === 'seen' && sent.has(answer.seq)) window.answers_ms.push([performance.now() - sent.get(answer.seq), answer.cost_ms]);
+                if (answer.kind === 'look_answer' && sent.has(answer.seq)) window.answers_ms.push([performance.now() - sent.get(answer.seq), answer.cost_ms]);
             });
         }
         return send.call(this, text);

@@ -648,7 +648,7 @@ export type ToPage =
       jobs: Job[];
     }
   /** What was read. */
-  | ({ kind: 'seen' } & LookAnswer)
+  | ({ kind: 'look_answer' } & LookAnswer)
   /** How far a job is. */
   | {
       kind: 'job';
@@ -718,6 +718,20 @@ export interface View {
   outline: Outline;
   /** Its numbers. */
   quantities: QuantityView[];
+}
+
+/** A limit of the study that is a line in the chart of a band. */
+export interface LimitView {
+  /** Name of the output. */
+  output: string;
+  /** The limit, SI. */
+  within_si: number;
+  /** As the study has it, quotes left out. */
+  written: string;
+  /** First UTF-16 unit of it. */
+  from: number;
+  /** Behind the last one. */
+  to: number;
 }
 
 /** The band of one output. */
@@ -875,20 +889,6 @@ export interface OutputView {
   name: string;
   /** What it is, in words. */
   words: string;
-}
-
-/** A limit of the study that is a line in the chart of a band. */
-export interface LimitView {
-  /** Name of the output. */
-  output: string;
-  /** The limit, SI. */
-  within_si: number;
-  /** As the study has it, quotes left out. */
-  written: string;
-  /** First UTF-16 unit of it. */
-  from: number;
-  /** Behind the last one. */
-  to: number;
 }
 
 /** A number of the texts. */

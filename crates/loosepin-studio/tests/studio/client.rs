@@ -184,6 +184,6 @@ impl Live {
         self.send(&json!({
             "kind": "look", "seq": seq, "model": text(model), "study": study.map(text), "positions": 72
         }));
-        self.next_of("seen")
+        self.next_of("look_answer")
     }
 }

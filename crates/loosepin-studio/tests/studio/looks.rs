@@ -213,13 +213,13 @@ fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
     };
     let began = std::time::Instant::now();
     live.send(&look(1, &model, 720));
-    let seen = live.next_of("seen");
+    let seen = live.next_of("look_answer");
     let taken = began.elapsed().as_secs_f64();
     assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(1), &Value::from(true)), "{}", seen["diagnostics"]);
     assert!(seen["view"].is_null() && taken >= 2.0, "{taken} s");
     // What comes next is answered as ever: nothing goes on computing in its way, and no answer to the first one follows.
     live.send(&look(2, &chain(1), 36));
-    let seen = live.next_of("seen");
+    let seen = live.next_of("look_answer");
     assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(2), &Value::from(false)));
     assert!(seen["view"]["drawing"]["svg"].is_string(), "{}", seen["diagnostics"]);
 }

@@ -61,7 +61,7 @@ class Session {
     } else if (message.kind === 'job') {
       const others = this.jobs.filter((job) => job.id !== message.job.id);
       this.jobs = [...others, message.job];
-    } else if (message.kind === 'seen') this.seenBy.forEach((call) => call(message));
+    } else if (message.kind === 'look_answer') this.seenBy.forEach((call) => call(message));
     else if (message.kind === 'changed') this.changedBy.forEach((call) => call(message.path));
     else if (message.kind === 'refused') this.refusal = message.message;
   }
