@@ -232,7 +232,7 @@ duration = "0.2 s"
     let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let error = Mechanism::new(&model, &model.quantities.nominal()).expect_err("nobody knows which rail carries");
     assert_eq!(
-        error.complaint(&model).to_string(),
+        error.diagnostic(&model).to_string(),
         "model.toml:11:8: error[E0708]: joint 'lower' has friction, but its force is not determined: constraints of ideal joints are redundant\nhint: remove the redundant constraint, or the friction"
     );
 }
