@@ -143,7 +143,7 @@ def test_identity_an_interrupted_study_goes_on_with_or_without_a_cluster(client,
             raise KeyboardInterrupt
 
     for folder, resumed_by in [("there", client), ("here", None)]:
-        with pytest.raises(KeyboardInterrupt, match="interrupted after .* resume=True goes on"):
+        with pytest.raises(KeyboardInterrupt, match="interrupted after .* resume=True continues"):
             study.run(desk / folder, client=client, progress=interrupt)
         assert held(client) == {}, "what was asked for is taken back"
         assert (desk / folder / "runs.sqlite").exists()
