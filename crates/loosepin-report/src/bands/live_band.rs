@@ -245,7 +245,7 @@ mod tests {
     fn a_limit_between_both_bands_is_kept_by_the_inner_one_alone() {
         let words = |limit_si: f64| kept_words([7.0, 5.0], limit_si, "x");
         assert_eq!(words(7.0), "Without dynamics the band stays within ±x.");
-        assert!(words(6.0).contains("to first order does not"));
+        assert!(words(6.0).contains("first-order effect of play does not"));
         assert_eq!(words(4.9), "Without dynamics the band goes beyond ±x.");
     }
 

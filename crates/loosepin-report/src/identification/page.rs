@@ -257,7 +257,7 @@ mod tests {
             assert!(page.contains(&format!("data-figure=\"{name}\"")), "{name}");
         }
         told.motion[0].posterior = Some(MotionPosterior::Refused(PosteriorRefusal::NothingScatters));
-        assert!(identification_page(&told).contains("No posterior distribution: nothing scatters"));
+        assert!(identification_page(&told).contains("No posterior distribution: there is no scatter"));
     }
 
     #[test]

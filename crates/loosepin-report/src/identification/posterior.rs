@@ -208,7 +208,7 @@ mod tests {
         );
         assert_eq!(plain(&row(&table, 1)[3]), "flores 80 %, hertz 20 %");
         let words = plain(&posterior_words(&specimen(), &MotionPosterior::Given(given), &writer).join("\n"));
-        for part in ["prior: uniform", "likelihood: normal", "as by 8.6 equally probable values, 1725 runs"] {
+        for part in ["prior: uniform", "likelihood: normal", "equivalent to 8.6 equally probable values, 1725 runs"] {
             assert!(words.contains(part), "{words}");
         }
     }
@@ -219,12 +219,12 @@ mod tests {
         let writer = NumberWriter::for_terminal(&units);
         for (refusal, part) in [
             (PosteriorRefusal::Misfit, "no tested value is consistent"),
-            (PosteriorRefusal::NothingScatters, "nothing scatters"),
+            (PosteriorRefusal::NothingScatters, "there is no scatter"),
             (
                 PosteriorRefusal::FewRuns { runs: 19, least: 30 },
                 "19 finished runs, but this number of features needs 30",
             ),
-            (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs that carry the weight failed"),
+            (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs with weight failed"),
             (
                 PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: false },
                 "along pin play the weights are equivalent to 1.4 equally probable values, but 4 are needed; give it a narrower interval",

@@ -83,7 +83,7 @@ mod tests {
         };
         let text = motion_plan_text(&plan, &DisplayUnits::default());
         let flat = text.split_whitespace().collect::<Vec<&str>>().join(" ");
-        assert!(flat.contains("where pin normal is flores, hunt-crossley is told to be wrong in 25"), "{text}");
-        assert!(flat.contains("3 of 8 imagined measurements have no values"), "{text}");
+        assert!(flat.contains("if pin normal is flores, hunt-crossley is rejected in 25"), "{text}");
+        assert!(flat.contains("3 of 8 simulated measurements have no values"), "{text}");
     }
 }

@@ -112,11 +112,11 @@ mod tests {
         }
         let small = said(0.02, true, OtherFormulation::AsItIs).expect("a floating frame may do");
         assert!(
-            small.contains("formulation = \"floating-frame\" does up to") && !small.contains("absolute"),
+            small.contains("formulation = \"floating-frame\" is valid up to") && !small.contains("absolute"),
             "{small}"
         );
         let held = said(0.02, true, OtherFormulation::TangentFrame).expect("a tangent frame may do");
-        assert!(held.contains("formulation = \"floating-frame\" with frame = \"tangent\" does up to"), "{held}");
+        assert!(held.contains("formulation = \"floating-frame\" with frame = \"tangent\" is valid up to"), "{held}");
         // Held at `to` it has no floating frame.
         assert_eq!(said(0.02, true, OtherFormulation::FreeAtTo), None);
     }
