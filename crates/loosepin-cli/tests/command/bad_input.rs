@@ -46,7 +46,7 @@ fn a_number_that_is_hardly_possible_is_warned_of_beside_the_answer() {
     for command in ["check", "simulate", "motion"] {
         let said = desk.succeed(&[command, "model.toml"]).messages;
         assert_eq!(
-            said.matches("warning[E0823]: contact 'steel_pin': density 7.8 kg/m^3; usual is").count(),
+            said.matches("warning[E0823]: contact 'steel_pin': density 7.8 kg/m^3; usual values are").count(),
             1,
             "{said}"
         );
@@ -337,7 +337,7 @@ fn a_drive_that_stands_still() {
     ] {
         desk.fail(
             &[command, "model.toml"],
-            &format!("model.toml:61:9: error[E0801]: drive 'crank' stands still: {what}\n{hint}"),
+            &format!("model.toml:61:9: error[E0801]: drive 'crank' has speed zero, {what}\n{hint}"),
         );
     }
 }

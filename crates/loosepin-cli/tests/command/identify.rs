@@ -162,7 +162,7 @@ fn a_posterior_distribution_is_printed_and_drawn_where_it_is_asked_for() {
     assert!(!exact.contains("[random]"));
     desk.write("study.toml", &exact);
     let said = desk.succeed(&[&asked[..], &["--posterior"]].concat());
-    assert!(said.output.contains("- no posterior distribution: nothing scatters"), "{}", said.output);
+    assert!(said.output.contains("- no posterior distribution: there is no scatter"), "{}", said.output);
 }
 
 #[test]
