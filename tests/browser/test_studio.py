@@ -478,7 +478,7 @@ def test_a_drawing_is_imported_and_says_what_is_missing(studio, tmp_path):
     bring()
     studio.wait("document.querySelector('.problems')?.innerText.includes('E0209')")
     said = studio.browser.evaluate("document.body.innerText")
-    assert "1 thing is neither line nor polyline nor circle and left out" in said
+    assert "1 thing is neither line nor polyline nor circle, and ignored" in said
     assert '"?"' in (studio.folder / "crank/model.toml").read_text()
 
 

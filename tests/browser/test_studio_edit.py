@@ -177,7 +177,7 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     studio.click(".chosen .links button", "Delete")
     studio.wait("document.querySelector('[role=alertdialog]')")
     told = studio.browser.evaluate("document.querySelector('[role=alertdialog]').innerText")
-    for words in ("joint 'rocker_pivot'", "output 'rocker_speed'", "parameter 'rocker_mass'", "the scatter of parameter 'rocker_length' in the study",
+    for words in ("joint 'rocker_pivot'", "output 'rocker_speed'", "parameter 'rocker_mass'", "the distribution of parameter 'rocker_length' in the study",
                   "question 2 of the study", "requirement 1 of the study"):
         assert words in told, told
     studio.click("[role=alertdialog] button", "Keep it")

@@ -166,13 +166,13 @@ mod tests {
         assert_eq!(
             bent,
             [
-                "its loads turn sections by 0.23 rad, and a floating frame does up to 0.1 rad; write formulation = \"absolute-nodal\""
+                "its loads turn sections by 0.23 rad, but a floating frame is valid up to 0.1 rad; write formulation = \"absolute-nodal\""
             ]
         );
         let pushed = found(&model, &estimate(1e-3, 0.8, 0.02), false);
         assert_eq!(pushed.len(), 2);
         assert!(
-            pushed[0].starts_with("its loads stretch it by 2 %, and a floating frame does up to 1 %;"),
+            pushed[0].starts_with("its loads stretch it by 2 %, but a floating frame is valid up to 1 %;"),
             "{}",
             pushed[0]
         );

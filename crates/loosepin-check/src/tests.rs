@@ -217,7 +217,7 @@ fn a_chain_whose_equations_are_too_long_is_described_without_a_run() {
     assert!(said(&chain(12)).ends_with("\nThe first steps of the run succeed.\n"));
     let long = said(&chain(300));
     assert!(
-        long.ends_with("\nThe run was not tried: its equations of motion for 300 coordinates take too long.\n"),
+        long.ends_with("\nThe run was not tested: its equations of motion for 300 coordinates take too long.\n"),
         "{long}"
     );
 }
@@ -234,7 +234,7 @@ fn more_turns_than_a_run_can_have_are_refused_with_play_and_without() {
     let place = 1 + text.lines().position(|line| line == "[cycle]").expect("a cycle");
     let expected = format!(
         "model.toml:{place}:2: error[E0804]: 1000002 turns take at least 1.15e9 evaluations; must be at most 3.00e8\n\
-         hint: ask for fewer turns"
+         hint: use fewer turns"
     );
     assert_eq!(said(&text), expected);
     let ideal = text

@@ -18,8 +18,8 @@ pub const OUT_OF_MEMORY_STATUS: u8 = 4;
 const MESSAGE: [&[u8]; 2] = [
     b"error: out of memory: the system refused ",
     b"\n\
-      hint: raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; \
-      saved runs of a study are kept: --resume goes on with them\n",
+      hint: raise the memory limit (ulimit -v, ulimit -d, or the limit of the container), or use fewer --threads or samples; \
+      saved runs of a study are kept: --resume continues with them\n",
 ];
 /// Digits of the largest number of bytes.
 const MAX_DIGITS: usize = 20;

@@ -68,7 +68,7 @@ def test_a_motion_narrows_its_unknown_and_a_misfit_is_none(tmp_path):
     assert list(plan.features) == ["slider, range"] and "most telling alone: slider, range" in str(plan)
     wrong = lp.Study.from_text(STROKE.replace("100.3 mm", "103 mm"), model=model).identify(progress=False)
     assert wrong.is_misfit
-    with pytest.raises(lp.LoosepinError, match="no values explain what was measured"):
+    with pytest.raises(lp.LoosepinError, match="no values explain the measurements"):
         wrong.narrowed()
 
 

@@ -46,7 +46,7 @@ def test_ctrl_c_ends_a_long_study_and_keeps_its_runs(tmp_path):
     assert time.monotonic() - sent < SOON_S
     assert child.returncode == 130
     last = printed.splitlines()[-1]
-    assert last.startswith("interrupted after ") and last.endswith("the same call with resume=True goes on"), printed
+    assert last.startswith("interrupted after ") and last.endswith("the same call with resume=True continues"), printed
     assert (tmp_path / "kept/runs.sqlite").exists()
 
 

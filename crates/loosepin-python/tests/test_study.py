@@ -72,7 +72,7 @@ def test_compressed_runs_of_an_earlier_state_are_refused(desk, result, tmp_path)
     with pytest.raises(lp.LoosepinError) as refused:
         lp.Study.load(desk / "study.toml").run(tmp_path / "earlier", progress=False)
     assert refused.value.code == "E0902"
-    assert "the runs are compressed by ZSTD; this version reads runs that are not compressed" in str(refused.value)
+    assert "the runs are compressed with ZSTD; this version reads only uncompressed runs" in str(refused.value)
     assert "pyarrow and pandas read the file as it is" in str(refused.value)
 
 

@@ -100,9 +100,9 @@ fn runs_of_another_study_or_version_are_refused_by_name() {
     fill(&lock);
     let refused = |other: StoreIdentity| RunStore::open(&lock, &other).unwrap_err().to_string();
     let said = refused(StoreIdentity { version: "0.3.8".to_owned(), ..identity() });
-    assert!(said.ends_with("holds runs of another version (0.3.7; this one is 0.3.8)"), "{said}");
+    assert!(said.ends_with("contains runs of another version (0.3.7; this one is 0.3.8)"), "{said}");
     let said = refused(StoreIdentity { inputs: "77aa00bb11".to_owned(), ..identity() });
-    assert!(said.ends_with("holds runs of another study (8c1f0d2a; this one is 77aa00bb)"), "{said}");
+    assert!(said.ends_with("contains runs of another study (8c1f0d2a; this one is 77aa00bb)"), "{said}");
     let error = RunStore::begin(&lock, &identity(), Beginning::Empty).unwrap_err();
     assert_eq!(error, StoreError::HoldsRuns { path: path.clone(), runs: 2 * ROWS });
     let anew = RunStore::begin(&lock, &identity(), Beginning::Anew).unwrap();
@@ -152,7 +152,7 @@ fn tables_that_are_not_those_of_a_store_are_refused_before_they_are_read() {
 /// The header of the file says by what version it may be written and by what format its tables are described.
 #[test]
 fn a_file_of_a_format_that_does_not_exist_is_damaged() {
-    for (place, expected) in [(18, "its header is of another version of SQLite"), (47, "unsupported file format")] {
+    for (place, expected) in [(18, "its header is from another version of SQLite"), (47, "unsupported file format")] {
         let (_folder, lock, path) = folder();
         fill(&lock);
         let mut bytes = fs::read(&path).unwrap();

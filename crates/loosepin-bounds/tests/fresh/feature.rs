@@ -10,7 +10,7 @@ pub struct Feature {
     pub volume: f64,
     /// Its height, > 0.
     pub height: f64,
-    /// Whether it sets the least and the greatest value.
+    /// Whether it sets the smallest and the largest possible value.
     pub ends: [bool; 2],
 }
 

@@ -108,7 +108,7 @@ fn cases_that_are_not_there() {
     );
     desk.fail(
         &["cases", "--folder", "nowhere"],
-        "error[E0101]: nowhere holds no reference case: no folder with a model.toml and an expected.toml\n\
-         hint: the cases are in the repository; name their folder: --folder DIR",
+        "error[E0101]: nowhere contains no reference case: no folder with a model.toml and an expected.toml\n\
+         hint: the cases are in the repository; give their folder with --folder DIR",
     );
 }

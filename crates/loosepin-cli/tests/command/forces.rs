@@ -109,7 +109,7 @@ fn a_least_impact_speed_that_no_contact_reaches_is_told() {
         desk.succeed(&["simulate", "model.toml", "--set", "contact.steel_pin.minimum_impact_speed=10 m/s"]).output;
     let told = one_line(&told);
     assert!(
-        told.contains("In gudgeon no contact began faster than the least impact speed of 10 m/s (the fastest at ")
+        told.contains("In gudgeon no contact began faster than the minimum impact speed of 10 m/s (the fastest at ")
             && told.contains("which lose less energy, and none is counted. Lower minimum_impact_speed."),
         "{told}"
     );
@@ -130,7 +130,7 @@ fn a_clearance_that_may_be_below_zero_is_refused_or_told() {
     assert_eq!(
         limits.messages,
         "study.toml:17:50: error[E0501]: 'joint.gudgeon.radial_clearance' reaches -0.01 mm, which is impossible: joint 'gudgeon': \
-         radial clearance -0.01 mm; must be >= 0\nhint: clearance is bearing radius minus journal radius\n"
+         radial clearance -0.01 mm; must be >= 0\nhint: the radial clearance is radius of the hole minus radius of the pin\n"
     );
     // Φ(-10/3) = 4.3e-4.
     let tail = with("normal = { mean = \"0.1 mm\", standard_deviation = \"0.03 mm\" }");
@@ -154,8 +154,7 @@ fn a_quantile_that_the_samples_do_not_reach_is_told() {
     let said = desk.succeed(&["check", "study.toml"]).messages;
     assert!(
         said.contains(
-            "warning[E0608]: the 99.9 % quantile is asked for, and none of inner = 64 samples lies beyond it with a probability of \
-             94 %: its bound will be too narrow\nhint: inner = 8192 bounds it from both sides"
+            "warning[E0608]: the 99.9 % quantile needs more samples: with a probability of 94 %, none of inner = 64 samples lies beyond it, and its bound will be too narrow\nhint: inner = 8192 bounds it from both sides"
         ),
         "{said}"
     );
@@ -195,7 +194,7 @@ samples_per_turn = 10
         &["check", "model.toml"],
         "model.toml:14:8: error[E0704]: the links close at the start only with 'ground' and 'ram' turned by 180 deg against each other \
          in joint 'rail'\n\
-         hint: its line points the other way: change the angle of its guide or slider by 180 deg",
+         hint: its line points in the opposite direction: change the angle of its guide or slider by 180 deg",
     );
 }
 
@@ -205,8 +204,7 @@ fn a_drive_too_slow_for_contacts_and_a_dead_point_within_the_clearances_are_told
     let slow = desk.run(&["simulate", "model.toml", "--set", "drive.crank.speed=1e-6 rpm"]);
     assert!(
         slow.messages.ends_with(
-            "hint: the drive is so slow that contacts, which take microseconds, are below 1e-14 of a turn: run it faster, or ask \
-             `loosepin motion`, which needs no dynamics\n"
+            "hint: the drive is so slow that contacts, which last microseconds, are shorter than 1e-14 of a turn: use a higher speed, or `loosepin motion`, which needs no dynamics\n"
         ),
         "{}",
         slow.messages
@@ -226,7 +224,7 @@ fn a_drive_too_slow_for_contacts_and_a_dead_point_within_the_clearances_are_told
     assert!(!passed.contains("This run is wrong"), "{passed}");
     assert!(
         passed.contains("The slider deviates by -100.6 mm with crank at ")
-            && passed.contains("as the links are assembled. A dead point lies within the clearances"),
+            && passed.contains("in this assembly of the links. Either a dead point lies within the clearances"),
         "{passed}"
     );
 }

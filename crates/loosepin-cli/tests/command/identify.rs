@@ -21,7 +21,7 @@ fn text_of_one_reading_says_that_only_the_sum_is_fixed() {
         "1 reading fixes 1 sum of 3 plays, and none of the plays by itself.",
         "- crank_pin + coupler_pin + rocker_pivot is 0.2",
         "enter the reading with the same factor",
-        "- of the 12 that looked best among 13296 readings this would narrow most: lock the drive at",
+        "- of the 12 that looked best among 13296 readings, this reading would narrow the plays most: lock the drive at",
     ] {
         assert!(said.output.contains(words), "{words}\n{}", said.output);
     }
@@ -64,9 +64,9 @@ fn two_readings_that_contradict_each_other_are_named_as_a_pair() {
     let said = desk.run(&["identify", "pairs.toml"]);
     assert_eq!(said.status, 1);
     for words in [
-        "- 'ear, up and down' and 'ear again' contradict each other, whatever the others say",
-        "- 'tool, sideways' and 'tool again' contradict each other, whatever the others say",
-        "- whichever single reading is left out, the others still contradict one another",
+        "- 'ear, up and down' and 'ear again' contradict each other, whatever the other readings are",
+        "- 'tool, sideways' and 'tool again' contradict each other, whatever the other readings are",
+        "- without any single reading, the others still contradict one another",
     ] {
         assert!(said.output.contains(words), "{words}\n{}", said.output);
     }
@@ -179,7 +179,7 @@ fn lengths_of_a_specimen_are_told_written_and_used() {
     let shown = said.output.replace('\u{a0}', " ");
     for words in [
         "Lengths of this specimen",
-        "equally probable ones",
+        "equally probable mechanisms",
         "- rod length goes with crank length (rank correlation -0.",
         "Write 'parameter.rod_length' under [epistemic]",
     ] {
@@ -213,7 +213,7 @@ fn nothing_is_compared_for_a_misfit() {
     desk.write("study.toml", &STROKE.replace("100.3 mm", "103 mm"));
     let said = desk.run(&["identify", "study.toml", "--points", "40", "--compare", "--out", "identified"]);
     assert_eq!(said.status, 1);
-    assert!(said.messages.contains("the study is not compared: no values explain what was measured"));
+    assert!(said.messages.contains("the study is not compared: no values explain the measurements"));
     assert!(desk.read("identified/report.html").contains("Misfit: no values of the unknowns explain the motion."));
     assert_eq!(desk.run(&["report", "identified"]).status, 1);
 }

@@ -17,7 +17,7 @@ fn a_drawing_becomes_a_model_that_asks_for_its_numbers() {
     assert_eq!(
         said.messages,
         "1 link, 1 joint, 1 point on links; lengths in mm\n\
-         1 thing is neither line nor polyline nor circle and left out\n\
+         1 thing is neither line nor polyline nor circle, and ignored\n\
          wrote crank/model.toml; fill in every \"?\" in it\nnext: loosepin check crank/model.toml\n"
     );
     let refused = desk.run(&["check", "crank/model.toml"]);
@@ -33,7 +33,7 @@ fn a_drawing_becomes_a_model_that_asks_for_its_numbers() {
     assert_eq!(again.status, 2);
     assert_eq!(
         again.messages,
-        "error[E0904]: crank/model.toml is there already; it is not overwritten\n\
+        "error[E0904]: crank/model.toml already exists; it is not overwritten\n\
          hint: give another folder, for example: loosepin import sketch.dxf my_mechanism\n"
     );
     desk.fail(
@@ -43,7 +43,7 @@ fn a_drawing_becomes_a_model_that_asks_for_its_numbers() {
     desk.write("no_unit.dxf", &DRAWING.replace("$INSUNITS\n70\n4", "$INSUNITS\n70\n0"));
     assert_eq!(
         desk.run(&["import", "no_unit.dxf"]).messages,
-        "error[E1102]: no_unit.dxf: the drawing does not say its unit: $INSUNITS is not set\n\
+        "error[E1102]: no_unit.dxf: the drawing does not give its unit: $INSUNITS is not set\n\
          hint: give it with --unit, for example --unit mm\n"
     );
     desk.succeed(&["import", "no_unit.dxf", "inches", "--unit", "in"]);
@@ -86,7 +86,7 @@ fn a_law_can_be_set_for_one_run() {
     assert!(run("lankarani-nikravesh", "same").output.contains("0.9132 (0.9)"));
     let refused = run("flors", "none");
     assert_eq!(refused.status, 2);
-    assert!(refused.messages.contains("error[E0204]: there is no law of contact 'flors'"), "{}", refused.messages);
+    assert!(refused.messages.contains("error[E0204]: there is no contact law 'flors'"), "{}", refused.messages);
     assert!(refused.messages.contains("hint: did you mean 'flores'?"), "{}", refused.messages);
     let lacking = run("johnson", "none");
     assert!(lacking.messages.contains("johnson needs bearing_length of joint 'gudgeon'"), "{}", lacking.messages);

@@ -105,7 +105,7 @@ fn identity_a_killed_study_ends_with_the_same_bytes() {
     assert!(
         refused
             .messages
-            .ends_with(" finished runs of this study\nhint: --resume goes on with them, --force begins anew\n"),
+            .ends_with(" finished runs of this study\nhint: --resume continues with them, --force starts again\n"),
         "{}",
         refused.messages
     );
@@ -226,7 +226,7 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
         assert_eq!(second.status, 2, "{arguments:?}");
         let [start, name] = in_use(folder);
         assert!(second.messages.starts_with(&start) && second.messages.contains(&name), "{}", second.messages);
-        let end = "; nothing in it is changed\nhint: wait for it to end, or give another folder by --out\n";
+        let end = "; nothing in it is changed\nhint: wait until it ends, or give another folder with --out\n";
         assert!(second.messages.ends_with(end), "{}", second.messages);
         for (folder, before) in folders.iter().zip(&before) {
             assert!(files(folder) == *before, "{arguments:?} has changed {}", folder.display());
@@ -257,7 +257,7 @@ fn on_a_full_disk_nobody_is_told_of_runs_that_are_not_kept() {
     assert_eq!(said.status, 2, "{}", said.messages);
     assert!(said.messages.contains("error[E0903]: cannot write to full/runs.sqlite: "), "{}", said.messages);
     assert!(
-        said.messages.contains("\nhint: no run could be kept: begin again when there is room"),
+        said.messages.contains("\nhint: no run could be saved: start again when there is free space"),
         "{}",
         said.messages
     );

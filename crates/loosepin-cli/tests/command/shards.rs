@@ -264,7 +264,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     desk.fail(
         &["merge", &one, &three],
         "error[E0911]: 1 of 3 shards is missing: 2/3\n\
-         hint: give their folders too; loosepin study study.toml --shard 2/3 makes the part of shard 2",
+         hint: also give their folders; loosepin study study.toml --shard 2/3 makes the runs of shard 2",
     );
     desk.fail(
         &["merge", &one, &two, &two, &three],
@@ -279,7 +279,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     desk.fail(
         &["merge", &one, &two, &three],
         "error[E0909]: bounds.shard-2-of-3/runs.sqlite is damaged: run 0 of list 0 is one of shard 1/3, not of 2/3\n\
-         hint: restore it from a copy; --force begins anew",
+         hint: restore it from a copy; --force starts again",
     );
     fs::rename(desk.path("kept.sqlite"), desk.path(&two).join("runs.sqlite")).expect("moved back");
     // A shard of another study, and of this one in another number.
@@ -298,7 +298,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     desk.fail(
         &["merge", "model.toml"],
         "error[E0911]: model.toml is not the folder of a shard: cannot read model.toml/shard.json: a part of the path is a file\n\
-         hint: give the folders that loosepin study --shard i/n has written, RESULTS.shard-i-of-n",
+         hint: give the folders written by loosepin study --shard i/n, RESULTS.shard-i-of-n",
     );
     desk.fail(
         &["study", "study.toml", "--budget", "3min", "--shard", "1/3"],

@@ -113,8 +113,8 @@ fn a_run_whose_energy_balance_does_not_close_is_an_error_and_keeps_its_files() {
     let begins = "warning[E0822]: the tolerance 0.5 mm is more than a hundredth of the smallest clearance, 0.5 mm in joint \
                   'gudgeon'\nhint: a tolerance of at most 0.005 mm resolves it\n";
     assert!(said.messages.starts_with(begins), "{}", said.messages);
-    assert!(said.messages.contains("error[E0820]: the energy balance is off by "), "{}", said.messages);
-    assert!(said.output.contains("the run failed: the energy balance is off by "), "{}", said.output);
+    assert!(said.messages.contains("error[E0820]: the energy balance has an error of "), "{}", said.messages);
+    assert!(said.output.contains("the run failed: the energy balance has an error of "), "{}", said.output);
     assert!(desk.read("run/history.csv").lines().count() > 250);
     assert!(desk.read("run/report.html").contains("The run failed"));
     let summary: serde_json::Value = serde_json::from_str(&desk.read("run/summary.json")).expect("JSON");
@@ -129,8 +129,7 @@ fn a_tolerance_above_the_smallest_clearance_is_refused_before_anything_is_comput
     let desk = Desk::with_model("slider_crank_5000");
     let above = |clearance: &str| {
         format!(
-            "error[E0822]: the tolerance 0.1 mm is larger than the smallest clearance, {clearance} in joint 'gudgeon'; must not \
-             be\nhint: a tolerance of at most "
+            "error[E0822]: the tolerance 0.1 mm is larger than the smallest clearance, {clearance} in joint 'gudgeon'\nhint: a tolerance of at most "
         )
     };
     let refuse = |arguments: &[&str], clearance: &str| {
@@ -341,7 +340,7 @@ fn a_result_whose_files_were_changed_is_refused() {
     desk.write("run/history.csv", &history.replacen('0', "1", 1));
     let refused = "error[E0913]: run/history.csv is not the file that the simulation 'slider-crank at 5000 rpm, play in the \
                    gudgeon' wrote: its BLAKE3 hash is not the one in loosepin.json\n\
-                   hint: put the file back as it was, or run it again with --force";
+                   hint: restore the original file, or run the command again with --force";
     desk.fail(&["report", "run"], refused);
     desk.fail(&arguments, refused);
     std::fs::remove_file(desk.path("run/history.csv")).expect("removable");
@@ -349,7 +348,7 @@ fn a_result_whose_files_were_changed_is_refused() {
         &["report", "run"],
         "error[E0913]: run/history.csv is missing; it belongs to the finished simulation 'slider-crank at 5000 rpm, play in the \
          gudgeon'\n\
-         hint: put the file back, or run it again with --force",
+         hint: restore the file, or run the command again with --force",
     );
     desk.write("run/history.csv", &history);
     desk.succeed(&["report", "run"]);
@@ -366,24 +365,22 @@ fn folders_that_hold_something_else_are_refused() {
     desk.fail(
         &["simulate", "model.toml", "--turns", "0.4", "--out", "run"],
         &format!(
-            "error[E0901]: run holds another simulation, 'slider-crank at 5000 rpm, play in the gudgeon' (inputs {inputs}, \
-             version {version}); nothing is overwritten\n\
-             hint: give another folder, or --force to replace these results"
+            "error[E0901]: run contains another simulation, 'slider-crank at 5000 rpm, play in the gudgeon' (inputs {inputs}, version {version}); nothing is overwritten\n\
+             hint: give another folder, or replace these results with --force"
         ),
     );
     desk.fail(
         &["motion", "model.toml", "--out", "run"],
         &format!(
-            "error[E0901]: run holds a simulation, 'slider-crank at 5000 rpm, play in the gudgeon' (inputs {inputs}, version \
-             {version}); nothing is overwritten\n\
-             hint: give another folder, or --force to replace these results"
+            "error[E0901]: run contains a simulation, 'slider-crank at 5000 rpm, play in the gudgeon' (inputs {inputs}, version {version}); nothing is overwritten\n\
+             hint: give another folder, or replace these results with --force"
         ),
     );
     assert_eq!(desk.read("run/history.csv"), before);
     desk.fail(
         &["simulate", "model.toml", "--out", "."],
-        "error[E0901]: . holds files that are not results, 'model.toml' for one; nothing is overwritten\n\
-         hint: give another folder, or --force to write beside these files and over those of the same names",
+        "error[E0901]: . contains files that are not results, for example 'model.toml'; nothing is overwritten\n\
+         hint: give another folder; --force keeps these files, but overwrites those with the same names",
     );
     desk.fail(
         &["simulate", "model.toml", "--out", "model.toml"],
@@ -391,11 +388,11 @@ fn folders_that_hold_something_else_are_refused() {
     );
     desk.fail(
         &["report", "."],
-        "error[E0902]: . holds no results: it has no loosepin.json\nhint: results stand in results/NAME/HASH, or where --out said",
+        "error[E0902]: . contains no results: it has no loosepin.json\nhint: results are in results/NAME/HASH, or in the folder given with --out",
     );
     desk.fail(
         &["report", "nowhere"],
-        "error[E0903]: there is no folder nowhere\nhint: results stand in results/NAME/HASH, or where --out said",
+        "error[E0903]: there is no folder nowhere\nhint: results are in results/NAME/HASH, or in the folder given with --out",
     );
     desk.succeed(&["simulate", "model.toml", "--turns", "0.4", "--out", "run", "--force"]);
     assert_ne!(desk.read("run/history.csv"), before);

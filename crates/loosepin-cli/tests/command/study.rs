@@ -95,7 +95,7 @@ fn a_requirement_that_is_not_met_is_exit_status_1() {
         "{}",
         refused.messages
     );
-    assert!(refused.messages.ends_with("hint: give another folder, or --force to replace these results\n"));
+    assert!(refused.messages.ends_with("hint: give another folder, or replace these results with --force\n"));
 }
 
 #[cfg(unix)]
@@ -129,7 +129,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
     assert_eq!(
         messages,
         "error[E0902]: the study 'worn pin at 5000 rpm' in bounds did not finish\n\
-         hint: run it again: the same command writes into the same folder\n"
+         hint: run the same command again; it writes into the same folder\n"
     );
 }
 
@@ -200,18 +200,18 @@ fn accuracies_and_budgets_are_complained_about_with_the_column_in_their_text() {
         (
             "--accuracy",
             "slidr.mean=1um",
-            "--accuracy:1:1: error[E0401]: nothing is asked of an output 'slidr'\nhint: did you mean 'slider'?",
+            "--accuracy:1:1: error[E0401]: no question has an output 'slidr'\nhint: did you mean 'slider'?",
         ),
         (
             "--accuracy",
             "slider.maen=1um",
-            "--accuracy:1:8: error[E0204]: 'maen' is no statistic with an accuracy\nhint: did you mean 'mean'?",
+            "--accuracy:1:8: error[E0204]: 'maen' is not a statistic with an accuracy\nhint: did you mean 'mean'?",
         ),
         (
             "--accuracy",
             "slider.quantile=1um",
-            "--accuracy:1:8: error[E0401]: the quantile of 'slider' is not asked for\n\
-             hint: asked is mean; others go into the statistics of an [[ask]]",
+            "--accuracy:1:8: error[E0401]: no question has the quantile of 'slider'\n\
+             hint: its statistics are mean; add others to the statistics of an [[ask]]",
         ),
         (
             "--accuracy",

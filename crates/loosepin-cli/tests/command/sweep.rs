@@ -52,7 +52,7 @@ fn what_cannot_be_swept_is_refused_at_its_place() {
     );
     refuse(
         "joint.gudgeon.radial_clearance=0.2mm..200um",
-        "--over:1:1: error[E0501]: joint.gudgeon.radial_clearance goes from 0.2 mm to the same value; must be two values",
+        "--over:1:1: error[E0501]: joint.gudgeon.radial_clearance goes from 0.2 mm to the same value; must be two different values",
     );
     desk.fail(
         &["sweep", "model.toml", "--over", OVER, "--set", "joint.gudgeon.radial_clearance=0.1mm"],

@@ -119,8 +119,7 @@ fn an_allocation_that_fails_has_a_status_of_its_own() {
     assert!(bytes.parse::<u64>().is_ok_and(|bytes| bytes > 0), "{bytes}");
     assert_eq!(
         rest,
-        "bytes\nhint: raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer \
-         --threads or samples; saved runs of a study are kept: --resume goes on with them\n"
+        "bytes\nhint: raise the memory limit (ulimit -v, ulimit -d, or the limit of the container), or use fewer --threads or samples; saved runs of a study are kept: --resume continues with them\n"
     );
     assert!(
         !desk.path("out/loosepin.json").exists() || !desk.read("out/loosepin.json").contains("\"is_finished\": true")
@@ -191,6 +190,6 @@ fn a_sweep_without_room_for_its_threads_says_so() {
     assert_eq!(
         said.messages,
         "error[E0806]: the system refused to start the threads\n\
-         hint: ask for fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)\n"
+         hint: use fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)\n"
     );
 }

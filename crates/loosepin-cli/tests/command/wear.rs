@@ -60,6 +60,6 @@ fn a_model_without_wear_is_refused() {
 #[test]
 fn check_says_what_wears() {
     let said = desk().succeed(&["check", "model.toml"]).output;
-    let line = "wear: bearing 1e-15 m^2/N, journal 5e-16 m^2/N, in 72 sectors; stated after 1 cycle\n";
+    let line = "wear: bearing 1e-15 m^2/N, journal 5e-16 m^2/N, in 72 sectors; shown after 1 cycle\n";
     assert!(said.contains(line), "{said}");
 }

@@ -73,7 +73,7 @@ fn templates_are_listed_written_and_good() {
         desk.fail(
             &["new", name],
             &format!(
-                "error[E0904]: {name}/model.toml is there already; it is not overwritten\n\
+                "error[E0904]: {name}/model.toml already exists; it is not overwritten\n\
                  hint: give another folder, for example: loosepin new TEMPLATE my_mechanism"
             ),
         );
@@ -94,7 +94,7 @@ fn codes_are_explained() {
         desk.succeed(&["explain", "e0303"]).output,
         "E0303: a unit is missing\n\
          \n\
-         The value needs a unit, also if it is zero. No unit is assumed: a clearance of 0.5 could be in\n\
+         The value needs a unit, even if it is zero. No unit is assumed: a clearance of 0.5 could be in\n\
          millimetres or in metres. Write the value as text with its unit: \"0.5 mm\".\n"
     );
     assert!(desk.succeed(&["explain", "--list"]).output.contains("\nE0704  the links cannot close a loop\n"));

@@ -185,7 +185,7 @@ fn identity_rows_are_the_same_for_any_number_of_threads_and_go_on_in_a_study() {
     assert!(rows.effective > 300.0 && rows.effective < 800.0, "{}", rows.effective);
     check_study(&one, &written.study);
     let again = identify(&written.study, &options(), NO_CALLBACK).expect_err("it would count twice").to_string();
-    assert!(again.contains("the measurement would count twice"), "{again}");
+    assert!(again.contains("so the measurement would count twice"), "{again}");
 }
 
 /// Nobody hears of the runs.

@@ -106,7 +106,7 @@ fn no_study_is_narrowed_by_several_specimens_or_by_a_misfit() {
     let wrong = of_crank(&of("A", "\"103 mm\""));
     let answer = identify(&wrong, &options, NO_CALLBACK).unwrap_or_else(|complaints| panic!("{complaints}"));
     let refused = known_bounds(&answer).expect_err("a misfit").to_string();
-    assert!(refused.contains("no values explain what was measured at specimen 'A'"), "{refused}");
+    assert!(refused.contains("no values explain the measurements of specimen 'A'"), "{refused}");
 }
 
 #[test]
@@ -115,12 +115,12 @@ fn refusals_of_a_motion_name_its_specimens_and_keep_code_and_hint() {
     let options = Options { specimen: Some("C".to_owned()), ..Options::default() };
     let refused = identify(&study, &options, NO_CALLBACK).expect_err("no such specimen").to_string();
     assert!(
-        refused.contains("nothing was measured at a specimen 'C'") && refused.contains("there is 'A'"),
+        refused.contains("there are no measurements of a specimen 'C'") && refused.contains("available: 'A'"),
         "{refused}"
     );
     let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false, with_lengths: false };
     let refused = plan_motion(&study, Some("C"), &asked, NO_CALLBACK).expect_err("no such specimen").to_string();
-    assert!(refused.contains("there is 'A'"), "{refused}");
+    assert!(refused.contains("available: 'A'"), "{refused}");
     // A crank that is longer than its rod does not turn: the words of the run, not that "runs cannot be made".
     let text = "name = \"long\"\nmodel = \"model.toml\"\n\n[epistemic]\n\
         \"parameter.crank_length\" = { interval = [\"200 mm\", \"210 mm\"] }\n\n\

@@ -78,7 +78,7 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
     let elsewhere = tempfile::tempdir().expect("a folder");
     let error =
         write_narrowed(&first, &[(&elsewhere.path().join("narrowed.toml"), "")]).expect_err("elsewhere").to_string();
-    assert!(error.contains("the folder of the study, from which it names its model"), "{error}");
+    assert!(error.contains("the folder of the study; the path of its model is relative to this folder"), "{error}");
 }
 
 #[test]

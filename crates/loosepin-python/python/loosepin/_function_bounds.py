@@ -128,7 +128,7 @@ def bounds(
     that failed: it widens the bounds. What the function raises comes out unchanged.
     inputs: what is known of each, a distribution such as `Normal` or a kind of ignorance such as `Interval`.
     correlation: rank correlations of random inputs, {("x", "y"): 0.6}.
-    reading: how an interval is read: "fixed" (one value, unknown), "unknown-distribution" or "random-set".
+    reading: meaning of an interval: "fixed" (one value, unknown), "unknown-distribution" or "random-set".
     outer, inner: values of what is not known, and samples of the random inputs for each; `outer * inner + mixture + extreme` runs at
     most. replicates: independent parts of the samples, which must divide `inner` and `mixture`. confidence: of sampling errors.
     """

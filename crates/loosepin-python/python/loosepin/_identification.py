@@ -28,7 +28,7 @@ class Unknown:
     before: tuple[float, float]
     """Interval of the study."""
     after: tuple[float, float]
-    """Interval that is consistent with what was measured; that of the study where nothing is."""
+    """Interval that is consistent with the measurements; that of the study where nothing is."""
     specimen: str | None
     """The mechanism that was measured, where the file says."""
 
@@ -95,7 +95,7 @@ class Identification(Generic[StudyT]):
 
     @cached_property
     def is_misfit(self) -> bool:
-        """Whether no values explain what was measured at some specimen."""
+        """Whether no values explain the measurements at some specimen."""
         of_readings = ("misfit" in specimen["outcome"] for specimen in self.record["specimens"])
         of_motion = (specimen["misfit"] is not None for specimen in self.record.get("motion", []))
         return any(of_readings) or any(of_motion)

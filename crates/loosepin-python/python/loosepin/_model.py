@@ -95,7 +95,7 @@ class Model:
 
         turns, transient: turns that are recorded, and turns that are run before them; samples: rows for each turn; by default
         as the model file says. tolerance: a step may err by 0.5 % of it; impacts amplify errors. states: whether the motion of every
-        body is recorded. second_run: whether a second run measures how long the positions can be trusted. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
+        body is recorded. second_run: whether a second run shows how long the positions can be trusted. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
 
         A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """

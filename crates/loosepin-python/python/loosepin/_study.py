@@ -1,4 +1,4 @@
-"""A study: what is uncertain in a model, and what is asked."""
+"""A study: the uncertain inputs of a model, and the questions."""
 
 from __future__ import annotations
 

@@ -222,16 +222,16 @@ mod tests {
             (PosteriorRefusal::NothingScatters, "nothing scatters"),
             (
                 PosteriorRefusal::FewRuns { runs: 19, least: 30 },
-                "19 runs ended at one of the values, and so many features need 30",
+                "19 finished runs, but this number of features needs 30",
             ),
             (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs that carry the weight failed"),
             (
                 PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: false },
-                "along pin play the weight is carried as by 1.4 equally probable values, and 4 are needed; give it a narrower interval",
+                "along pin play the weights are equivalent to 1.4 equally probable values, but 4 are needed; give it a narrower interval",
             ),
             (
                 PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: true },
-                "equally probable values, and 4 are needed; more --points test additional values there",
+                "equally probable values, but 4 are needed; more --points test additional values there",
             ),
         ] {
             let words = posterior_words(&specimen(), &MotionPosterior::Refused(refusal), &writer).join("\n");

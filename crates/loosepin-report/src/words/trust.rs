@@ -230,8 +230,7 @@ mod tests {
         let until = [horizon(1e-5, Some(0.0199), false)];
         assert_eq!(
             words(&measured(&until, None, Some("the limit of 1000 evaluations was reached")), false),
-            "Positions can be trusted to 0.01 mm until 19.90 ms (1.6 turns). Nothing is known about positions after 19.90 ms: the second \
-             run that measures this did not come to its end (the limit of 1000 evaluations was reached)."
+            "Positions can be trusted to 0.01 mm until 19.90 ms (1.6 turns). Nothing is known about positions after 19.90 ms: the second run that measures this did not finish (the limit of 1000 evaluations was reached)."
         );
         assert_eq!(words(&Trust::NotMeasured, false), "It was not measured how long the positions can be trusted.");
         assert_eq!(words(&Trust::Solved, false), "");

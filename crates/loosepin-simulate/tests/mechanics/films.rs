@@ -197,8 +197,7 @@ fn a_roughness_that_does_not_go_with_the_clearance_is_refused() {
     let error = sample(0.39e-6).expect_err("too thin");
     assert_eq!(
         error.to_string(),
-        "joint 'gudgeon' has a film by reynolds with a roughness of 0.00039 mm at a radial clearance of 0.2 mm; \
-         must lie between 0.0004 mm and 0.1 mm"
+        "joint 'gudgeon' has a film by reynolds with a roughness of 0.00039 mm at a radial clearance of 0.2 mm; must be between 0.0004 mm and 0.1 mm"
     );
     assert!(matches!(sample(101e-6), Err(SampleError::RoughnessOutsideFilm { .. })));
     let complaint = error.complaint(&mechanism.model).to_string();
@@ -238,7 +237,7 @@ fn a_bearing_that_is_too_long_for_its_film_is_refused() {
     let error = sample(90e-3).expect_err("too long");
     assert_eq!(
         error.to_string(),
-        "joint 'gudgeon' has a film by reynolds with a bearing of 4.5 times its diameter; at most 4 times are possible"
+        "joint 'gudgeon' has a film by reynolds with a bearing 4.5 times as long as its diameter; at most 4 times are possible"
     );
     let complaint = error.complaint(&mechanism.model).to_string();
     assert!(complaint.contains("error[E0825]") && complaint.contains("hint: take the film"), "{complaint}");

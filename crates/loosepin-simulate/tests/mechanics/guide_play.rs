@@ -426,8 +426,7 @@ fn text_of_a_slider_that_leaves_its_guide_and_identity_of_one_that_does_not() {
     assert_eq!((joint.as_str(), ends_m), ("guide", [0.06, 0.3]));
     assert!(contact.ends_with(" front)") && along_m < 0.06 && along_m > 0.059, "{contact} {along_m}");
     let failure = RunFailure::BeyondGuide { contact, joint, along_m: 0.0595, ends_m, time_s: 0.5 * (time_s / time_s) };
-    let expected = "at 500 ms the slider is out of its guide: its corner guide (upper front) is at 59.5 mm, and the faces reach \
-                    from 60 mm to 300 mm";
+    let expected = "at 500 ms the slider has left its guide: its corner guide (upper front) is at 59.5 mm, and the faces reach from 60 mm to 300 mm";
     assert_eq!(failure.to_string().replace("lower", "upper"), expected);
 }
 

@@ -136,7 +136,7 @@ fn places_of_errors_are_exact() {
     assert_eq!(refused("1 mmm"), "2..5: 'mmm' is not a known unit");
     assert_eq!(refused("1 mm^x"), "5..6: found 'x'; expected the exponent of a unit, for example 2, -1, 1.5 or (3/2)");
     assert_eq!(refused("(1 + 2"), "6..6: found the end of the value; expected ')'");
-    assert_eq!(refused("µ = 3"), "3..4: '=' does not belong in a value");
+    assert_eq!(refused("µ = 3"), "3..4: the character '=' is not permitted in a value");
     assert_eq!(refused("1 / 0"), "0..5: the value is infinity; must be finite");
     assert_eq!(refused("2 + log(1 - 3)"), "4..7: log of -2; must be > 0");
     assert_eq!(refused("log(0)"), "0..3: log of 0; must be > 0");

@@ -136,10 +136,10 @@ fn files_that_cannot_be_read_are_named() {
     let latin = Model::from_bytes("latin.toml", bytes).expect_err("not UTF-8");
     assert_eq!(
         latin.to_string(),
-        "latin.toml:1:12: error[E0102]: the file is not UTF-8 text from here on\nhint: save the file as UTF-8"
+        "latin.toml:1:12: error[E0102]: the file is not UTF-8 text from this position on\nhint: save the file as UTF-8"
     );
     let large = Model::from_text("large.toml", &"#".repeat(2 << 20)).expect_err("too large");
-    assert_eq!(large.to_string(), "error[E0103]: large.toml has 2097152 bytes; a file of at most 1048576 is read");
+    assert_eq!(large.to_string(), "error[E0103]: large.toml has 2097152 bytes; must be at most 1048576");
 }
 
 #[test]
@@ -153,8 +153,8 @@ fn an_empty_file_is_neither_a_model_nor_a_study() {
     let said = said.replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "");
     assert_eq!(
         said,
-        "study.toml:1:1: error[E0905]: the file says nothing: neither a model nor a study\n\
-         hint: `loosepin new slider-crank` writes both, to start from"
+        "study.toml:1:1: error[E0905]: the file is empty: neither a model nor a study\n\
+         hint: `loosepin new slider-crank` writes an example of both"
     );
 }
 
@@ -189,7 +189,7 @@ error[E0501]: joint 'pin': radial clearance -0.05 mm; must be >= 0
 30 | radial_clearance = \"-0.05 mm\"
    |                    ^^^^^^^^^^
    |
-   = hint: clearance is bearing radius minus journal radius
+   = hint: the radial clearance is radius of the hole minus radius of the pin
 
 "
     );

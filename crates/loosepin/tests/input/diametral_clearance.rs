@@ -107,8 +107,7 @@ fn a_fit_of_what_is_neither_on_the_radius_nor_on_the_diameter_is_refused() {
     let said = study(model, "[epistemic]\n\"parameter.play\" = { fit = \"H7/g6\", diameter = \"20 mm\" }");
     assert_eq!(
         said.expect_err("no clearance by itself"),
-        "study.toml:4:22: error[E0623]: 'parameter.play' is neither the radial nor the diametral clearance of a joint; a \
-         fit gives nothing else\nhint: write a value with its tolerance instead"
+        "study.toml:4:22: error[E0623]: 'parameter.play' is neither the radial nor the diametral clearance of a joint; a fit gives only these\nhint: write a value with its tolerance instead"
     );
 }
 
@@ -137,14 +136,14 @@ fn the_key_that_the_joint_does_not_state_is_never_taken_for_the_other() {
     assert_eq!(
         refused(&on_radius, &format!("{DIAMETRAL}=0.6mm")),
         format!(
-            "--set:1:1: error[E0405]: '{DIAMETRAL}' cannot be set: the model states '{RADIAL}'\n\
+            "--set:1:1: error[E0405]: '{DIAMETRAL}' cannot be set: the model gives '{RADIAL}'\n\
              hint: set '{RADIAL}', with half the value"
         )
     );
     assert_eq!(
         refused(&on_diameter, &format!("{RADIAL}=0.3mm")),
         format!(
-            "--set:1:1: error[E0405]: '{RADIAL}' cannot be set: the model states '{DIAMETRAL}'\n\
+            "--set:1:1: error[E0405]: '{RADIAL}' cannot be set: the model gives '{DIAMETRAL}'\n\
              hint: set '{DIAMETRAL}', with twice the value"
         )
     );
@@ -159,7 +158,7 @@ fn the_key_that_the_joint_does_not_state_is_never_taken_for_the_other() {
     assert_eq!(
         study(on_radius, &interval(DIAMETRAL)).expect_err("the other key"),
         format!(
-            "study.toml:4:1: error[E0405]: '{DIAMETRAL}' cannot be set: the model states '{RADIAL}'\n\
+            "study.toml:4:1: error[E0405]: '{DIAMETRAL}' cannot be set: the model gives '{RADIAL}'\n\
              hint: set '{RADIAL}', with half the value"
         )
     );
@@ -179,6 +178,6 @@ fn a_diametral_clearance_of_zero_is_an_ideal_joint_and_one_beyond_the_bearing_is
         "model.toml:55:23: error[E0502]: joint 'gudgeon': radial clearance 10.5 mm; must be below joint 'gudgeon': bearing \
          radius 10 mm\n\
          model.toml:54:18: note: it must be below this\n\
-         hint: clearance is bearing radius minus journal radius"
+         hint: the radial clearance is radius of the hole minus radius of the pin"
     );
 }

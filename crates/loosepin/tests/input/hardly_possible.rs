@@ -34,12 +34,12 @@ fn units_that_are_a_thousand_times_off_are_named() {
     assert_eq!(
         warning(modulus, "youngs_modulus = \"207 MPa\""),
         "contact 'steel_pin': youngs modulus 0.207 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
-         hint: did you mean \"207 GPa\" in place of \"207 MPa\"?"
+         hint: did you mean \"207 GPa\" instead of \"207 MPa\"?"
     );
     assert_eq!(
         warning(modulus, "youngs_modulus = \"207e3 GPa\""),
         "contact 'steel_pin': youngs modulus 207000 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
-         hint: did you mean \"207e3 MPa\" in place of \"207e3 GPa\"?"
+         hint: did you mean \"207e3 MPa\" instead of \"207e3 GPa\"?"
     );
     assert_eq!(
         warning("poisson_ratio = 0.3", "poisson_ratio = 0.03"),
@@ -49,26 +49,26 @@ fn units_that_are_a_thousand_times_off_are_named() {
     assert_eq!(
         warning(density, "density = \"7.8 kg/m^3\""),
         "contact 'steel_pin': density 7.8 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
-         hint: did you mean \"7.8 g/cm^3\" in place of \"7.8 kg/m^3\"?"
+         hint: did you mean \"7.8 g/cm^3\" instead of \"7.8 kg/m^3\"?"
     );
     assert_eq!(
         warning(density, "density = \"7.8e6 kg/m^3\""),
         "contact 'steel_pin': density 7800000 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
-         hint: did you mean \"7.8e6 g/m^3\" in place of \"7.8e6 kg/m^3\"?"
+         hint: did you mean \"7.8e6 g/m^3\" instead of \"7.8e6 kg/m^3\"?"
     );
     assert_eq!(
         warning("speed = \"5000 rpm\"", "speed = \"5000 rad/s\""),
         "drive 'crank': speed 47746.48 rpm; usual is up to 19100 rpm (2000 rad/s)\n\
-         hint: did you mean \"5000 rpm\" in place of \"5000 rad/s\"?"
+         hint: did you mean \"5000 rpm\" instead of \"5000 rad/s\"?"
     );
     assert_eq!(
         warning("gravity = \"9.81 m/s^2\"", "gravity = \"9810 m/s^2\""),
         "gravity 9810 m/s^2; usual is 9.81 m/s^2 on earth, up to 100 m/s^2 elsewhere\n\
-         hint: did you mean \"9810 mm/s^2\" in place of \"9810 m/s^2\"?"
+         hint: did you mean \"9810 mm/s^2\" instead of \"9810 m/s^2\"?"
     );
     assert_eq!(
         warning("gravity = \"9.81 m/s^2\"", "gravity = \"-9.81 m/s^2\""),
-        "gravity -9.81 m/s^2 acts upwards: it is the acceleration along -y\nhint: did you mean \"9.81 m/s^2\"?"
+        "gravity -9.81 m/s^2 acts upwards: gravity is the acceleration along -y\nhint: did you mean \"9.81 m/s^2\"?"
     );
 }
 
@@ -77,13 +77,13 @@ fn bodies_that_no_matter_makes_are_named() {
     assert_eq!(
         warning("mass = \"0.21 kg\"", "mass = \"210 kg\""),
         "body 'rod': mass 210 kg; body 'slider' has 0.14 kg, a ratio of 1500\n\
-         hint: did you mean \"210 g\" in place of \"210 kg\"?"
+         hint: did you mean \"210 g\" instead of \"210 kg\"?"
     );
     // A slender rod has mL²/12 = 0.21 kg (120 mm)²/12 = 2.52e-4 kg m²; √(0.25/0.21) = 1.09 m.
     assert_eq!(
         warning("inertia = \"2.5e-4 kg m^2\"", "inertia = \"0.25 kg m^2\""),
         "body 'rod': inertia 0.25 kg m^2; its radius of gyration is then 1090 mm, with points 120 mm apart\n\
-         hint: did you mean \"0.25 kg cm^2\" in place of \"0.25 kg m^2\"?"
+         hint: did you mean \"0.25 kg cm^2\" instead of \"0.25 kg m^2\"?"
     );
     assert_eq!(
         warning("inertia = \"2.5e-4 kg m^2\"", "inertia = \"2.5e-10 kg m^2\""),
@@ -93,7 +93,7 @@ fn bodies_that_no_matter_makes_are_named() {
     assert_eq!(
         warning("centre_of_mass = [\"rod_length / 2\", \"0 mm\"]", "centre_of_mass = [\"6 m\", \"0 mm\"]"),
         "body 'rod': centre of mass lies 5880 mm from the points of the body, which are 120 mm apart\n\
-         hint: it is stated in the frame of the body, as its points are"
+         hint: give it in the frame of the body, like the points"
     );
     assert_eq!(
         warning("rod_length = \"120 mm\"", "rod_length = \"-120 mm\""),
@@ -105,14 +105,14 @@ fn bodies_that_no_matter_makes_are_named() {
 fn contacts_that_no_joint_has_are_named() {
     assert_eq!(
         warning("radial_clearance = \"0.5 mm\"", "radial_clearance = \"9 mm\""),
-        "joint 'gudgeon': radial clearance 9 mm; usual is up to a tenth of the radius, 10 mm\n\
+        "joint 'gudgeon': radial clearance 9 mm; usual values are up to a tenth of the radius, 10 mm\n\
          hint: the clearance is radius of the hole minus radius of the pin, not the radius of the pin"
     );
     // χ = 3 (1 - 0.05²)/4 = 0.748, and 0.748 (1 + c) = ln(1.748/(1 - 0.748 c)) at c = 0.664.
     assert_eq!(
         warning("restitution = 0.9", "restitution = 0.05"),
         "contact 'steel_pin': restitution 0.05; with the law lankarani-nikravesh impacts have 0.664\n\
-         hint: that law is for nearly elastic impacts; flores and exact-restitution deliver what is stated"
+         hint: this law is for nearly elastic impacts; flores and exact-restitution deliver the given restitution"
     );
     assert_eq!(
         warning("restitution = 0.9", "restitution = 0.9\nfriction = { coefficient = 3 }"),
@@ -134,15 +134,14 @@ fn scatter_that_no_manufacture_has_is_named() {
     assert_eq!(
         said("normal = { mean = \"120 mm\", standard_deviation = \"12 mm\" }"),
         [
-            "study.toml:4:1: warning[E0823]: 'parameter.rod_length' has a standard deviation of 12 mm, with 120 mm in the \
-          model; usual is below a hundredth\nhint: correct it, or ignore this if it is meant"
+            "study.toml:4:1: warning[E0823]: 'parameter.rod_length' has a standard deviation of 12 mm, but is 120 mm in the model; usual values are below a hundredth of it\nhint: correct it, or ignore this warning if the value is intended"
         ]
     );
     assert_eq!(
         said("samples = \"tests/files/turned_rods.csv\""),
         [
-            "study.toml:4:1: warning[E0823]: the sample of 'parameter.rod_length' holds -120 mm, with 120 mm in the model\n\
-          hint: correct the sign or leave the value out, or ignore this if it is meant"
+            "study.toml:4:1: warning[E0823]: the sample of 'parameter.rod_length' contains -120 mm, but the value in the model is 120 mm\n\
+          hint: correct the sign or remove the value, or ignore this warning if the value is intended"
         ]
     );
     assert!(said("normal = { mean = \"120 mm\", standard_deviation = \"1.1 mm\" }").is_empty());
@@ -180,6 +179,6 @@ fn a_temperature_below_absolute_zero_is_named() {
     };
     let said = colder("-300 K");
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("temperature rise -300 K; from 20 °C that is below absolute zero"), "{said:?}");
+    assert!(said[0].contains("temperature rise -300 K; from 20 °C this is below absolute zero"), "{said:?}");
     assert!(colder("-200 K").is_empty());
 }

@@ -167,9 +167,9 @@ fn drawings_that_are_no_mechanisms_are_told_with_their_places() {
         error(broken.as_bytes(), None),
         "the drawing cannot be read as DXF: line 40: 'twenty' is not a number; the value of a group 10 is"
     );
-    assert_eq!(refused(&four_bar(0)), "the drawing does not say its unit: $INSUNITS is not set");
-    assert_eq!(refused(&four_bar(18)), "the drawing is in AstronomicalUnits, which models do not know");
-    assert_eq!(error(four_bar(4).text().as_bytes(), Some("kg")), "'kg' is no unit of length");
+    assert_eq!(refused(&four_bar(0)), "the drawing does not give its unit: $INSUNITS is not set");
+    assert_eq!(refused(&four_bar(18)), "the drawing is in AstronomicalUnits, a unit that models do not support");
+    assert_eq!(error(four_bar(4).text().as_bytes(), Some("kg")), "'kg' is not a unit of length");
     assert_eq!(refused(&Sketch::new(4)), "the drawing has no line, polyline or circle");
     assert_eq!(
         refused(&Sketch::new(4).circle("ground", [1.5, 2.0, 3.0])),
@@ -223,5 +223,5 @@ fn a_model_that_is_there_is_not_overwritten() {
     let path = write_model(&folder.path().join("new"), "name = \"x\"\n").unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(std::fs::read_to_string(&path).expect("written"), "name = \"x\"\n");
     let said = write_model(&folder.path().join("new"), "name = \"y\"\n").expect_err("it is there").to_string();
-    assert!(said.ends_with("model.toml is there already; it is not overwritten"), "{said}");
+    assert!(said.ends_with("model.toml already exists; it is not overwritten"), "{said}");
 }

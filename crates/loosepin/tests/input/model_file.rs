@@ -129,7 +129,7 @@ fn settings_are_checked_for_unit_dimension_and_rule() {
     assert_eq!(
         refused("joint.gudgeon.radial_clearance=-0.1 mm"),
         "--set:1:32: error[E0501]: joint 'gudgeon': radial clearance -0.1 mm; must be >= 0\n\
-         hint: clearance is bearing radius minus journal radius"
+         hint: the radial clearance is radius of the hole minus radius of the pin"
     );
     assert_eq!(
         refused("joint.gudgeon.radial_clearance"),

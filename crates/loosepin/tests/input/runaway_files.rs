@@ -97,7 +97,7 @@ fn more_poses_than_are_bounded_are_refused_at_the_first_too_many() {
         complaints,
         format!(
             "study.toml:8:{column}: error[E0210]: [[ask]] 1: poses crank has 50000 poses; must be at most 2000\n\
-             hint: at = \"cycle\" asks for the whole curve"
+             hint: write at = \"cycle\" for the whole curve"
         )
     );
 }
@@ -117,7 +117,10 @@ fn more_bodies_than_are_computed_are_refused_at_the_first_too_many() {
     // Three lines, then four for each body.
     assert_eq!(
         Model::from_text("model.toml", &crowd(1003)).expect_err("too many").to_string(),
-        format!("model.toml:{}:7: error[E0210]: the file has 1003 moving bodies; must be at most 1000", 4 + 4 * 1000)
+        format!(
+            "model.toml:{}:7: error[E0210]: the file has 1003 moving bodies; at most 1000 are permitted",
+            4 + 4 * 1000
+        )
     );
 }
 
@@ -128,7 +131,7 @@ fn more_joints_than_are_computed_are_refused_at_the_first_too_many() {
     assert_eq!(
         Model::from_text("model.toml", &format!("{}{joints}", crowd(1))).expect_err("too many").to_string(),
         format!(
-            "model.toml:{}:8: error[E0210]: the file has 2001 joints; must be at most 2000",
+            "model.toml:{}:8: error[E0210]: the file has 2001 joints; at most 2000 are permitted",
             3 + 4 + 2 + 1 + 2 * 2000
         )
     );
@@ -192,5 +195,5 @@ fn a_file_that_is_made_up_as_it_is_read_is_not_read_to_its_end() {
         return;
     }
     let said = Model::from_path(path).expect_err("no model").to_string();
-    assert_eq!(said, "error[E0103]: /proc/kallsyms has 1048577 bytes; a file of at most 1048576 is read");
+    assert_eq!(said, "error[E0103]: /proc/kallsyms has 1048577 bytes; must be at most 1048576");
 }

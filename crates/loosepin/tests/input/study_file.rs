@@ -357,7 +357,7 @@ fn a_tolerance_is_held_against_the_smallest_clearance_of_the_inputs() {
     assert!(of(random, "0.107 mm").starts_with("warned of: "), "{}", of(random, "0.107 mm"));
 }
 
-/// Wear is one number of a run: other questions about it are refused.
+/// Wear is one number for each run: other questions about it are refused.
 #[test]
 fn wear_is_asked_for_as_one_number_of_a_run() {
     let wear = "bearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\nradial_clearance";
@@ -377,12 +377,12 @@ fn wear_is_asked_for_as_one_number_of_a_run() {
     assert_eq!(require("of = \"value\"\nover = \"cycle\"\nbelow = \"3 mm^3\""), "read");
     assert_eq!(
         ask("of = \"total\"\nreduce = \"maximum\""),
-        "study.toml:6:6: error[E0608]: [[ask]] 1: of: wear is no deviation from an ideal motion; must be \"value\"\n\
+        "study.toml:6:6: error[E0608]: [[ask]] 1: of: wear is not a deviation from an ideal motion; must be \"value\"\n\
          hint: write of = \"value\""
     );
     for place in ["at = \"cycle\"", "reduce = \"mean\"", "poses = { crank = [\"60 deg\"] }"] {
         let said = ask(&format!("of = \"value\"\n{place}"));
-        assert!(said.contains("wear is one number of a run; must be reduce = \"maximum\""), "{said}");
+        assert!(said.contains("wear is one number for each run; must be reduce = \"maximum\""), "{said}");
     }
     for limit in ["over = \"cycle\"\nabove = \"3 mm^3\"", "over = \"cycle\"\nwithin = \"3 mm^3\""] {
         let said = require(&format!("of = \"value\"\n{limit}"));
@@ -412,8 +412,8 @@ fn lives_are_asked_for_within_the_cycles_of_wear() {
     assert_eq!(of(coefficient, &require("above = 4000")), "");
     assert_eq!(
         of(coefficient, &require("above = 4001")),
-        "study.toml:8:9: error[E0608]: [[require]] 1: above is 4001; lives are followed for the cycles of [wear] alone, 4000\n\
-         hint: a life that does not end counts as all cycles: require less, or raise cycles in the model"
+        "study.toml:8:9: error[E0608]: [[require]] 1: above is 4001, but lives are computed only up to the cycles of [wear], 4000\n\
+         hint: a longer life counts as all cycles: require fewer, or increase cycles in the model"
     );
     // Each run has its own cycles.
     let cycles = "\"wear.cycles\" = { interval = [3000, 5000] }";
@@ -426,9 +426,8 @@ fn lives_are_asked_for_within_the_cycles_of_wear() {
     assert_eq!(of(coefficient, &ask("{ quantile = 0.1 }")), "");
     assert_eq!(
         of(coefficient, &ask("\"mean\"")),
-        "study.toml:7:15: warning[E0608]: [[ask]] 1: statistics 1: a life that does not end counts as all cycles of [wear], so \
-         that this may be too small\n\
-         hint: ask for quantiles below all cycles, or raise cycles in the model until all lives end"
+        "study.toml:7:15: warning[E0608]: [[ask]] 1: statistics 1: a life longer than all cycles of [wear] counts as all cycles, so this may be too small\n\
+         hint: use quantiles below all cycles, or increase cycles in the model until all lives end"
     );
     assert!(of(coefficient, &ask("\"standard_deviation\"")).contains("warning[E0608]"));
 }

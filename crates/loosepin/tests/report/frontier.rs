@@ -85,8 +85,7 @@ fn the_sentences_say_which_pairs_were_run() {
     let text = study_text(&result).split_whitespace().collect::<Vec<&str>>().join(" ");
     for due in [
         "All requirements are met with each of these pairs that was run, also with other random numbers.",
-        "a pair that is tighter in both than a met one counts as met, and one that is looser in both than a refused one as not shown \
-         to be met. Such pairs were not run.",
+        "A pair that is tighter in both values than a pair that meets the requirements also counts as meeting them. A pair that is looser in both than a rejected pair counts as not shown to meet them. Such pairs were not run.",
     ] {
         assert!(text.contains(due), "{text}");
     }

@@ -104,22 +104,21 @@ fn wrong_tables_are_told_with_their_places() {
     );
     assert_eq!(
         refused("angle [deg]; slider [mm]\n0; 1\n"),
-        "m.csv:1:1: error[E1001]: the columns are separated by semicolons; must be commas, and numbers have a decimal \
-         point\nhint: write '0; 1' as '0, 1'; spreadsheets do so with the region English (United States)"
+        "m.csv:1:1: error[E1001]: the columns are separated by semicolons; must be commas, with a decimal point in numbers\nhint: write '0; 1' as '0, 1'; spreadsheets do this with the region English (United States)"
     );
     assert_eq!(
         refused("# bench 3\nangle [deg], slider [mm]\n0, 1\n"),
         "m.csv:1:1: error[E1001]: the header '# bench 3' is not written name [unit]\n\
-         hint: a table has no lines of comment: take the # away, or leave the line out"
+         hint: a table must not have comment lines: delete the #, or remove the line"
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\n# at noon\n0,5, 1,25\n1,\"1,5\"\n2, \u{2212}1\n"),
-        "m.csv:2:1: error[E1001]: a table has no lines of comment\nhint: leave the line out\n\
+        "m.csv:2:1: error[E1001]: a table must not have comment lines\nhint: remove the line\n\
          m.csv:3:1: error[E1001]: the row has 4 cells; the header has 2\n\
          hint: a comma separates columns; decimal numbers have a point\n\
-         m.csv:4:1: error[E1001]: '1,5' is no finite number\nhint: decimal numbers have a point\n\
-         m.csv:5:4: error[E1001]: '\u{2212}1' is no finite number\n\
-         hint: the minus sign of numbers is the hyphen of the keyboard"
+         m.csv:4:1: error[E1001]: '1,5' is not a finite number\nhint: decimal numbers have a point\n\
+         m.csv:5:4: error[E1001]: '\u{2212}1' is not a finite number\n\
+         hint: use the hyphen of the keyboard as the minus sign"
     );
     assert_eq!(
         refused("angle [degr], slider [mm]\n0, 1\n"),
@@ -127,7 +126,7 @@ fn wrong_tables_are_told_with_their_places() {
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\r\n0, 1\r\n\r\n1, 2x\r\n"),
-        "m.csv:4:4: error[E1001]: '2x' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured"
+        "m.csv:4:4: error[E1001]: '2x' is not a finite number\nhint: write a number; a cell of a measured curve may be empty if nothing was measured"
     );
     assert_eq!(
         refused("x [mm], slider [mm]\n0, 1\n"),
@@ -135,14 +134,14 @@ fn wrong_tables_are_told_with_their_places() {
     );
     assert_eq!(
         refused("angle [deg], slider [mm], slider [mm]\n0, 1x, 2\n1, 2\n0.5, 3, inf\n"),
-        "m.csv:1:27: error[E1001]: the column 'slider' is there twice\n\
-         m.csv:2:4: error[E1001]: '1x' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured\n\
+        "m.csv:1:27: error[E1001]: the column 'slider' appears twice\n\
+         m.csv:2:4: error[E1001]: '1x' is not a finite number\nhint: write a number; a cell of a measured curve may be empty if nothing was measured\n\
          m.csv:3:1: error[E1001]: the row has 2 cells; the header has 3\n\
-         m.csv:4:9: error[E1001]: 'inf' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured"
+         m.csv:4:9: error[E1001]: 'inf' is not a finite number\nhint: write a number; a cell of a measured curve may be empty if nothing was measured"
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\n10, 1\n5, 2\n"),
-        "m.csv:3:1: error[E1001]: angle 5 stands behind 10; the rows must go upwards"
+        "m.csv:3:1: error[E1001]: angle 5 follows 10; the first column must increase from row to row"
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\n"),
@@ -168,7 +167,7 @@ fn columns_that_are_no_outputs_and_rows_outside_are_told() {
     let table = MeasuredTable::from_text("m.csv", "angle [deg], slider [mm]\n10, 1\n400, 2\n").expect("a table");
     assert_eq!(
         lay_over(&table, &mut ideal_run(0.0)).expect_err("beyond a turn").to_string(),
-        "m.csv:3:1: error[E1002]: angle 400 deg lies outside what was recorded, 0 deg to 360 deg\n\
-         hint: record more turns with --turns, or cut the table"
+        "m.csv:3:1: error[E1002]: angle 400 deg is outside the recorded range, 0 deg to 360 deg\n\
+         hint: record more turns with --turns, or shorten the table"
     );
 }

@@ -74,7 +74,7 @@ fn analytic_runs_that_would_halve_a_large_error() {
     );
     says(
         &shown(4e-5, 6e-5),
-        "included in it. Of it 0.06 mm comes from the search over the unknown values, which falls slowly with more runs (outer), and 0.04 mm \
+        "included in it. Of this, 0.06 mm comes from the search over the unknown values and decreases slowly with more runs (outer), and 0.04 mm \
          from random samples: inner = 1024, about 71000 runs should halve this part.",
     );
     says(&shown(1e-6, 9e-5), "which falls slowly with more runs (outer). - 17536 runs");
@@ -286,8 +286,7 @@ fn contacts_below_a_raised_least_impact_speed_are_told() {
     result.impacts[0].laws[0].basis.minimum_impact_speed_m_s = Some(10.0);
     assert_says(
         &result,
-        "In gudgeon no contact began faster than the least impact speed of 10 m/s: all are computed as impacts at that speed, which lose \
-         less energy, and none is counted. Lower minimum_impact_speed.",
+        "In gudgeon no contact began faster than the minimum impact speed of 10 m/s: all are computed as impacts at this speed, which lose less energy, and none is counted. Use a lower minimum_impact_speed.",
     );
 }
 
@@ -331,7 +330,7 @@ fn what_may_overturn_a_verdict_stands_with_it() {
     assert_says(
         &result,
         "does not repeat itself from turn to turn. 64 of these runs were continued for 5 turns. They exceed the largest deviation of slider \
-         by 0.0087 mm on average and 0.042 mm at most. None of them leaves the limit of slider only then.",
+         by 0.0087 mm on average and 0.042 mm at most. None of them leaves the limit of slider only in these turns.",
     );
     if let Some(further) = &mut result.further_turns {
         (further.turns, further.runs) = (1, 1);
@@ -450,7 +449,7 @@ fn analytic_treatments_of_a_normal_plus_an_interval() {
         Some([-9.0, 9.0].map(|widened| TreatmentEnd { widened_si: 1e-3 * widened, error }));
     assert_says(
         &unsure,
-        "As found, the band is 35 % wider than the mixed band; the numerical error of its ends, 5 mm, is larger than that.",
+        "The band found is 35 % wider than the mixed band, but but the numerical error of its ends, 5 mm, is larger than this difference.",
     );
     assert_says(&result, "Probability only -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
     assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");
@@ -709,10 +708,10 @@ fn what_is_promised_is_said_to_be_a_share_of_volume_and_never_met() {
         "Requirements promised for a share of the box",
         "in at least 99.81 % of mechanisms, for at least 99 % of the box of the intervals with 99.5 % confidence (not for every value)",
         "Promised for 99 % of the box",
-        "With 99.5 % confidence, each of these bounds is kept by at least 99 % of the box of the intervals.",
+        "With 99.5 % confidence, each of these bounds holds in at least 99 % of the box of the intervals.",
         "It is not a probability of the true values, and it does not hold for every value.",
         "at most 0.6124 mm; the limit is largest at",
-        "nothing is promised, for runs failed at 2 of the 533 values that were tried.",
+        "nothing is promised, because runs failed at 2 of the 533 values that were tried.",
     ] {
         assert_says(&result, words);
     }

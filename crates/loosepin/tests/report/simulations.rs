@@ -62,8 +62,7 @@ fn text_of_the_check() {
     let words = |record: &SimulationRecord| simulation_text(record).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words(&record).contains(
-            "No output deviates more than clearances and penetrations allow. The slider comes nearest, with 95.8 % of the allowed \
-             deviation."
+            "No output deviates more than clearances and penetrations permit. The slider has the largest share: 95.8 % of the permitted deviation."
         ),
         "{}",
         words(&record)
@@ -73,8 +72,7 @@ fn text_of_the_check() {
 
     assert!(
         words(&record).contains(
-            "This run is wrong: the slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations allow only \
-             -0.5329 mm."
+            "This run is wrong: the slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations permit only -0.5329 mm."
         ),
         "{}",
         words(&record)
@@ -82,9 +80,7 @@ fn text_of_the_check() {
     record.quasi_static_check[0].samples_without_worst_case = 3;
     assert!(
         words(&record).contains(
-            "The slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations allow only -0.5329 mm as the \
-             links are assembled. A dead point lies within the clearances, where they can pass to the other way of assembling, or this \
-             run is wrong: avoid the dead point to tell. 3 samples could not be checked: a dead point lies within the clearances, or a \
+            "The slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations permit only -0.5329 mm in this assembly of the links. Either a dead point lies within the clearances, where the links can change to the other assembly, or this run is wrong: avoid the dead point to find out. 3 samples could not be checked: a dead point lies within the clearances, or a \
              slider overhangs its guide."
         ),
         "{}",

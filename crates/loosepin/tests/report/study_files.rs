@@ -125,7 +125,7 @@ fn foreign_summary_is_refused_with_its_place() {
         error.to_string(),
         "summary.json cannot be read: invalid type: integer `5`, expected a string at line 3 column 11"
     );
-    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote the file"));
 }
 
 #[test]
@@ -207,7 +207,10 @@ fn crooked_tables_are_refused_in_words() {
         refused(vec![column("a", 3), column("b", 2)]),
         "column 'b' of the runs has 2 rows; must be 3, as in column 'a'"
     );
-    assert_eq!(refused(vec![column("a", 3), column("a", 3)]), "column 'a' of the runs stands twice; names must differ");
+    assert_eq!(
+        refused(vec![column("a", 3), column("a", 3)]),
+        "column 'a' of the runs appears twice; names must differ"
+    );
 }
 
 /// Asks for `folder`.
@@ -247,7 +250,7 @@ fn another_format_is_refused_by_its_name() {
     results.write(SUMMARY_FILE, b"{\"format\": 1, \"study\": \"older\"}").expect("writable");
     let error = read_summary(&results).expect_err("an older format");
     assert_eq!(error.to_string(), format!("{} has format 1; this version reads format 2", path.display()));
-    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote the file"));
 }
 
 #[test]
@@ -259,5 +262,5 @@ fn what_cannot_be_written_is_named() {
     let error = write_study(&mut results, &worn_pin(), &runs_table(), &timing()).expect_err("the folder is not there");
     assert!(error.to_string().starts_with(&format!("cannot write {}", removed.join(BOUNDS_FILE).display())), "{error}");
     let error = read_summary(&results).expect_err("nothing was written");
-    assert!(error.to_string().contains("summary.json is no file of the study"), "{error}");
+    assert!(error.to_string().contains("summary.json is not a file of the study"), "{error}");
 }

@@ -227,7 +227,7 @@ fn analytic_bounds_of_path_errors_hold_what_eccentric_pins_can_do() {
     }
 }
 
-/// The tool marks a disc that turns with the crank: seen from there its error is as large as seen from the ground, but the path is
+/// The tool marks a disc that turns with the crank: seen from there its error is as large as relative to the ground, but the path is
 /// another one, and so are the parts along and across it.
 #[test]
 fn identity_an_error_is_as_large_seen_from_a_driven_body() {
@@ -265,15 +265,14 @@ fn a_path_is_asked_for_by_part_and_its_error_is_no_value() {
         (
             "component = \"normal\"\n",
             "",
-            "study.toml:12:10: error[E0608]: [[ask]] 1: output 'tool' is a path, and not said is which part of it\n\
-             hint: add component: normal or along is the error across the path and along it, magnitude the whole error, contour the \
-             distance from the path whatever the timing, x or y a coordinate",
+            "study.toml:12:10: error[E0608]: [[ask]] 1: output 'tool' is a path, but 'component' is missing\n\
+             hint: add component: normal or along is the error across or along the path, magnitude the whole error, contour the distance from the path regardless of time, x or y a coordinate",
         ),
         (
             "of = \"total\"",
             "of = \"value\"",
             "study.toml:14:6: error[E0608]: [[ask]] 1: of: component 'normal' is an error from the ideal path, not a value\n\
-             hint: of = \"total\" compares with the drawing, of = \"clearance\" with the same lengths without play",
+             hint: write of = \"total\" to compare with the nominal mechanism, or of = \"clearance\" to compare with the same lengths without play",
         ),
         (
             "\"normal\"",

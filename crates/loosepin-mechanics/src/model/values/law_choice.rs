@@ -95,8 +95,7 @@ mod tests {
         );
         assert_eq!(
             refused(STEEL, "kelvin-voigt"),
-            "kelvin-voigt takes its stiffness in another way than lankarani-nikravesh, the law of contact 'steel_pin' in \
-             the model"
+            "kelvin-voigt needs another kind of stiffness than lankarani-nikravesh, the law of contact 'steel_pin' in the model"
         );
         let linear = "law = \"kelvin-voigt\"\nstiffness = \"1e7 N/m\"\ndamping_coefficient = \"900 N s/m\"";
         assert_eq!(

@@ -457,10 +457,10 @@ fn text_of_errors() {
     let derived = Scatter { quantity: built.quantity("body.rod.points.small_end.x"), standard_deviation_si: 1e-5 };
     assert_eq!(
         fail(&MotionPlan { scatter: vec![derived], ..plan(&built, 36) }),
-        "body.rod.points.small_end.x is not a free number of the model; it cannot be set"
+        "body.rod.points.small_end.x is not a free number of the model, so it cannot be set"
     );
     let still = build_case_with("slider_crank_5000", &[("drive.crank.speed", 0.0)]);
     let error = motion(&still.mechanism, &still.values, &plan(&still, 36)).expect_err("nothing turns");
     assert_eq!(error, AccuracyError::StandsStill { drive: "crank".to_owned() });
-    assert_eq!(error.to_string(), "drive 'crank' stands still: it goes through no cycle");
+    assert_eq!(error.to_string(), "drive 'crank' has speed zero, so it has no cycle");
 }

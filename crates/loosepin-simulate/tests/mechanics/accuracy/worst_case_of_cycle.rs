@@ -60,7 +60,10 @@ fn analytic_what_is_not_proven_is_named_with_its_angles() {
     assert!(largest(&answer.first_order_si) < 0.73 * due);
     assert_eq!(record.unproven_spans.len(), 2, "{:?}", record.unproven_spans);
     for (span, middle) in record.unproven_spans.iter().zip([90.0, 270.0]) {
-        assert_eq!(span.words, "within the play 'rod' comes near a position from which it can go on in two ways");
+        assert_eq!(
+            span.words,
+            "within the play, 'rod' comes close to a position from which it can continue in two ways"
+        );
         let [from, to] = span.span_rad.map(f64::to_degrees);
         assert!(from < middle && middle < to && to - from < 20.0, "{span:?}");
     }

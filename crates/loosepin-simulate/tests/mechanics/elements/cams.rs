@@ -160,11 +160,11 @@ fn what_is_wrong_with_a_table_is_told_at_its_place() {
     );
     assert_eq!(
         of("cam [deg], lift [N]\n1,2\n"),
-        "profile.csv:1:12: error[E0411]: the column 'lift [N]' must hold a length"
+        "profile.csv:1:12: error[E0411]: the column 'lift [N]' must contain a length"
     );
     assert_eq!(
         of(&format!("{header}10,2\n80;3,1\n90,x\n")),
-        "profile.csv:3:1: error[E0411]: '80;3' is not a number\nhint: columns are separated by commas, and numbers have a decimal point\nprofile.csv:4:4: error[E0411]: 'x' is not a number\nhint: with a point and no thousands separator, for example 0.25 or 1e-3"
+        "profile.csv:3:1: error[E0411]: '80;3' is not a number\nhint: columns are separated by commas, with a decimal point in numbers\nprofile.csv:4:4: error[E0411]: 'x' is not a number\nhint: write numbers with a decimal point and no thousands separator, for example 0.25 or 1e-3"
     );
     assert_eq!(
         of(&format!("{header}10,2\n80,3,1\n")),
@@ -176,7 +176,7 @@ fn what_is_wrong_with_a_table_is_told_at_its_place() {
     );
     assert_eq!(
         of(&format!("{header}10,2\n80,3\n")),
-        "profile.csv:1:1: error[E0208]: cam 'lift': csv has too few entries; must be at least 3"
+        "profile.csv:1:1: error[E0208]: cam 'lift': csv has too few entries; it needs at least 3"
     );
     let nowhere = said(&model.replace("profile.csv", "profil.csv"), TABLE);
     assert_eq!(

@@ -308,7 +308,7 @@ fn starts_that_do_not_fit_are_refused() {
     let twice = Model::from_text("model.toml", &twice).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(
         Mechanism::new(&twice, &twice.quantities.nominal()).expect_err("it is refused").to_string(),
-        "initial: body 'slider': position x cannot be 24 mm at the start; the links and what else is given come no closer than 22 mm"
+        "initial: body 'slider': position x cannot be 24 mm at the start; the nearest value that the links and the other given values permit is 22 mm"
     );
     let contradicting = bars(
         "[initial.body.left]\nangle = \"90 deg\"\nangular_velocity = \"1 rad/s\"\n[initial.body.middle]\nangular_velocity = \"2 rad/s\"\n",
@@ -322,11 +322,11 @@ fn starts_that_do_not_fit_are_refused() {
     let failure = run(&built.mechanism, &built.sample(), &window, &Settings::for_simulation(), &mut Nobody);
     assert_eq!(
         failure.expect_err("it is refused").to_string(),
-        "initial: body 'middle': angular velocity is 19.09859 rpm; the links and what else is given make it 9.549297 rpm"
+        "initial: body 'middle': angular velocity is 19.09859 rpm; from the links and the other given values it is 9.549297 rpm"
     );
     let driven = "[drive.left]\njoint = \"a\"\nspeed = \"1 rad/s\"\nstart_angle = \"80 deg\"\n[initial.body.left]\nangle = \"80 deg\"\n";
     assert_eq!(
         refused(driven),
-        "the drives determine the motion; the initial state under [initial] has nothing to say"
+        "the drives determine the motion, so there is no initial state to give under [initial]"
     );
 }

@@ -233,8 +233,7 @@ duration = "0.2 s"
     let error = Mechanism::new(&model, &model.quantities.nominal()).expect_err("nobody knows which rail carries");
     assert_eq!(
         error.complaint(&model).to_string(),
-        "model.toml:11:8: error[E0708]: joint 'lower' has friction, and what it carries is not determined: constraints of \
-         ideal joints repeat each other\nhint: remove what holds the mechanism twice, or the friction"
+        "model.toml:11:8: error[E0708]: joint 'lower' has friction, but its force is not determined: constraints of ideal joints are redundant\nhint: remove the redundant constraint, or the friction"
     );
 }
 

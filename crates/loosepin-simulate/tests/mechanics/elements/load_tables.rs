@@ -250,11 +250,11 @@ fn values_that_do_not_fit_the_period_are_refused() {
     };
     assert_eq!(
         refused("load.push.period=0.15s"),
-        "model.toml:18:7: error[E0412]: load 'push': the points span 200 ms; must be at most the period of 150 ms"
+        "model.toml:18:7: error[E0412]: load 'push': the points span 200 ms; they must span at most the period of 150 ms"
     );
     assert_eq!(
         refused("load.push.points.3.force=3.1N"),
-        "model.toml:18:7: error[E0412]: load 'push': the last point, a period after the first, has 3.1 N; must be that of the first, 3 N\nhint: leave the last point out: the curve then goes from the one before it to the first again"
+        "model.toml:18:7: error[E0412]: load 'push': the last point, one period after the first, is 3.1 N; it must be 3, as the first point N\nhint: remove the last point: the curve then continues from the point before it to the first point of the next period"
     );
 }
 

@@ -184,7 +184,8 @@ fn offsets_that_do_not_fit_are_refused() {
     let complaints = |text: &str| Model::from_text("model.toml", text).expect_err("it is refused").to_string();
     let beside = complaints(&slider_crank("[initial.joint.main]\noffset = [\"0 mm\", \"0.1 mm\"]\n"));
     assert!(
-        beside.contains("'offset' is of a journal in its bearing; joint 'main' is no revolute joint with a clearance"),
+        beside
+            .contains("'offset' needs a journal in its bearing; joint 'main' is not a revolute joint with a clearance"),
         "{beside}"
     );
     let twice =
@@ -215,7 +216,7 @@ fn a_velocity_in_the_bearing_needs_drives() {
     let moving = model(&free("[initial.joint.gudgeon]\noffset_velocity = [\"1 mm/s\", \"0 m/s\"]\n"));
     assert_eq!(
         Mechanism::new(&moving, &moving.quantities.nominal()).expect_err("it is refused").to_string(),
-        "initial: joint 'gudgeon': offset velocity can be given only where the drives determine the motion"
+        "initial: joint 'gudgeon': offset velocity can be given only if the drives determine the motion"
     );
     let placed = start_of(&build(&free("[initial.joint.gudgeon]\noffset = [\"0.1 mm\", \"-0.2 mm\"]\n")), 1e-5);
     assert_near(placed.places[1][0], [1e-4, -2e-4], 1e-11);

@@ -251,7 +251,7 @@ along = "x"
     // ½ k L0² = 0.12 J of the 1.4 J that the slider has.
     let failure = outcome("stiffness = \"150 N/m\"\nfree_length = \"40 mm\"").expect_err("it has no direction");
     let text = failure.to_string();
-    assert!(text.ends_with("spring 'coil' is pressed to length zero: its force has no direction there"), "{text}");
+    assert!(text.ends_with("spring 'coil' is compressed to length zero: its force has no direction there"), "{text}");
     assert_eq!(failure.code(), "spring_without_direction");
     outcome("stiffness = \"150 N/m\"\nfree_length = \"0 mm\"").unwrap_or_else(|failure| panic!("{failure}"));
 }

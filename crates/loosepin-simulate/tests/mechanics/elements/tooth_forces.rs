@@ -310,7 +310,7 @@ fn analytic_force_of_a_pinion_on_its_rack() {
                 let dynamics = at_instant(&built, 0.02);
                 // The body of the rack does not turn, and its line lies in its frame and in the ground's alike.
                 let line = direction(17.0);
-                // The rack goes along its line, seen from the ground, by r times the angle of the pinion.
+                // The rack goes along its line, relative to the ground, by r times the angle of the pinion.
                 let acceleration_m_s2 = line * (sense * 0.024 * 80.0);
                 let missing_n = acceleration_m_s2 * 0.7 - weight_n - Vec2::new(force_n, 0.0);
                 let along_n = line.dot(missing_n);
@@ -396,8 +396,7 @@ fn text_of_pitch_circles_that_do_not_touch() {
         let model = Model::from_text("model.toml", &text.replace("[\"23 mm\", \"61 mm\"]", radii)).expect("it reads");
         let error = Mechanism::new(&model, &model.quantities.nominal()).expect_err("they do not touch");
         let expected = format!(
-            "coupling 'mesh': the centres of the gears are 84 mm apart; with 'pressure_angle' must be {due}, which the pitch \
-             radii give, to 1 %"
+            "coupling 'mesh': the centres of the gears are 84 mm apart; with 'pressure_angle' this must be {due}, from the pitch radii, within 1 %"
         );
         assert_eq!(error.to_string(), expected);
     }

@@ -121,7 +121,7 @@ fn messages_of_implicit_steps_without_nodes() {
     assert_eq!(refusal.code(), "implicit_without_nodes");
     assert_eq!(
         refusal.to_string(),
-        "implicit steps are for mechanisms with a flexible body in absolute nodal coordinates, and this one has none"
+        "implicit steps need a flexible body in absolute nodal coordinates, and this mechanism has none"
     );
 }
 
@@ -235,7 +235,7 @@ fn identity_evaluations_of_looks_inside_steps() {
     }
 }
 
-/// A disc that flies up in a slot and meets its round end in a step that begins and ends at the faces, whose gap never changes: the impact is seen wherever steps begin and end.
+/// A disc that flies up in a slot and meets its round end in a step that has both ends at the faces, whose gap never changes: the impact is seen wherever steps begin and end.
 #[test]
 fn identity_an_impact_inside_a_long_step_is_seen() {
     /// How far the disc would fly beyond the end, m: it is in contact for 13 % of the time that it is beyond the faces.

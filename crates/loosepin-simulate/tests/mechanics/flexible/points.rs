@@ -225,7 +225,7 @@ fn messages_of_points_that_cannot_be() {
         "[joint.hinge]\nkind = \"revolute\"\nbearing = \"rod.eye\"\njournal = \"bob.pin\"",
         "[joint.hinge]\nkind = \"rigid\"\nfirst = \"rod.eye\"\nsecond = \"bob.pin\"\nangle = \"0 deg\"",
     ));
-    assert!(found.contains("joint 'hinge': the section of body 'rod' is held at a point inside"), "{found}");
+    assert!(found.contains("joint 'hinge': the section of body 'rod' is held at a point between its ends"), "{found}");
     // A run that puts the point elsewhere.
     let built = build(&text);
     let id = built.mechanism.model.quantities.id("body.rod.points.eye.x").expect("a quantity");
@@ -237,6 +237,6 @@ fn messages_of_points_that_cannot_be() {
     let found = at(0.0975).expect_err("it is refused").to_string();
     assert_eq!(
         found,
-        "point 'eye' of body 'rod' lies 2.5 % of the length of its beam off the section that was chosen for it; at most 2 % are allowed"
+        "point 'eye' of body 'rod' is 2.5 % of the length of its beam away from the section chosen for it; at most 2 % is permitted"
     );
 }

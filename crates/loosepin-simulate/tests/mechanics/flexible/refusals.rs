@@ -81,7 +81,7 @@ fn messages_of_what_a_flexible_body_cannot_have() {
                 .replacen("joint = \"main\"", "joint = \"crank_pin\"", 1)
                 .replacen("kind = \"revolute\"\nbearing = \"rod.small_end\"\njournal = \"slider.pin\"\nbearing_radius = \"10 mm\"\nradial_clearance = \"0.2 mm\"\ncontact = \"steel_pin\"", "kind = \"rigid\"\nfirst = \"rod.small_end\"\nsecond = \"slider.pin\"\nangle = \"0 deg\"", 1)
                 + "\n[output.stress]\nstress_in = \"rod\"\n",
-            "output 'stress': stress in: the section of body 'rod' is held at both ends, and the couples there are not in the stress yet",
+            "output 'stress': stress in: the section of body 'rod' is held at both ends, and the stress does not include the moments there yet",
         ),
         (
             with("axial_shapes = 2", "axial_shapes = 2\nframe = \"tangent\""),
@@ -89,7 +89,7 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         ),
         (
             with("joint = \"main\"", "joint = \"crank_pin\""),
-            "joint 'crank_pin': body 'rod' has a secant frame, and its section at from is held",
+            "joint 'crank_pin': body 'rod' has a secant frame, but its section at from is held",
         ),
         (
             with(
@@ -101,13 +101,13 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         ),
         (
             more("[load.twist]\nkind = \"torque\"\nbody = \"rod\"\ntorque = \"1 N m\""),
-            "load 'twist': body 'rod' is flexible; each of its sections has an angle of its own",
+            "load 'twist': body 'rod' is flexible, so each of its sections has its own angle",
         ),
         (
             more(
                 "[spring.coil]\nkind = \"torsional\"\njoint = \"crank_pin\"\nstiffness = \"1 N m/rad\"\nfree_angle = \"0 deg\"",
             ),
-            "spring 'coil': body 'rod' is flexible; each of its sections has an angle of its own",
+            "spring 'coil': body 'rod' is flexible, so each of its sections has its own angle",
         ),
         (
             with("[parameter]", "temperature_rise = \"40 K\"\n[parameter]").replacen(
@@ -138,7 +138,7 @@ fn messages_of_a_run_that_a_beam_takes_beyond_finite_numbers() {
             let said = failure.complaint(&built.mechanism.model).to_string();
             assert_eq!(
                 said,
-                "model.toml:20:11: error[E0803]: at 0 ms the beam of body 'rod' swings faster than the smallest step: a position or velocity is \
+                "model.toml:20:11: error[E0803]: at 0 ms the beam of body 'rod' vibrates faster than the smallest step can resolve: a position or velocity is \
                      not a finite number\nhint: look for a modulus, a density or a section far from those of a real part"
             );
         }

@@ -259,7 +259,7 @@ fn messages_of_stress_that_cannot_be_computed() {
     let found = said(&format!("{blade}\n[output.stress]\nstress_in = \"blade\"\n"));
     assert!(
         found.contains(
-            "the section of body 'blade' is given by area and second moment, and the stress needs its height"
+            "the section of body 'blade' is given by area and second moment, but the stress needs its height"
         ),
         "{found}"
     );

@@ -100,11 +100,11 @@ fn results_of_other_inputs_are_refused_or_replaced() {
     assert_eq!(
         error.to_string(),
         format!(
-            "{} holds another simulation, 'Worn pin / 5000 rpm' (inputs {inputs}, version {version}); nothing is overwritten",
+            "{} contains another simulation, 'Worn pin / 5000 rpm' (inputs {inputs}, version {version}); nothing is overwritten",
             path.display()
         )
     );
-    assert_eq!(error.hint().as_deref(), Some("give another folder, or --force to replace these results"));
+    assert_eq!(error.hint().as_deref(), Some("give another folder, or replace these results with --force"));
     let study = Claim { kind: ResultKind::Study, ..claim(&path, "b", false) };
     assert!(study.take().expect_err("a simulation").to_string().contains(" holds a simulation, 'Worn pin"));
     claim(&path, "b", true).take().expect("forced");
@@ -124,7 +124,10 @@ fn folders_that_hold_no_results_are_refused() {
     let error = claim(&other, "a", false).take().expect_err("photos");
     assert_eq!(
         error.to_string(),
-        format!("{} holds files that are not results, 'summer.jpg' for one; nothing is overwritten", other.display())
+        format!(
+            "{} contains files that are not results, for example 'summer.jpg'; nothing is overwritten",
+            other.display()
+        )
     );
     assert!(claim(&other, "a", true).take().is_ok());
     assert!(other.join("summer.jpg").exists());

@@ -147,8 +147,8 @@ fn whatever_goes_takes_what_names_it_along() {
     for entry in [
         "parameter 'rocker_length'",
         "parameter 'rocker_mass'",
-        "the scatter of parameter 'rocker_length' in the study",
-        "what is unknown of joint 'rocker_pin': radial clearance in the study",
+        "the distribution of parameter 'rocker_length' in the study",
+        "the unknown range of joint 'rocker_pin': radial clearance in the study",
         "question 1 of the study",
         "question 2 of the study",
         "requirement 1 of the study",

@@ -212,7 +212,7 @@ fn each_broken_rule_is_told_with_its_numbers() {
     );
     assert_eq!(
         text(Distribution::Triangular { lower: 0.0, mode: 3.0, upper: 2.0 }),
-        "mode 3; must lie between the ends 0 and 2"
+        "mode 3; must be between the ends 0 and 2"
     );
     assert_eq!(text(Distribution::Beta { alpha: 0.0, beta: 1.0, lower: 0.0, upper: 2.0 }), "alpha 0; must be > 0");
     let error = RandomVariable::try_new(Distribution::TruncatedNormal {
@@ -370,6 +370,6 @@ fn each_broken_rule_of_the_further_families_is_told_with_its_numbers() {
     assert_eq!(
         text(truncated(normal, 9.0, f64::INFINITY)),
         "truncation to [9, inf] keeps the share 0 of a normal distribution; the share must be at least 1e-100\n\
-         hint: cut nearer to the mean, or state a uniform distribution"
+         hint: truncate nearer to the mean, or use a uniform distribution"
     );
 }
