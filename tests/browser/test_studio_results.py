@@ -161,7 +161,7 @@ def test_the_run_behind_a_bound_is_made_by_one_click(studio, conducted):
     studio.click(".doings summary")
     studio.wait("document.querySelector('.witnesses button')")
     told = studio.browser.evaluate("document.querySelector('.witnesses li').innerText")
-    assert "gudgeon radial clearance 0.5" in told and "fewest mechanisms keep the limit" in told
+    assert "gudgeon radial clearance 0.5" in told and "fewest mechanisms stay within the limit" in told
     # Where a frame of another process was a moment ago, the mouse still meets it.
     studio.wait("document.querySelector('.witnesses button:not(:disabled)')")
     studio.browser.evaluate(SETTLED)

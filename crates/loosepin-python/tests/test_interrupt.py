@@ -93,7 +93,7 @@ def test_identity_an_interrupted_study_goes_on_to_the_same_result(desk, result, 
         if finished > 100:
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt, match="interrupted after .* resume=True goes on"):
+    with pytest.raises(KeyboardInterrupt, match="interrupted after .* resume=True continues"):
         study.run(folder, threads=1, progress=interrupt)
     with pytest.raises(lp.LoosepinError) as refused:
         study.run(folder)

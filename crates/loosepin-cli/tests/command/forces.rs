@@ -110,7 +110,7 @@ fn a_least_impact_speed_that_no_contact_reaches_is_told() {
     let told = one_line(&told);
     assert!(
         told.contains("In gudgeon no contact began faster than the minimum impact speed of 10 m/s (the fastest at ")
-            && told.contains("which lose less energy, and none is counted. Lower minimum_impact_speed."),
+            && told.contains("which lose less energy, and none is counted. Use a lower minimum_impact_speed."),
         "{told}"
     );
 }
@@ -213,7 +213,7 @@ fn a_drive_too_slow_for_contacts_and_a_dead_point_within_the_clearances_are_told
     assert!(
         singular.messages.contains(
             "error[E0705]: singular position at 3 ms, drive 'crank' at 90 deg: the drives no longer determine the motion\n\
-             hint: two ways of assembling the links meet there"
+             hint: the links can be assembled in two ways there"
         ),
         "{}",
         singular.messages

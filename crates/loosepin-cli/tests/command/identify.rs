@@ -204,7 +204,11 @@ fn lengths_of_a_specimen_are_told_written_and_used() {
     desk.write("first.toml", &case_text("backlash_test", "first.toml"));
     desk.write("model.toml", &case_text("backlash_test", "model.toml"));
     let refused = desk.run(&["identify", "first.toml", "--lengths"]);
-    assert!(refused.messages.contains("only features of a motion say something of lengths"), "{}", refused.messages);
+    assert!(
+        refused.messages.contains("only features of a motion (kind = \"motion\") depend on the lengths"),
+        "{}",
+        refused.messages
+    );
 }
 
 #[test]

@@ -294,7 +294,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     );
     let said = desk.run(&["merge", &one, &two, &three]);
     assert!(said.messages.starts_with("error[E0911]: study.toml with its model (inputs "), "{}", said.messages);
-    assert!(said.messages.contains("hint: give the study as it was by --study"), "{}", said.messages);
+    assert!(said.messages.contains("hint: give the original study with --study"), "{}", said.messages);
     desk.fail(
         &["merge", "model.toml"],
         "error[E0911]: model.toml is not the folder of a shard: cannot read model.toml/shard.json: a part of the path is a file\n\

@@ -69,7 +69,7 @@ fn a_model_without_masses_is_checked_for_its_motion_and_says_what_a_run_needs() 
         )
         .unwrap_or_else(|| panic!("{said}"));
     let lines: Vec<&str> = missing.lines().collect();
-    assert_eq!(lines[0], "A run (simulate, study) needs more:");
+    assert_eq!(lines[0], "A run (simulate, study) also needs:");
     // Gravity, three entries of three bodies, and the contact of one joint.
     assert_eq!(lines.len(), 1 + 1 + 9 + 1, "{missing}");
     assert!(

@@ -124,5 +124,5 @@ fn analytic_a_push_beyond_the_contact_law_is_refused() {
         loosepin_identify::NO_CALLBACK,
     );
     let error = refused.expect_err("no contact carries it").to_string();
-    assert!(error.contains("by more than its contact law carries"), "{error}");
+    assert!(error.contains("with a larger force than its contact law can give"), "{error}");
 }

@@ -254,7 +254,7 @@ fn malformed_messages_are_refused_with_words() {
             1 => {
                 live.send(&json!({"kind": "look", "seq": -1, "model": noise.next()}));
                 let refused = live.next_of("refused");
-                assert!(refused["message"].as_str().unwrap().contains("none of the studio's"), "{refused}");
+                assert!(refused["message"].as_str().unwrap().contains("is not valid"), "{refused}");
             }
             _ => {
                 live.send_text("{\"kind\": \"run\"");

@@ -33,37 +33,37 @@ fn units_that_are_a_thousand_times_off_are_named() {
     let modulus = "youngs_modulus = \"207 GPa\"";
     assert_eq!(
         warning(modulus, "youngs_modulus = \"207 MPa\""),
-        "contact 'steel_pin': youngs modulus 0.207 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
+        "contact 'steel_pin': youngs modulus 0.207 GPa; usual values are 1 GPa (plastics) to 1300 GPa (diamond)\n\
          hint: did you mean \"207 GPa\" instead of \"207 MPa\"?"
     );
     assert_eq!(
         warning(modulus, "youngs_modulus = \"207e3 GPa\""),
-        "contact 'steel_pin': youngs modulus 207000 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
+        "contact 'steel_pin': youngs modulus 207000 GPa; usual values are 1 GPa (plastics) to 1300 GPa (diamond)\n\
          hint: did you mean \"207e3 MPa\" instead of \"207e3 GPa\"?"
     );
     assert_eq!(
         warning("poisson_ratio = 0.3", "poisson_ratio = 0.03"),
-        "contact 'steel_pin': poisson ratio 0.03; usual is 0.1 to 0.49; metals have 0.2 to 0.45\nhint: did you mean 0.3?"
+        "contact 'steel_pin': poisson ratio 0.03; usual values are 0.1 to 0.49; metals have 0.2 to 0.45\nhint: did you mean 0.3?"
     );
     let density = "density = \"7800 kg/m^3\"";
     assert_eq!(
         warning(density, "density = \"7.8 kg/m^3\""),
-        "contact 'steel_pin': density 7.8 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
+        "contact 'steel_pin': density 7.8 kg/m^3; usual values are 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
          hint: did you mean \"7.8 g/cm^3\" instead of \"7.8 kg/m^3\"?"
     );
     assert_eq!(
         warning(density, "density = \"7.8e6 kg/m^3\""),
-        "contact 'steel_pin': density 7800000 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
+        "contact 'steel_pin': density 7800000 kg/m^3; usual values are 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
          hint: did you mean \"7.8e6 g/m^3\" instead of \"7.8e6 kg/m^3\"?"
     );
     assert_eq!(
         warning("speed = \"5000 rpm\"", "speed = \"5000 rad/s\""),
-        "drive 'crank': speed 47746.48 rpm; usual is up to 19100 rpm (2000 rad/s)\n\
+        "drive 'crank': speed 47746.48 rpm; usual values are up to 19100 rpm (2000 rad/s)\n\
          hint: did you mean \"5000 rpm\" instead of \"5000 rad/s\"?"
     );
     assert_eq!(
         warning("gravity = \"9.81 m/s^2\"", "gravity = \"9810 m/s^2\""),
-        "gravity 9810 m/s^2; usual is 9.81 m/s^2 on earth, up to 100 m/s^2 elsewhere\n\
+        "gravity 9810 m/s^2; usual values are 9.81 m/s^2 on earth, up to 100 m/s^2 elsewhere\n\
          hint: did you mean \"9810 mm/s^2\" instead of \"9810 m/s^2\"?"
     );
     assert_eq!(
@@ -116,7 +116,7 @@ fn contacts_that_no_joint_has_are_named() {
     );
     assert_eq!(
         warning("restitution = 0.9", "restitution = 0.9\nfriction = { coefficient = 3 }"),
-        "contact 'steel_pin': friction coefficient 3; usual is 0.001 (oil) to 1 (dry)\nhint: did you mean 0.03?"
+        "contact 'steel_pin': friction coefficient 3; usual values are 0.001 (oil) to 1 (dry)\nhint: did you mean 0.03?"
     );
 }
 

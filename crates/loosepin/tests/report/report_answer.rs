@@ -77,7 +77,7 @@ fn analytic_runs_that_would_halve_a_large_error() {
         "included in it. Of this, 0.06 mm comes from the search over the unknown values and decreases slowly with more runs (outer), and 0.04 mm \
          from random samples: inner = 1024, about 71000 runs should halve this part.",
     );
-    says(&shown(1e-6, 9e-5), "which falls slowly with more runs (outer). - 17536 runs");
+    says(&shown(1e-6, 9e-5), "and decreases slowly with more runs (outer). - 17536 runs");
     assert!(!shown(1e-5, 1e-5).contains("halve"));
 }
 
@@ -449,7 +449,7 @@ fn analytic_treatments_of_a_normal_plus_an_interval() {
         Some([-9.0, 9.0].map(|widened| TreatmentEnd { widened_si: 1e-3 * widened, error }));
     assert_says(
         &unsure,
-        "The band found is 35 % wider than the mixed band, but but the numerical error of its ends, 5 mm, is larger than this difference.",
+        "The band found is 35 % wider than the mixed band, but the numerical error of its ends, 5 mm, is larger than this difference.",
     );
     assert_says(&result, "Probability only -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
     assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");

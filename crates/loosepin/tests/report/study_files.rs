@@ -125,7 +125,7 @@ fn foreign_summary_is_refused_with_its_place() {
         error.to_string(),
         "summary.json cannot be read: invalid type: integer `5`, expected a string at line 3 column 11"
     );
-    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote the file"));
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
 
 #[test]
@@ -250,7 +250,7 @@ fn another_format_is_refused_by_its_name() {
     results.write(SUMMARY_FILE, b"{\"format\": 1, \"study\": \"older\"}").expect("writable");
     let error = read_summary(&results).expect_err("an older format");
     assert_eq!(error.to_string(), format!("{} has format 1; this version reads format 2", path.display()));
-    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote the file"));
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
 
 #[test]

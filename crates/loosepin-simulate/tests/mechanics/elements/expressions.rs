@@ -107,7 +107,7 @@ fn an_expression_without_a_value_ends_the_run_and_is_named() {
         let said = failure.complaint(&build(&slider(force)).mechanism.model).to_string();
         assert!(said.starts_with("model.toml:18:7: error[E0803]: at "), "{said}");
         assert!(
-            said.contains("load 'push' is not a finite number\nhint: its expression leaves the range of log"),
+            said.contains("load 'push' is not a finite number\nhint: its expression leaves the domain of log"),
             "{said}"
         );
     }
