@@ -72,7 +72,7 @@ fn what_is_wrong_with_a_case_is_said_with_its_place() {
             "\"gudgeon\"",
             "\"wrist\"",
             "cases/crank/expected.toml:13:9: error[E0401]: expected 'stiffness': joint: there is no joint with play 'wrist'\n\
-             hint: there is gudgeon",
+             hint: available: gudgeon",
         ),
         (
             "angle = \"0 deg\"\n",

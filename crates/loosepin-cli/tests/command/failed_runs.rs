@@ -134,7 +134,7 @@ fn runs_in_which_a_law_gains_energy_are_failed_runs_by_name() {
     let reason = commonest(&desk, "bounds");
     assert_eq!(reason["code"], "law_gains_energy");
     let words = reason["words"].as_str().expect("words");
-    assert!(words.starts_with("friction in joint 'gudgeon' gave "), "{words}");
+    assert!(words.starts_with("friction in joint 'gudgeon' released "), "{words}");
     let command = reason["example"]["command"].as_str().expect("a command");
     let again = desk.paste(&format!("{command} --out again"));
     assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
