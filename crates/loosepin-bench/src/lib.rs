@@ -122,7 +122,7 @@ impl Watch {
         self.0.elapsed().as_secs_f64()
     }
 
-    /// Processor time of all threads of this process, s; by the clock where the system does not tell.
+    /// Processor time of all threads of this process, s; wall-clock time if the system does not report it.
     pub fn processor_s(&self) -> f64 {
         self.1.zip(processor_time_s()).map_or_else(|| self.clock_s(), |(start_s, end_s)| end_s - start_s)
     }

@@ -1,4 +1,4 @@
-//! Processor time that Linux tells of this process; 0 elsewhere.
+//! Processor time of this process as reported by Linux; 0 on other systems.
 
 use std::fs::{DirEntry, read_dir, read_to_string};
 

@@ -17,7 +17,7 @@ pub fn study() -> Study {
     Study::from_path(&case).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
-/// Points of a low-discrepancy set inside the box of what is unknown, as shares of it.
+/// Points of a low-discrepancy set inside the box of the unknown inputs, as shares of it.
 ///
 /// # Panics
 /// Where too many inputs are unknown for such a set.
@@ -31,7 +31,7 @@ pub fn inside_the_box(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
     (0..points).map(point).collect()
 }
 
-/// The values of what is unknown at a point of its box.
+/// The values of the unknown inputs at a point of their box.
 pub fn values_at(study: &Study, fractions: &[f64]) -> Vec<f64> {
     study.epistemic.iter().zip(fractions).map(|(input, &fraction)| input.variable.at(fraction)).collect()
 }

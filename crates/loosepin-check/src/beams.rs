@@ -1,4 +1,4 @@
-//! Flexible bodies in words.
+//! Descriptions of flexible bodies.
 
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{

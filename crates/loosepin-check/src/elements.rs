@@ -1,4 +1,4 @@
-//! Couplings, springs, loads and controls in words.
+//! Descriptions of couplings, springs, loads and controls.
 
 use std::fmt::Write;
 

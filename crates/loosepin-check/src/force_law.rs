@@ -1,4 +1,4 @@
-//! Which law of contact stands behind a force that is asked about, and how a study takes another one beside it.
+//! The contact law behind a requested force, and how a study compares it with another law.
 
 use loosepin_mechanics::contact::LONG_PIN_LAW;
 use loosepin_mechanics::mechanism::pin_clearance;

@@ -1,4 +1,4 @@
-//! Joints in words, with what touches in them.
+//! Descriptions of joints and their contacts.
 
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample};

@@ -1,4 +1,4 @@
-//! A mechanism in words.
+//! Description of a mechanism.
 
 use loosepin_mechanics::mechanism::{Drives, Mechanism};
 use loosepin_mechanics::model::{

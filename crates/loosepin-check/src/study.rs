@@ -1,4 +1,4 @@
-//! A study in words.
+//! Description of a study.
 
 use loosepin_mechanics::model::{ContactId, JointId, QuantityError, QuantityId, Values};
 use loosepin_study::{

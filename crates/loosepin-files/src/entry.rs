@@ -62,7 +62,7 @@ impl FileInfo {
         }
     }
 
-    /// Whether its mode lets nobody write it.
+    /// Whether its mode forbids writing.
     pub fn is_read_only(&self) -> bool {
         self.mode & Self::WRITABLE == 0
     }

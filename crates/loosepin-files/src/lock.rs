@@ -101,7 +101,7 @@ impl FolderLock {
         Self::take_opened(&path, kind, holder, |made| base.open_or_make_below(relative, made))
     }
 
-    /// Locks a folder that is there. Another process is waited for as long as `patience`.
+    /// Locks an existing folder. Another process is waited for as long as `patience`.
     ///
     /// # Errors
     /// As for [`FolderLock::take`].

@@ -33,7 +33,7 @@ const CHECKS: usize = 10 * ROUNDS;
 /// A box is worth another round where a width is below this share of the one before.
 const WORTH_A_ROUND: f64 = 0.98;
 
-/// What is asked of the readings.
+/// Options of the identification from readings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Probability with which all bounds of a specimen hold together, at least (default: 0.99).

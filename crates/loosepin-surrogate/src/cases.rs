@@ -1,4 +1,4 @@
-//! Responses whose shape is known: what the surrogates make of them, and what they say of themselves.
+//! Responses with known shape: the fitted surrogates, and their own error estimates.
 
 use super::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
 use super::{Choice, Input, Kind, Options, Surrogate, SurrogateError, SurrogateVerdict, TrainingData, TrainingOutput};

@@ -44,7 +44,7 @@ impl Design {
         }
     }
 
-    /// For each point the first one that equals it: itself where it stands alone.
+    /// For each point, the first point that equals it; the point itself if there is no other.
     pub fn first_equals(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.count()).collect();
         let compare = |&a: &usize, &b: &usize| {

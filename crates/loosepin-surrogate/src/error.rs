@@ -1,4 +1,4 @@
-//! Why there is no surrogate, or no answer of one.
+//! Errors of surrogates: no fit, or no prediction.
 
 use thiserror::Error;
 

@@ -24,7 +24,7 @@ impl Kind {
     /// All, in the order in which equal ones are preferred.
     pub const ALL: [Self; 4] = [Self::Constant, Self::Chaos, Self::Kriging, Self::Network];
 
-    /// The kind in words.
+    /// Name of the kind in texts.
     pub fn name(self) -> &'static str {
         match self {
             Self::Constant => "constant",

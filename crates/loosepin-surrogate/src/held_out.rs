@@ -1,4 +1,4 @@
-//! Held-out predictions: what a surrogate says about runs that it has not seen.
+//! Held-out predictions: predictions for runs that were not used for the fit.
 //!
 //! Everything that learns is done anew for each fold on the runs outside it: mean curve and modes, choice of terms, length
 //! scales, weights. Two things are taken over from the fit to all runs, and only as a beginning: kernel and first parameters
@@ -151,7 +151,7 @@ impl Fold {
 }
 
 impl Candidate {
-    /// Whether the fit is no more than the mean.
+    /// Whether the fit is only the mean.
     pub fn is_constant(&self) -> bool {
         matches!(self.fit.form(), Form::Constant)
     }

@@ -17,7 +17,7 @@ pub enum Input {
 }
 
 impl Input {
-    /// The values that the input can take; infinite where there is no end.
+    /// The possible values of the input; infinite on a side without limit.
     pub fn support(&self) -> (f64, f64) {
         match self {
             Self::Epistemic(interval) => (interval.lower(), interval.upper()),

@@ -1,4 +1,4 @@
-//! How well a surrogate predicts runs that it has not seen.
+//! Prediction error of a surrogate for runs that were not used for the fit.
 
 use super::fitted::Kind;
 use serde::{Deserialize, Serialize};

@@ -5,7 +5,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 /// 1 January of the year 10000: from there on a date has no form in RFC 3339.
 const YEAR_10000_S: u64 = 253_402_300_800;
 
-/// `2026-11-25T17:00:15Z` (RFC 3339); nothing where the clock stands before 1970 or after 9999.
+/// `2026-11-25T17:00:15Z` (RFC 3339); `None` if the clock is before 1970 or after 9999.
 pub fn date(time: SystemTime) -> Option<String> {
     let since_1970 = time.duration_since(UNIX_EPOCH).ok()?;
     (since_1970.as_secs() < YEAR_10000_S).then(|| humantime::format_rfc3339_seconds(time).to_string())

@@ -1,4 +1,4 @@
-//! Epistemic inputs: a number between two ends, or one of a few, nobody knows which.
+//! Unknown (epistemic) inputs: a number between two ends, or one of a few, without known probabilities.
 //!
 //! An angle that may be any has no ends: after a whole turn it begins again.
 
@@ -17,7 +17,7 @@ pub struct Members {
     values: Vec<f64>,
 }
 
-/// Why numbers are no list to choose from.
+/// Errors of a list of possible values.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum MembersError {
@@ -128,7 +128,7 @@ impl EpistemicVariable {
         }
     }
 
-    /// Where one value has to stand for all: the middle of an interval, the first of a list.
+    /// A representative value: the middle of an interval, the first member of a list.
     pub fn middle(&self) -> f64 {
         match self {
             Self::OneOf(members) => members.values[0],

@@ -10,7 +10,7 @@ pub const MASS_TOLERANCE: f64 = 1e-6;
 /// Elements that a box from least value, greatest value and mean is divided into.
 const ELEMENTS_OF_A_MEAN: usize = 16;
 
-/// An interval with the mass that is known to lie in it, nobody knows where.
+/// An interval with its Dempster-Shafer mass; no distribution inside it is assumed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FocalElement {
     /// The interval.
@@ -33,7 +33,7 @@ pub struct Evidence {
     is_scattering: bool,
 }
 
-/// Why intervals and masses are no evidence.
+/// Errors of intervals with masses.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum EvidenceError {

@@ -15,7 +15,7 @@ pub struct FuzzyNumber {
     cuts: Vec<(f64, Interval)>,
 }
 
-/// Why numbers are no fuzzy number.
+/// Errors of a fuzzy number.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum FuzzyError {

@@ -11,7 +11,7 @@ pub struct Interval {
     upper: f64,
 }
 
-/// Why two numbers are no interval.
+/// Errors of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum IntervalError {

@@ -1,4 +1,4 @@
-//! Bounds with few runs: the double loop goes over a surrogate, and direct runs tell how far that can be believed.
+//! Bounds with few runs: the double loop uses a surrogate, and direct runs check its error.
 //!
 //! [`SurrogatePlan`] takes the same [`Problem`](crate::Problem) as the direct double loop and goes through four steps, of which only the
 //! first and the third make runs:

@@ -1,4 +1,4 @@
-//! Curves of many poses whose extremes lie between the places at which models are looked at.
+//! Curves of many poses whose extremes lie between the places at which models are evaluated.
 
 use crate::cases::exact::{STANDARD_NORMAL, paired};
 use crate::{Failure, Problem, Request, Response, Sampling, Statistic, evaluate};

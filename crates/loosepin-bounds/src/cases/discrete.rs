@@ -1,4 +1,4 @@
-//! Epistemic inputs that are one of a list: cases with known bounds, alone and beside intervals.
+//! Epistemic inputs given by a list: cases with known bounds, alone and together with intervals.
 
 use crate::Function;
 use crate::cases::exact::{ROUND_OFF, STANDARD_NORMAL, bits, check, paired, problem};

@@ -1,4 +1,4 @@
-//! What is kept beside the rows of a table.
+//! Data stored together with the rows of a table.
 
 use std::any::{Any, TypeId};
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Bounds and what stands behind them. The shape of a result never depends on its value.
+//! Bounds and their parts. The shape of a result never depends on its value.
 
 pub use loosepin_terms::{Guarantee, Treatment};
 
@@ -6,7 +6,7 @@ use super::direction::Direction;
 use super::table::Purpose;
 use loosepin_terms::Statistic;
 
-/// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
+/// Numerical error of a bound, in its unit, each part >= 0; infinite if the runs do not determine it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BoundError {
     /// Because the sample at the witness is finite, at the stated confidence.

@@ -1,10 +1,10 @@
-//! Numbers that hold where nobody says otherwise, in one place: for this crate, for study files and for Python.
+//! Default numbers in one place: for this crate, for study files and for Python.
 
 use super::problem::Sampling;
 
 /// Share of the central band that the three treatments are compared by.
 pub const BAND_PROBABILITY: f64 = 0.95;
-/// Each random input is cut at this many standard deviations where it is taken as an interval.
+/// Number of standard deviations at which a random input is truncated if it is treated as an interval.
 pub const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
 /// Percentiles of statistics that are themselves random.
 pub const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];

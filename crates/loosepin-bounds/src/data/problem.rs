@@ -35,7 +35,7 @@ pub struct Sampling {
     pub confidence: f64,
 }
 
-/// A response's inputs, and what is asked of it.
+/// The inputs of a response, and the statistics to bound.
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Distributions of the random inputs one by one.

@@ -32,7 +32,7 @@ pub(crate) struct Estimate {
 }
 
 impl Estimate {
-    /// An estimate of what does not exist: no run finished, or the numbers are too large for their sum.
+    /// An undefined estimate: no run finished, or the sum of the numbers overflows.
     pub const UNDEFINED: Self = Self { value: f64::NAN, below: f64::INFINITY, above: f64::INFINITY };
 
     pub fn symmetric(value: f64, error: f64) -> Self {

@@ -43,7 +43,7 @@ impl Gathered {
 }
 
 impl OfPoint {
-    /// Those of `columns` that are not there.
+    /// The members of `columns` that are missing.
     pub fn missing(&self, columns: impl Iterator<Item = usize>) -> Vec<usize> {
         columns.filter(|column| !self.samples.contains_key(column)).collect()
     }

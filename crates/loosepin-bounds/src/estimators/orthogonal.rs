@@ -55,7 +55,7 @@ impl Axis {
         }
     }
 
-    /// The range that is looked at.
+    /// The range that is examined.
     pub fn ends(self) -> (f64, f64) {
         match self {
             Self::Hermite => (-NORMAL_END, NORMAL_END),

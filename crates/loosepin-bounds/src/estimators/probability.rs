@@ -1,4 +1,4 @@
-//! Shares of runs with their sampling errors, failed runs taken as unknown.
+//! Shares of runs with their sampling errors; failed runs count as unknown.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};

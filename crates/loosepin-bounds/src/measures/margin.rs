@@ -1,4 +1,4 @@
-//! The margin of a counted probability: what tells where to go where no run counts, or every one.
+//! The margin of a counted probability: it guides the search where no run counts, or every run.
 
 use super::targets::{finite_mean, range};
 use crate::estimators::estimate::{Confidence, Estimate, mean_of};

@@ -96,7 +96,7 @@ impl Measure {
         self
     }
 
-    /// The estimates that tell of the end in `direction`.
+    /// The estimates for the end in `direction`.
     pub fn estimates(&self, direction: Direction) -> &[Estimate] {
         direction.of(&self.low, &self.high)
     }

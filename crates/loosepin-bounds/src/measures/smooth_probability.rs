@@ -1,4 +1,4 @@
-//! The probability of an event by its index, which tells where to go where the probability is flat at 0 or 1.
+//! The probability of an event by its index, which guides the search where the probability is flat at 0 or 1.
 
 use super::measure::Measured;
 use super::targets::range;

@@ -1,11 +1,11 @@
-//! Why there is no plan, or no answer.
+//! Errors of plans and of results.
 
 use thiserror::Error;
 
 use super::check::ProblemError;
 use loosepin_uncertainty::{IntervalError, SobolError};
 
-/// Why there is no plan, or no next round.
+/// Errors when making a plan or its next round.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum PlanError {

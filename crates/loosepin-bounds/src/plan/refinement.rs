@@ -61,7 +61,7 @@ pub struct Assessment {
     pub optimisation_share: f64,
 }
 
-/// Where the growth of the samples stands.
+/// Progress of the sample refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Standing {
     /// The rounds go on.

@@ -1,4 +1,4 @@
-//! How much of the response a band holds, for every u that was looked at.
+//! The share of the response inside a band, for every tested u.
 
 use crate::data::bound::Witness;
 use crate::estimators::estimate::Confidence;

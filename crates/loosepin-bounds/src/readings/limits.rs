@@ -1,4 +1,4 @@
-//! How far responses have been seen to go, and what that says of statistics.
+//! The range of the responses so far, and the limits of statistics that follow from it.
 
 use crate::data::bound::{Bound, BoundError, Guarantee};
 use crate::data::direction::{Direction, range_of};

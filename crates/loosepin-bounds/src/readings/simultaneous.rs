@@ -24,7 +24,7 @@ use crate::measures::quantile::Quantile;
 /// A half-width below this share of the largest is made as wide, so that round-off where a curve does not scatter is no excess.
 const MIN_HALF_WIDTH: f64 = 1e-3;
 
-/// A band for a whole curve, with what it is made of.
+/// A band for a whole curve, with its parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimultaneousBand {
     /// Share of the runs that stay inside for every u, in (0, 1).

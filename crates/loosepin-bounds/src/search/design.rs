@@ -1,4 +1,4 @@
-//! Where a box is looked at first: corners, centre, interior; and candidates for later.
+//! The first points of a box: corners, centre, interior; and candidates for later points.
 
 use loosepin_uncertainty::{ScrambledSobol, SobolError, hash};
 

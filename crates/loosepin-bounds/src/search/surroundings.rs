@@ -1,4 +1,4 @@
-//! The surroundings of what has been attained, looked at where the models promise nothing more.
+//! The neighbourhood of the best points, searched when the models predict no further improvement.
 
 use super::extremes::Extreme;
 use super::parts::Element;

@@ -21,7 +21,7 @@ fn text_of_one_reading_says_that_only_the_sum_is_fixed() {
         "1 reading fixes 1 sum of 3 plays, and none of the plays by itself.",
         "- crank_pin + coupler_pin + rocker_pivot is 0.2",
         "enter the reading with the same factor",
-        "- of the 12 that looked best among 13296 readings, this reading would narrow the plays most: lock the drive at",
+        "- of the 12 that looked best among 13296 readings, this reading would narrow the plays most: lock",
     ] {
         assert!(said.output.contains(words), "{words}\n{}", said.output);
     }
@@ -42,7 +42,7 @@ fn narrowed_studies_are_written_once_and_not_for_a_misfit() {
     let wrong = desk.run(&["identify", "wrong.toml", "--write", "of_wrong.toml"]);
     assert_eq!(wrong.status, 1);
     assert!(wrong.output.contains("MISFIT: no values of the plays explain all 4 readings"), "{}", wrong.output);
-    assert!(wrong.output.contains("- 'ear, up and down' says "), "{}", wrong.output);
+    assert!(wrong.output.contains("- 'ear, up and down' gives "), "{}", wrong.output);
     assert!(wrong.messages.contains("of_wrong.toml is not written"), "{}", wrong.messages);
     assert!(!desk.path("of_wrong.toml").exists());
 }
@@ -180,7 +180,7 @@ fn lengths_of_a_specimen_are_told_written_and_used() {
     for words in [
         "Lengths of this specimen",
         "equally probable mechanisms",
-        "- rod length goes with crank length (rank correlation -0.",
+        "- rod length is correlated with crank length (rank correlation -0.",
         "Write 'parameter.rod_length' under [epistemic]",
     ] {
         assert!(shown.split_whitespace().collect::<Vec<_>>().join(" ").contains(words), "{words}\n{}", said.output);

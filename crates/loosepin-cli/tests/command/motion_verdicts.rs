@@ -93,5 +93,5 @@ fn analytic_how_far_play_may_be_loosened() {
     let most = l - (((0.12_f64.powi(2) - 0.05_f64.powi(2)).sqrt() - 9e-4).powi(2) + r * r).sqrt();
     assert!(loosest <= most && most - 1.9e-3 / 128.0 < loosest + 1e-6, "{loosest} {most}");
     let output = one_line(&said.output);
-    assert!(output.contains("joint.gudgeon.radial_clearance may grow to 0.6937 mm (of 2 mm asked about)"), "{output}");
+    assert!(output.contains("joint.gudgeon.radial_clearance may increase to 0.6937 mm (of at most 2 mm)"), "{output}");
 }

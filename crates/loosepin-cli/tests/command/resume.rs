@@ -101,7 +101,7 @@ fn identity_a_killed_study_ends_with_the_same_bytes() {
     assert!(is_there(&desk.path("killed/runs.sqlite")), "killed too late to show anything");
     let refused = desk.run(&["study", "study.toml", "--out", "killed"]);
     assert_eq!(refused.status, 2);
-    assert!(refused.messages.starts_with("error[E0910]: killed/runs.sqlite holds "), "{}", refused.messages);
+    assert!(refused.messages.starts_with("error[E0910]: killed/runs.sqlite contains "), "{}", refused.messages);
     assert!(
         refused
             .messages
@@ -241,7 +241,7 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
     interrupted.wait_with_output().expect("it ends");
     let before = ["loosepin.json", "runs.parquet"].map(|file| bytes(&desk, "shown", file));
     let refused = desk.run(&["study", "study.toml", "--out", "shown"]);
-    assert!(refused.messages.starts_with("error[E0910]: shown/runs.sqlite holds "), "{}", refused.messages);
+    assert!(refused.messages.starts_with("error[E0910]: shown/runs.sqlite contains "), "{}", refused.messages);
     assert!(["loosepin.json", "runs.parquet"].map(|file| bytes(&desk, "shown", file)) == before);
 }
 

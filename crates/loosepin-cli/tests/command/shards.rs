@@ -272,7 +272,11 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     );
     let again = desk.run(&["study", "study.toml", "--out", "bounds", "--shard", "2/3"]);
     assert_eq!(again.status, 2);
-    assert!(again.messages.starts_with("error[E0910]: bounds.shard-2-of-3/runs.sqlite holds "), "{}", again.messages);
+    assert!(
+        again.messages.starts_with("error[E0910]: bounds.shard-2-of-3/runs.sqlite contains "),
+        "{}",
+        again.messages
+    );
     // A store that was copied over that of another shard.
     fs::rename(desk.path(&two).join("runs.sqlite"), desk.path("kept.sqlite")).expect("moved");
     fs::copy(desk.path(&one).join("runs.sqlite"), desk.path(&two).join("runs.sqlite")).expect("copied");

@@ -91,7 +91,7 @@ fn a_requirement_that_is_not_met_is_exit_status_1() {
     let refused = desk.run(&["study", "study.toml", "--out", "bounds"]);
     assert_eq!(refused.status, 2);
     assert!(
-        refused.messages.starts_with("error[E0901]: bounds holds another study, 'a tenth of a turn' (inputs "),
+        refused.messages.starts_with("error[E0901]: bounds contains another study, 'a tenth of a turn' (inputs "),
         "{}",
         refused.messages
     );

@@ -45,12 +45,12 @@ impl Directory {
         File::open(self.path(name)?)
     }
 
-    /// A file that is there already, to be written; nothing in it is changed.
+    /// Opens an existing file for writing; its content is not changed.
     pub fn open_to_write(&self, name: &OsStr) -> io::Result<File> {
         OpenOptions::new().read(true).write(true).open(self.path(name)?)
     }
 
-    /// A file that is not there yet.
+    /// Creates a new file.
     pub fn create_new(&self, name: &OsStr, _mode: u32) -> io::Result<File> {
         OpenOptions::new().read(true).write(true).create_new(true).open(self.0.join(name))
     }
@@ -68,7 +68,7 @@ impl Directory {
         fs::rename(self.0.join(from), self.0.join(to))
     }
 
-    /// Renames, and replaces nothing that is there when it is looked.
+    /// Renames, if nothing exists at the new path at the time of the check.
     pub fn rename_new(&self, from: &OsStr, to: &OsStr) -> io::Result<()> {
         match fs::symlink_metadata(self.0.join(to)) {
             Ok(_) => Err(io::ErrorKind::AlreadyExists.into()),

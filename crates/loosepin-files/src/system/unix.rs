@@ -42,12 +42,12 @@ impl Directory {
         Ok(retry_on_intr(|| fs::openat(&self.0, name, OFlags::RDONLY | NO_WAIT, Mode::empty()))?.into())
     }
 
-    /// A file that is there already, to be written; nothing in it is changed.
+    /// Opens an existing file for writing; its content is not changed.
     pub fn open_to_write(&self, name: &OsStr) -> io::Result<File> {
         Ok(retry_on_intr(|| fs::openat(&self.0, name, OFlags::RDWR | NO_WAIT, Mode::empty()))?.into())
     }
 
-    /// A file that is not there yet.
+    /// Creates a new file.
     pub fn create_new(&self, name: &OsStr, mode: u32) -> io::Result<File> {
         let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | NO_WAIT;
         Ok(retry_on_intr(|| fs::openat(&self.0, name, flags, Mode::from_raw_mode(mode as RawMode)))?.into())

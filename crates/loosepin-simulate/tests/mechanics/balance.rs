@@ -53,7 +53,7 @@ fn a_law_that_gains_energy_is_a_failed_run_that_keeps_what_was_computed() {
     assert_eq!(gaining.record.time_s.len(), 251);
     let StopReason::Failed { code, words } = &gaining.record.stop else { panic!("{:?}", gaining.record.stop) };
     assert_eq!(code, "law_gains_energy");
-    assert!(words.starts_with("friction in joint 'gudgeon' gave "), "{words}");
+    assert!(words.starts_with("friction in joint 'gudgeon' released "), "{words}");
 
     let losing = simulated(&slider_crank_with(&lugre(0.1)), 1e-8);
     assert_eq!((losing.failure, losing.record.stop), (None, StopReason::Finished));

@@ -1,4 +1,4 @@
-//! Runs of a study that are made outside of this process: who asks for them here, who makes them there.
+//! Runs of a study that are made outside this process: the requests here, and the runs there.
 //!
 //! Only runs travel. The rounds, the store and the bounds stay with whoever conducts the study, and a run has the same bits
 //! wherever it is made: so have the results.
@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::runs::evaluate::{Row, Work};
 use loosepin_bounds::{Failure, RunInputs};
 
-/// Runs that are asked for.
+/// Requested runs.
 #[derive(Debug, Clone, Copy)]
 pub struct AskedRuns<'r> {
     /// Inputs that the inverse question has loosened: place in [`Study::allowances`](crate::Study::allowances), value in SI. None of them: the study as it stands.

@@ -1,11 +1,11 @@
-//! The memory that this process may still take, as the operating system tells it.
+//! The memory that is available to this process, as reported by the operating system.
 
 use std::io;
 use std::path::Path;
 
 use loosepin_files::read_named_text;
 
-/// Where no operating system tells, so much is taken to be there.
+/// Fallback if the operating system does not report the available memory.
 pub const STATED_BYTES: u64 = 16 << 30;
 /// From this limit of the address space on, the command lets the C library reserve more than one arena.
 const ARENAS_FROM_BYTES: u64 = 1 << 30;
@@ -39,7 +39,7 @@ pub struct MemoryAtHand {
 }
 
 impl MemoryAtHand {
-    /// As the operating system tells it now.
+    /// The current value from the operating system.
     pub fn now() -> Self {
         let unlimited = Self { pages_bytes: STATED_BYTES, data_bytes: None, addresses_bytes: None };
         Self::from_system(Path::new("/")).unwrap_or(unlimited)

@@ -1,4 +1,4 @@
-//! Runs of a study for somebody else, who conducts it.
+//! Runs of a study that another process conducts.
 
 use crate::error::StudyError;
 use crate::file::Study;

@@ -40,7 +40,7 @@ pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
     StoreIdentity { version: loosepin_text::VERSION.to_owned(), inputs: inputs.to_string() }
 }
 
-/// A study whose folder was asked for.
+/// The outcome of claiming the folder of a study.
 pub enum Begun {
     /// Its results are there already.
     Finished(ResultsFolder),

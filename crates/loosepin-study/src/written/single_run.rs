@@ -1,4 +1,4 @@
-//! One mechanism run by itself, in its folder of results: as `loosepin simulate` does it, whoever asks.
+//! A single run of one mechanism, in its folder of results, as by `loosepin simulate`.
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,4 +1,4 @@
-//! Everything that a study was read from, to be read again where there are no files.
+//! The texts of a study and its files, so that the study can be read again without the files.
 
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -123,7 +123,7 @@ impl Encoder {
         &self.bytes
     }
 
-    /// Bytes as they are: for the few instructions that are no vector instructions.
+    /// Raw bytes, for the few instructions that are not vector instructions.
     pub fn raw(&mut self, bytes: &[u8]) {
         self.bytes.extend_from_slice(bytes);
     }

@@ -1,4 +1,4 @@
-//! What changes seldom, taken out of programs that run often.
+//! Moves rarely changing computations out of programs that run often.
 
 use std::collections::HashMap;
 

@@ -190,7 +190,7 @@ impl<'a> Allocator<'a> {
         }
     }
 
-    /// Any register may be taken again.
+    /// Makes all registers available again.
     pub fn unpin_all(&mut self) {
         for file in &mut self.files {
             file.pinned = 0;

@@ -1,4 +1,4 @@
-//! Properties of a value whose probabilities are asked for.
+//! Events: properties of a value that have a probability.
 
 /// A property of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -122,22 +122,22 @@ impl Section {
         section
     }
 
-    /// Adds a block, apart from what stands before it.
+    /// Adds a block, separated from the block before it.
     pub fn push(&mut self, content: Content) {
         self.blocks.push(Block { content, only: None, is_close: false });
     }
 
-    /// Adds a block that belongs to what stands before it.
+    /// Adds a block, without separation from the block before it.
     pub fn push_close(&mut self, content: Content) {
         self.blocks.push(Block { content, only: None, is_close: true });
     }
 
-    /// Adds a block that only one medium shows, to what stands before it.
+    /// Adds a block for only one medium, without separation from the block before it.
     pub fn push_close_on(&mut self, medium: Medium, content: Content) {
         self.blocks.push(Block { content, only: Some(medium), is_close: true });
     }
 
-    /// Adds a block that only one medium shows, apart from what stands before it.
+    /// Adds a block for only one medium, separated from the block before it.
     pub fn push_on(&mut self, medium: Medium, content: Content) {
         self.blocks.push(Block { content, only: Some(medium), is_close: false });
     }

@@ -61,12 +61,12 @@ impl Column {
         Column { head: head.into(), label: None, numbers_on: &[], keeps_words: false, only: None }
     }
 
-    /// A column of numbers, which stand to the right.
+    /// A column of numbers, aligned to the right.
     pub fn numbers(head: impl Into<Text>) -> Column {
         Column { numbers_on: &[Medium::Page, Medium::Terminal], ..Column::words(head) }
     }
 
-    /// A column of numbers that stand to the right on a terminal alone.
+    /// A column of numbers, aligned to the right only on a terminal.
     pub fn numbers_on_terminal(head: impl Into<Text>) -> Column {
         Column { numbers_on: &[Medium::Terminal], ..Column::words(head) }
     }

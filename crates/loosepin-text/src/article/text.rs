@@ -9,7 +9,7 @@ pub enum Medium {
     Terminal,
 }
 
-/// How a part of a text stands out; a terminal shows all of them as plain text.
+/// Emphasis of a part of a text; a terminal shows all of it as plain text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Emphasis {
     /// It does not.
@@ -52,7 +52,7 @@ impl Text {
         self.with(Emphasis::Plain, text)
     }
 
-    /// Adds words that are to be seen first.
+    /// Adds emphasised words.
     #[must_use]
     pub fn strong(self, text: impl Into<String>) -> Text {
         self.with(Emphasis::Strong, text)

@@ -52,7 +52,7 @@ impl fmt::Display for Code {
     }
 }
 
-/// A text that is no code.
+/// A text that is not an error code.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("there is no code '{text}'; codes run from {first} to {last}")]
 pub struct UnknownCode {

@@ -1,4 +1,4 @@
-//! Tables of problems: each one's fields, code, text and hint stand together.
+//! Tables of problems: the fields, code, text and hint of each problem in one place.
 
 /// An enum of problems with its `Display` and its [`Problem`](crate::diagnostics::Problem), from a table:
 ///

@@ -10,7 +10,7 @@ use super::path::EntryPath;
 use crate::diagnostics::Span;
 use crate::units::{Dimension, Rule};
 
-/// A table whose keys have been checked against what it may have.
+/// A table whose keys have been checked.
 #[derive(Debug, Clone)]
 pub struct Table<'t> {
     /// Where it stands.
@@ -150,33 +150,33 @@ impl<'t> Entry<'t> {
         }
     }
 
-    /// Whether text stands here.
+    /// Whether the entry is a text.
     pub fn is_text(&self) -> bool {
         self.value.is_str()
     }
 
-    /// Whether a table stands here.
+    /// Whether the entry is a table.
     pub fn is_table(&self) -> bool {
         self.value.is_table()
     }
 
-    /// The entry of a key of the table that stands here, whatever its keys.
+    /// The entry of a key, if this entry is a table; the key need not be known.
     pub fn get(&self, key: &str) -> Option<Entry<'t>> {
         let (written, value) = self.value.as_table()?.get_key_value(key)?;
         Some(Entry::below(&self.path, written, value))
     }
 
-    /// Whether a table with this key stands here.
+    /// Whether the entry is a table with this key.
     pub fn holds(&self, key: &str) -> bool {
         self.value.as_table().is_some_and(|table| table.contains_key(key))
     }
 
-    /// Whether a list stands here.
+    /// Whether the entry is a list.
     pub fn is_list(&self) -> bool {
         self.value.is_array()
     }
 
-    /// Whether an empty list stands here.
+    /// Whether the entry is an empty list.
     pub fn is_empty_list(&self) -> bool {
         self.value.as_array().is_some_and(|list| list.is_empty())
     }

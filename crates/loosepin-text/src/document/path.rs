@@ -1,4 +1,4 @@
-//! Where an entry stands in a file, for machines and in words.
+//! Path of an entry in a file, as a dotted path and in words.
 
 /// The keys from the top of the file to an entry.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

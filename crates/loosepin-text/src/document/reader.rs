@@ -380,7 +380,7 @@ impl Reader {
         }
     }
 
-    /// One of a few words; what it stands for is given beside it.
+    /// One of a few words, each with its value.
     pub fn choice<T: Copy>(&mut self, entry: &Entry<'_>, choices: &[(&'static str, T)]) -> Option<T> {
         let text = self.text(entry)?;
         if let Some((_, meaning)) = choices.iter().find(|(word, _)| *word == text) {

@@ -39,7 +39,7 @@ impl<'t, R: ?Sized, T: Value<'t, R>> Value<'t, R> for Option<T> {
     }
 }
 
-/// What stands for a key that is left out, written as `D` in the description of its table.
+/// Default value of an omitted key, written as `D` in the description of its table.
 pub trait Usual<'t, R: ?Sized, D>: Value<'t, R> {
     /// The value that `usual` stands for.
     fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
@@ -51,7 +51,7 @@ impl<'t, R: ?Sized, D, T: Usual<'t, R, D>> Usual<'t, R, D> for Option<T> {
     }
 }
 
-/// One of a few words of a file, with what each stands for.
+/// A value written as one of a few words, each with its meaning.
 pub trait Choice: Copy + 'static {
     /// The words in the order of the documentation, where [`Self::choices`] says nothing else.
     const CHOICES: &'static [(&'static str, Self)] = &[];

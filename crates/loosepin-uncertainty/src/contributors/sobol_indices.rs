@@ -10,7 +10,7 @@ pub const SHARES_CONFIDENCE: f64 = 0.95;
 /// Separates the stream of random numbers.
 const INDICES: u64 = 0x696e_6469_6365_7300;
 
-/// The runs that tell the Sobol' indices of groups of inputs.
+/// The runs for the Sobol' indices of groups of inputs.
 ///
 /// ```text
 /// S_i = Var(E[Y | X_i])/Var(Y),   T_i = E[Var(Y | all but X_i)]/Var(Y)
@@ -38,7 +38,7 @@ pub struct IndexPlan {
     pairs: usize,
 }
 
-/// Why there are no such runs.
+/// Errors of a plan for Sobol' indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum IndexPlanError {

@@ -28,7 +28,7 @@ pub struct Pair {
     pub normal: f64,
 }
 
-/// Why there is no such copula.
+/// Errors of a copula.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum CopulaError {

@@ -1,4 +1,4 @@
-//! A sample taken as it is.
+//! The empirical distribution of a sample.
 
 use std::sync::Arc;
 

@@ -14,7 +14,7 @@ const NET_BITS: u32 = 32;
 /// Random bits appended below those of the net, so that a point has the resolution of an `f64`.
 const FILL_BITS: u32 = 20;
 
-/// Why there are no such points.
+/// Errors of Sobol' points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SobolError {

@@ -167,7 +167,7 @@ pub enum DistributionError {
 }
 
 impl Distribution {
-    /// The family in words, as in messages and reports.
+    /// Name of the family in messages and reports.
     pub fn family(&self) -> &'static str {
         match self {
             Self::Normal { .. } => "normal",

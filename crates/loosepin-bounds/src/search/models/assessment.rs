@@ -1,4 +1,4 @@
-//! Models of one set of points held against values: how likely each of them is, and which is taken.
+//! Models of one set of points compared with values: the likelihood of each model, and the selected one.
 
 use crate::search::models::gaussian_process::Model;
 use crate::search::rough::roughness::Scatter;
@@ -49,7 +49,7 @@ impl<'m> Assessment<'m> {
         self.assessed.push(Assessed { model, variance, misfit });
     }
 
-    /// All models of this noise ratio have been taken.
+    /// All models of this noise ratio have been added.
     pub fn end_level(&mut self) {
         self.least = self.least.min(self.least_of_level);
         let is_hopeless = self.least_of_level > self.least + HOPELESS_MISFIT;

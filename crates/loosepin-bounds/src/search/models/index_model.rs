@@ -29,7 +29,7 @@ impl IndexForecast {
 }
 
 impl<'a> IndexModel<'a> {
-    /// Whether the index has no kinks, as far as its values tell.
+    /// Whether the index has no kinks, according to its values.
     pub fn is_smoothest(&self) -> bool {
         self.fit.is_smoothest()
     }

@@ -154,7 +154,7 @@ impl LocalSmoothers {
 }
 
 impl<'a> LocalFits<'a> {
-    /// Whether it passes beside the values anywhere.
+    /// Whether it smooths the values anywhere instead of interpolating them.
     pub fn is_regressing(&self) -> bool {
         self.fits.iter().any(Fit::is_regressing)
     }

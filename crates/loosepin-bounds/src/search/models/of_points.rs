@@ -65,12 +65,12 @@ impl Branch<'_> {
         noisy.map_or(0.0, TargetModel::noise_variance)
     }
 
-    /// Whether the model passes beside the values.
+    /// Whether the model smooths the values instead of interpolating them.
     pub fn is_regressing(&self) -> bool {
         self.model.as_ref().is_some_and(TargetModel::is_regressing)
     }
 
-    /// Whether the target is taken for rough.
+    /// Whether the target is treated as rough.
     pub fn is_rough(&self) -> bool {
         self.model.as_ref().is_some_and(TargetModel::is_rough)
     }

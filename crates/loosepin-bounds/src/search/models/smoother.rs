@@ -353,7 +353,7 @@ impl Fit<'_> {
         kinked.means.iter().zip(deviations.into_iter().flatten()).map(of)
     }
 
-    /// Whether it passes beside the values rather than through them.
+    /// Whether it smooths the values instead of interpolating them.
     pub fn is_regressing(&self) -> bool {
         self.nugget > 0.0
     }

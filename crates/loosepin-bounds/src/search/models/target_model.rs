@@ -153,7 +153,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// The share of sampling noise in what it sees between the points.
+    /// The share of sampling noise in the variance between the points.
     pub fn noise_share(&self) -> f64 {
         match self {
             Self::Plain(fit) => fit.noise_share(),
@@ -169,7 +169,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// Whether the target is exact and without kinks, as far as its values tell.
+    /// Whether the target is exact and without kinks, according to its values.
     pub fn is_smoothest(&self) -> bool {
         match self {
             Self::Plain(fit) => fit.is_smoothest(),
@@ -186,7 +186,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// Whether it passes beside the values rather than through them.
+    /// Whether it smooths the values instead of interpolating them.
     pub fn is_regressing(&self) -> bool {
         match self {
             Self::Plain(fit) => fit.is_regressing(),

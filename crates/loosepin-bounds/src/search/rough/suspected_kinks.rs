@@ -84,7 +84,7 @@ impl<'m> Likelihoods<'m> {
 }
 
 impl SuspectedKinks<'_> {
-    /// Whether the errors of predicting each estimate from the others tell the same, and are not those of noise.
+    /// Whether the leave-one-out errors of the estimates show the same kinks, and are not noise.
     pub fn are_confirmed(&self) -> bool {
         let distrust = || Scatter::even(&self.smoothest.errors(&self.residual), self.freedom).distrust;
         (self.is_doubtful || distrust() > EXPECTED_DISTRUST)
@@ -96,7 +96,7 @@ impl SuspectedKinks<'_> {
         &self.values
     }
 
-    /// The most that they may lie beside a model between the points.
+    /// The largest distance between them and a model, between the points.
     pub fn largest_miss(&self) -> f64 {
         MARGIN * self.largest_error()
     }
