@@ -64,13 +64,13 @@ def write(copy: pathlib.Path, addition: dict) -> str | None:
     return None
 
 
-def run(program: pathlib.Path, run: dict) -> str | None:
+def run(program: pathlib.Path, what: dict) -> str | None:
     with tempfile.TemporaryDirectory() as folder:
-        for path, text in run["files"].items():
+        for path, text in what["files"].items():
             (pathlib.Path(folder) / path).write_text(text)
-        answer = subprocess.run([program, *run["arguments"]], cwd=folder, capture_output=True, text=True)
+        answer = subprocess.run([program, *what["arguments"]], cwd=folder, capture_output=True, text=True)
     printed = " ".join((answer.stdout + answer.stderr).split())
-    missing = [words for words in run["prints"] if words not in printed]
+    missing = [words for words in what["prints"] if words not in printed]
     return f"it does not print {missing}: {printed}" if missing else None
 
 

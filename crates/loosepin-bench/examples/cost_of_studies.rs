@@ -134,7 +134,7 @@ fn main() {
         let stages = Stages::new();
         let stop = AtomicBool::new(false);
         let options = RunOptions { maker: Some(&maker), ..RunOptions::new(threads, &stages, &stop) };
-        let conducted = run_study(&study, "", &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let completed = run_study(&study, "", &options).unwrap_or_else(|error| panic!("{name}: {error}"));
         let runs_ns = maker.used_ns.into_inner();
         let own = stages.0.into_inner().unwrap_or_else(PoisonError::into_inner);
         let rows_ns = own.runs_ns.saturating_sub(runs_ns);
@@ -143,7 +143,7 @@ fn main() {
                 .map(|ns| 1e-9 * ns as f64);
         let share = 100.0 * (planning + rows + assembling) / runs;
         let with_all = share + 100.0 * pictures / runs;
-        let (made, rounds) = (maker.made.into_inner(), conducted.result.counts.rounds);
+        let (made, rounds) = (maker.made.into_inner(), completed.result.counts.rounds);
         println!(
             "{name:24} {made:7} {rounds:7} {runs:9.3} {compile:9.3} {planning:8.3} {rows:7.3} {assembling:11.3} {pictures:9.3} {share:5.1} % {with_all:6.1} %"
         );

@@ -232,17 +232,18 @@ fn of_readings(
     let widths_si: Vec<f64> = rig.plays.iter().map(|play| play.interval_si[1] - play.interval_si[0]).collect();
     let nominal: Vec<Vec<f64>> =
         set.rows.iter().map(|row| row.factors.iter().map(|factors| factors[1]).collect()).collect();
-    let mut told = identifiable_sums(&nominal, &widths_si);
-    add_whole_sum(rig, &mut told);
-    let is_fixed: Vec<bool> = (0..widths_si.len()).map(|play| told.is_identifiable(play) && set.fixes(play)).collect();
+    let mut sums_of_plays = identifiable_sums(&nominal, &widths_si);
+    add_whole_sum(rig, &mut sums_of_plays);
+    let is_fixed: Vec<bool> =
+        (0..widths_si.len()).map(|play| sums_of_plays.is_identifiable(play) && set.fixes(play)).collect();
     // What nominal factors tell apart, and those within their bounds do not, is no play that is fixed.
-    told.combinations.retain(|weights| match sole(weights) {
+    sums_of_plays.combinations.retain(|weights| match sole(weights) {
         Some(play) => is_fixed[play],
         None => true,
     });
     let units = |play: usize| -> Vec<f64> { (0..widths_si.len()).map(|k| f64::from(u8::from(k == play))).collect() };
     let mut objectives: Vec<Vec<f64>> = (0..widths_si.len()).map(units).collect();
-    objectives.extend(told.combinations.iter().cloned());
+    objectives.extend(sums_of_plays.combinations.iter().cloned());
     let mut bounds = all_bounds(&set, &objectives);
     let mut shrunk = 1;
     for _ in 0..CHECKS {
@@ -288,7 +289,7 @@ fn of_readings(
                 is_interval: play.is_interval,
             });
             let plays: Vec<PlayBounds> = plays.collect();
-            let combinations = told.combinations.iter().zip(sums).map(|(weights, ends)| {
+            let combinations = sums_of_plays.combinations.iter().zip(sums).map(|(weights, ends)| {
                 let before_si = before(rig, weights);
                 let unit = weights.iter().zip(&rig.plays).find(|(weight, _)| **weight != 0.0);
                 Combination {
@@ -302,7 +303,13 @@ fn of_readings(
             let further = looks_further.then(|| further(rig, &set, &bounds, readings));
             let searched = further.as_ref().map(|(searched, _)| *searched);
             let further = further.and_then(|(_, further)| further);
-            Outcome::Consistent(Consistent { plays, combinations, alike: told.alike.clone(), further, searched })
+            Outcome::Consistent(Consistent {
+                plays,
+                combinations,
+                alike: sums_of_plays.alike.clone(),
+                further,
+                searched,
+            })
         }
     };
     let parts = readings.iter().zip(&set.rows).zip(independent.iter().zip(&influences));
@@ -330,12 +337,12 @@ fn sole(weights: &[f64]) -> Option<usize> {
     held.next().map(|(play, _)| play).filter(|_| held.next().is_none())
 }
 
-/// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is told beside them.
-fn add_whole_sum(rig: &Rig<'_>, told: &mut IdentifiableSums) {
+/// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is shown beside them.
+fn add_whole_sum(rig: &Rig<'_>, sums_of_plays: &mut IdentifiableSums) {
     let plays = rig.plays.len();
     let is_of_one_unit = rig.plays.iter().all(|play| play.unit == rig.plays[0].unit);
-    if plays > 1 && is_of_one_unit && told.combinations.len() == plays {
-        told.combinations.push(vec![1.0; plays]);
+    if plays > 1 && is_of_one_unit && sums_of_plays.combinations.len() == plays {
+        sums_of_plays.combinations.push(vec![1.0; plays]);
     }
 }
 

@@ -51,9 +51,9 @@ pub fn bounds<'py>(
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
-    let (stop, told) = (AtomicBool::new(false), RunCounts::default());
+    let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
     let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
-    let options = RunOptions { maker, ..RunOptions::new(by.threads, &told, &stop) };
+    let options = RunOptions { maker, ..RunOptions::new(by.threads, &counts, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
         let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
@@ -61,7 +61,7 @@ pub fn bounds<'py>(
             break;
         }
         let work = || further.run(&round, table.len(), &options);
-        let (runs, raised) = wait_for(py, &stop, |py| told.tell(py, progress), work);
+        let (runs, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), work);
         if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
             return Err(error);
         }
@@ -93,6 +93,6 @@ pub fn bounds<'py>(
         }
     }
     let answers = unlocked(py, || further.plan().results(&table))?.map_err(|error| fail(error.into()))?;
-    told.tell(py, progress)?;
+    counts.tell(py, progress)?;
     answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)
 }

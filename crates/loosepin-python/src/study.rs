@@ -101,14 +101,14 @@ impl Study {
         let maker = maker.map(MadeInPython::new);
         let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
-        let (stop, told) = (AtomicBool::new(false), RunCounts::default());
-        let options = RunOptions { maker: made, ..RunOptions::new(threads, &told, &stop) };
+        let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
+        let options = RunOptions { maker: made, ..RunOptions::new(threads, &counts, &stop) };
         let meeting = Meeting { with_resume: resume, with_force: force };
         let work = || match folder {
             Some(folder) => run_in_folder(&study, inputs, folder, meeting, &options),
             None => run_in_memory(&study, &inputs, &options),
         };
-        let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress.as_ref()), work);
+        let (outcome, raised) = wait_for(py, &stop, |py| counts.tell(py, progress.as_ref()), work);
         if let Some(error) = maker.as_ref().and_then(MadeInPython::raised) {
             return Err(error);
         }
@@ -121,7 +121,7 @@ impl Study {
             (_, Some(error)) => Err(error),
             (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
             (Ok(Ended::Finished(run)), None) => {
-                told.tell(py, progress.as_ref())?;
+                counts.tell(py, progress.as_ref())?;
                 StudyResult::new(py, *run)
             }
         }

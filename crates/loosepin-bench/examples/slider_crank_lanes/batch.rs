@@ -104,7 +104,7 @@ struct Batch<'p, const G: usize, const ACCOUNT: bool> {
     end_rad: f64,
     /// Readings in a radian.
     readings_per_rad: f64,
-    conducted: CompletedBatch,
+    completed: CompletedBatch,
 }
 
 /// Conducts a plan on 8 · `G` lanes, the runs in its order; with `ACCOUNT` positions are read and energies kept.
@@ -130,7 +130,7 @@ pub fn run_batch<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan:
         next: 0,
         end_rad: TAU * plan.turns as f64,
         readings_per_rad: plan.readings_per_turn as f64 / TAU,
-        conducted: CompletedBatch {
+        completed: CompletedBatch {
             runs: Vec::with_capacity(plan.runs),
             evaluations: 0,
             accepted: 0,
@@ -148,14 +148,14 @@ pub fn run_batch<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan:
         if batch.active == 0 {
             break;
         }
-        if ended.0 != batch.conducted.runs.len() {
-            ended = (batch.conducted.runs.len(), pass);
+        if ended.0 != batch.completed.runs.len() {
+            ended = (batch.completed.runs.len(), pass);
         }
         assert!(pass - ended.1 < MAX_PASSES, "a run does not come to its end");
         batch.pass(&mut stepper, &mut end);
     }
-    batch.conducted.runs.sort_by_key(|run| run.index);
-    batch.conducted
+    batch.completed.runs.sort_by_key(|run| run.index);
+    batch.completed
 }
 
 impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
@@ -251,7 +251,7 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
     #[target_feature(enable = "avx512f")]
     fn pass(&mut self, stepper: &mut Stepper<'_, G>, end: &mut End<G>) {
         attempt::<G, ACCOUNT>(stepper, &self.contact, &self.start, &self.slope, self.step, end);
-        self.conducted.evaluations += 12 * u64::from(self.active.count_ones());
+        self.completed.evaluations += 12 * u64::from(self.active.count_ones());
         let zero = Lanes::all(0.0);
         let good = end.error.is_below(Lanes::all(1.0)).bits() & self.active;
         let is_closed = zero.is_below(self.contact.half);
@@ -263,7 +263,7 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
         for lane in lanes_of(looked_at) {
             let is_closed = is_closed.bits() >> lane & 1 != 0;
             match self.decide(lane, end, good >> lane & 1 != 0, is_closed) {
-                Decision::Retry => self.conducted.onto_events += 1,
+                Decision::Retry => self.completed.onto_events += 1,
                 Decision::GoOn => accepted |= 1 << lane,
                 Decision::Switch => {
                     accepted |= 1 << lane;
@@ -271,8 +271,8 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
                 }
             }
         }
-        self.conducted.accepted += u64::from(accepted.count_ones());
-        self.conducted.rejected += u64::from(rejected.count_ones());
+        self.completed.accepted += u64::from(accepted.count_ones());
+        self.completed.rejected += u64::from(rejected.count_ones());
         let chosen = Mask::from_bits(accepted);
         if ACCOUNT && accepted != 0 {
             self.close_accounts(end, chosen);
@@ -459,7 +459,7 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
         let mut all = run.readings.into_flattened();
         all.truncate(readings);
         let residual = self.largest_residual.get(lane) / self.largest_exchange.get(lane);
-        self.conducted.runs.push(Finished {
+        self.completed.runs.push(Finished {
             index: run.index,
             readings: all,
             energy_residual: if ACCOUNT { residual } else { 0.0 },

@@ -43,7 +43,7 @@ pub fn is_possible() -> bool {
 /// # Panics
 /// Where the processor has no AVX-512.
 #[allow(unsafe_code, reason = "instructions may be named only where the processor was found to have them")]
-pub fn conducted(model: &SliderCrank, plan: &Plan, work: Work) -> CompletedBatch {
+pub fn run_plan(model: &SliderCrank, plan: &Plan, work: Work) -> CompletedBatch {
     assert!(is_possible(), "the processor has no AVX-512");
     // SAFETY: the processor has AVX-512, as was just asserted.
     unsafe {
@@ -57,7 +57,7 @@ pub fn conducted(model: &SliderCrank, plan: &Plan, work: Work) -> CompletedBatch
 fn print_history(model: &SliderCrank) {
     println!("time_s,slider_x_m");
     // One run alone has the nominal clearance.
-    for run in conducted(model, &plan(1), Work::Full).runs {
+    for run in run_plan(model, &plan(1), Work::Full).runs {
         for (index, slider_x_m) in run.readings.iter().enumerate() {
             println!("{:.12e},{slider_x_m:.15e}", index as f64 * model.turn_s / READINGS_PER_TURN as f64);
         }
@@ -65,9 +65,9 @@ fn print_history(model: &SliderCrank) {
 }
 
 fn print_batch(model: &SliderCrank, work: Work, runs: usize) {
-    std::hint::black_box(conducted(model, &plan(RUNS_AHEAD), work));
+    std::hint::black_box(run_plan(model, &plan(RUNS_AHEAD), work));
     let watch = Watch::start();
-    let done = std::hint::black_box(conducted(model, &plan(runs), work));
+    let done = std::hint::black_box(run_plan(model, &plan(runs), work));
     let seconds = watch.processor_s();
     let [evaluations, accepted, rejected, onto_events] =
         [done.evaluations, done.accepted, done.rejected, done.onto_events].map(|count| count as f64 / runs as f64);
@@ -86,8 +86,8 @@ fn print_batch(model: &SliderCrank, work: Work, runs: usize) {
 
 /// Largest errors over the first half turn, against runs with a far smaller tolerance, from small to large, m.
 pub fn errors_m(model: &SliderCrank, runs: usize) -> Vec<f64> {
-    let coarse = conducted(model, &plan(runs), Work::Full);
-    let fine = conducted(model, &Plan { local_m: FINE_LOCAL_M, ..plan(runs) }, Work::Full);
+    let coarse = run_plan(model, &plan(runs), Work::Full);
+    let fine = run_plan(model, &Plan { local_m: FINE_LOCAL_M, ..plan(runs) }, Work::Full);
     let pairs = coarse.runs.iter().zip(&fine.runs);
     let mut errors_m: Vec<f64> = pairs
         .map(|(coarse, fine)| {

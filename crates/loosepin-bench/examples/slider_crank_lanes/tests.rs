@@ -1,7 +1,7 @@
 //! The kernel computes the reference motion, and the same in every lane.
 
 use crate::model::SliderCrank;
-use crate::program::{Work, conducted, errors_m, is_possible, plan};
+use crate::program::{Work, errors_m, is_possible, plan, run_plan};
 use loosepin_bench::case_file;
 
 /// Largest difference of positions over the first half turn, m: what the comparison demands of the library; the play is 5e-4 m.
@@ -27,7 +27,7 @@ fn peer_the_nominal_history_is_that_of_the_reference() {
     let mut lines = text.lines();
     let names = lines.next().expect("there is a head");
     let column = names.split(',').position(|name| name == "b3_x").expect("it has the slider's position");
-    let run = &conducted(&model, &plan(1), Work::Full).runs[0];
+    let run = &run_plan(&model, &plan(1), Work::Full).runs[0];
     let mut rows = 0;
     for (row, line) in lines.take(REFERENCE_ROWS).enumerate() {
         let expected_m: f64 = line.split(',').nth(column).and_then(|cell| cell.parse().ok()).expect("a number");
@@ -43,8 +43,8 @@ fn peer_the_nominal_history_is_that_of_the_reference() {
 fn identity_a_run_is_the_same_in_any_lane_and_with_less_work() {
     let Some(model) = model() else { return };
     // Runs of 21 and of 63 with the same clearances: number i of the one is number 3 i + 1 of the other, in another lane beside others.
-    let (few, many) = (conducted(&model, &plan(21), Work::Full), conducted(&model, &plan(63), Work::Full));
-    let bare = conducted(&model, &plan(63), Work::Bare);
+    let (few, many) = (run_plan(&model, &plan(21), Work::Full), run_plan(&model, &plan(63), Work::Full));
+    let bare = run_plan(&model, &plan(63), Work::Bare);
     for (index, run) in few.runs.iter().enumerate() {
         let other = &many.runs[3 * index + 1];
         let clearances_m = [model.clearance_of_m(index, 21), model.clearance_of_m(3 * index + 1, 63)];

@@ -203,7 +203,7 @@ fn two_drives_on_one_freedom_are_named_whether_the_loop_closes_or_not() {
              hint: keep one of them, and use the other for a joint with another degree of freedom",
         );
     }
-    // The second freedom driven as well: nothing to report of.
+    // The second freedom driven as well: nothing to report.
     let desk = Desk::new();
     desk.write("model.toml", &with_pendulum("0 deg").replace("joint = \"crank_pin\"", "joint = \"hang\""));
     desk.succeed(&["check", "model.toml"]);

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::problem::MeasuredProblem;
 use super::table::TableReader;
 use loosepin_text::diagnostics::{Diagnostics, Source, Span, nearest_name};
-
 use loosepin_text::units::Dimension;
 
 /// Measured values of one quantity, SI, in the order of the rows.

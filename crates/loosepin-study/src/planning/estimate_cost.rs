@@ -36,18 +36,18 @@ const MIN_FREE_SHARE: f64 = 0.1;
 pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;
-    let mut foreseen = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
-    plans.questions.iter().for_each(|question| question.add_cost(&mut foreseen));
+    let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
+    plans.questions.iter().for_each(|question| question.add_cost(&mut estimate));
     let variants = response.mechanisms.len().min(MAX_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
     // What has no room for the lanes of a thread runs on its own.
     let runs = ((all / MIN_EVALUATIONS) as usize).min(TIMED_RUNS);
     if runs == 0 {
-        return Ok(foreseen);
+        return Ok(estimate);
     }
     response.limit_evaluations((all / runs as f64) as u64);
-    foreseen.run_s = time_runs_s(study, &response, runs)?;
-    Ok(foreseen)
+    estimate.run_s = time_runs_s(study, &response, runs)?;
+    Ok(estimate)
 }
 
 /// What is known of the timed runs.

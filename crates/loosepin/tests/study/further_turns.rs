@@ -55,7 +55,7 @@ fn column<'r>(runs: &'r RunsTable, end: &str) -> &'r [f64] {
 #[test]
 fn identity_later_turns_are_those_of_the_same_runs_with_more_of_them_recorded() {
     let short = conducted(&study(1, "0.5 mm"));
-    let further = short.result.further_turns.as_ref().expect("number of turns after the recorded ones");
+    let further = short.result.further_turns.as_ref().expect("turns after the recorded ones");
     let changes = column(&short.runs, "change_over_last_turn");
     assert!(changes.iter().all(|change| *change > 1e-6), "{changes:?}");
     // The middle of each eighth of the runs, made anew by themselves.

@@ -39,13 +39,13 @@ fn requirement(within: &str) -> String {
 #[test]
 fn what_is_promised_is_run_and_stored() {
     let study = study(&format!("{CLEARANCE}{PROMISE}{ASK}{}", requirement("9 mm")));
-    let foreseen = estimate_cost(&study).unwrap().promise.expect("something is promised");
+    let estimate = estimate_cost(&study).unwrap().promise.expect("something is promised");
     let result = conducted(&study, 2);
     let promise = result.promise.as_ref().expect("something is promised");
     let PromiseRecord { share, confidence, boxes, values, inner, runs, .. } = *promise;
     // Three ends share 10 %: ln(0.1/3)/ln(1 - 0.1·0.99) = 32.6.
     assert_eq!((share, confidence, boxes, values, inner, runs), (0.9, 0.9, 1, 33, 8, 33 * 8));
-    assert_eq!((foreseen.ends, foreseen.values, foreseen.runs), (3, 33, 33 * 8));
+    assert_eq!((estimate.ends, estimate.values, estimate.runs), (3, 33, 33 * 8));
     let counted = result.counts.by_purpose.iter().find(|part| part.purpose == Purpose::Promise);
     assert_eq!(counted.expect("its runs are counted").runs, 33 * 8);
     let [lower, upper, outside] = &promise.ends[..] else { panic!("three ends: {promise:?}") };
@@ -106,7 +106,7 @@ fn every_member_and_every_focal_element_has_a_box_of_its_own() {
         { interval = [\"0.2 mm\", \"0.5 mm\"], mass = 0.6 }] }\n\
         \"contact.steel_pin.restitution\" = { any_of = [0.7, 0.9] }\n";
     let study = study(&format!("{epistemic}{PROMISE}{ASK}"));
-    let foreseen = estimate_cost(&study).unwrap().promise.expect("something is promised");
+    let estimate = estimate_cost(&study).unwrap().promise.expect("something is promised");
     // Two ends: ln 0.05/ln(1 - 0.099) = 28.7.
-    assert_eq!((foreseen.boxes, foreseen.values, foreseen.runs), (4, 29, 4 * 29 * 8));
+    assert_eq!((estimate.boxes, estimate.values, estimate.runs), (4, 29, 4 * 29 * 8));
 }

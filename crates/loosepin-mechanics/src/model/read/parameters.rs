@@ -10,7 +10,7 @@ pub(super) struct Parameters {
     pub known: HashMap<String, (usize, Dimension)>,
     /// In file order.
     pub order: Vec<String>,
-    /// Those that were reported: whoever uses them is not reported again.
+    /// Those that were reported: what uses them is not reported again.
     pub broken: HashSet<String>,
     /// Those that were reported where they are used, since they lack their unit.
     blamed: HashSet<String>,
