@@ -145,7 +145,7 @@ mod tests {
         join_stores(&joined, &[(one, folder.clone())]).unwrap();
         let store = RunStore::open(&lock(folder.path()), &identity()).unwrap();
         let busy = said(&[(one, folder.clone())]);
-        assert!(busy.ends_with("is in use by another loosepin"), "{busy}");
+        assert!(busy.ends_with("is in use by another loosepin process"), "{busy}");
         store.keep(2, 4, StoredRun { outcome: Ok(vec![0.7]), ..run(2, 4) });
         drop(store);
         let differs = said(&[(one, folder)]);

@@ -98,7 +98,7 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
     let mut answer = with_bar(|heard| identify(study, &options, heard))?;
     if arguments.compare {
         if is_misfit(&answer) {
-            console::message("the study is not compared: no values explain what was measured");
+            console::message("the study is not compared: no values explain the measurements");
         } else {
             match SpecimenStudy::new(study, &answer, &study_path(arguments)) {
                 Ok(after) => answer.gain = Some(gain(study, &after.study, options.threads)?),
@@ -177,7 +177,7 @@ fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArgum
     let Some(path) = &arguments.write else { return Ok(done) };
     if done == Done::Misfit {
         // Measurements that no values explain cannot narrow an interval.
-        console::message(&format!("{} is not written: no values explain what was measured", path.display()));
+        console::message(&format!("{} is not written: no values explain the measurements", path.display()));
         return Ok(done);
     }
     let SpecimenStudy { text, narrowed: changes, mechanisms, .. } = SpecimenStudy::new(study, answer, path)?;

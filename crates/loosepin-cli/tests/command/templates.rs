@@ -22,7 +22,7 @@ fn from_new_to_report(name: &str) {
     } else {
         // Actuators move it: there is no ideal motion without its forces.
         let refused = desk.run(&["motion", "it/study.toml", "--out", "motion"]);
-        assert!(refused.status == 2 && refused.messages.contains("use loosepin simulate"), "{}", refused.messages);
+        assert!(refused.status == 2 && refused.messages.contains("use `loosepin simulate`"), "{}", refused.messages);
     }
     desk.succeed(&["simulate", "it/model.toml", "--out", "simulation"]);
     let summary: serde_json::Value = serde_json::from_str(&desk.read("simulation/summary.json")).expect("JSON");

@@ -103,7 +103,7 @@ fn no_study_is_narrowed_by_several_specimens_or_by_a_misfit() {
     // A and B of the readings, and A and B of the motion: two specimens, not four.
     answer.motion.extend(answer.motion.clone());
     let refused = known_bounds(&answer).expect_err("two specimens").to_string();
-    assert!(refused.contains("of 2 specimens"), "{refused}");
+    assert!(refused.contains("from 2 specimens"), "{refused}");
     let wrong = of_crank(&of("A", "\"103 mm\""));
     let answer = identify(&wrong, &options, NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let refused = known_bounds(&answer).expect_err("a misfit").to_string();

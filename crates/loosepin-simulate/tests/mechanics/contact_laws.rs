@@ -45,7 +45,7 @@ fn a_clearance_outside_of_the_fit_is_refused() {
     );
     assert!(matches!(error, SampleError::ClearanceOutsideFit { .. }));
     let diagnostic = error.diagnostic(&mechanism.model).to_string();
-    assert!(diagnostic.contains("error[E0810]") && diagnostic.contains("hint: take another law"), "{diagnostic}");
+    assert!(diagnostic.contains("error[E0810]") && diagnostic.contains("hint: use another law"), "{diagnostic}");
 }
 
 #[test]

@@ -240,5 +240,5 @@ fn a_bearing_that_is_too_long_for_its_film_is_refused() {
         "joint 'gudgeon' has a film by reynolds with a bearing 4.5 times as long as its diameter; at most 4 times are possible"
     );
     let diagnostic = error.diagnostic(&mechanism.model).to_string();
-    assert!(diagnostic.contains("error[E0825]") && diagnostic.contains("hint: take the film"), "{diagnostic}");
+    assert!(diagnostic.contains("error[E0825]") && diagnostic.contains("hint: use the film"), "{diagnostic}");
 }

@@ -422,7 +422,7 @@ mod tests {
         assert!(wrong(|drawn| drawn.links.clear()).contains("no link yet"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 0]).contains("each once"));
         assert!(wrong(|drawn| drawn.links.push(vec![2, 1])).contains("share two pins"));
-        assert!(wrong(|drawn| drawn.name = "a\u{7f}".into()).contains("a name on one line"));
+        assert!(wrong(|drawn| drawn.name = "a\u{7f}".into()).contains("must be on one line"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 9]).contains("two pins or more"));
         assert!(wrong(|drawn| drawn.pins[1].x = f64::INFINITY).contains("further away"));
         assert!(wrong(|drawn| drawn.pins[1] = drawn.pins[0]).contains("one place"));

@@ -93,7 +93,7 @@ fn two_studies_are_compared_and_odd_pairs_say_why_not() {
         (200, 0, 0)
     );
     let left_out = found["left_out"].to_string();
-    assert!(left_out.contains("'slider' is in A alone") && left_out.contains("'slider_2' is in B alone"), "{left_out}");
+    assert!(left_out.contains("'slider' is only in A") && left_out.contains("'slider_2' is only in B"), "{left_out}");
     assert_eq!(found["headline"], "The two studies have no answer in common.");
     // The same one twice, also by another way to it.
     let (status, refused) = compared(&server, &before, &format!("{before}/"));
@@ -161,7 +161,7 @@ fn a_witness_is_run_by_itself_and_is_no_study() {
     let job = ended(&mut live);
     assert!(job["state"] == "failed" && job["diagnostics"][0].as_str().unwrap().contains("no witness 999"), "{job}");
     let (status, refused) = compared(&server, &result, run);
-    assert!(status == 400 && refused["message"].as_str().unwrap().contains("holds a simulation"), "{refused}");
+    assert!(status == 400 && refused["message"].as_str().unwrap().contains("contains a simulation"), "{refused}");
     let (status, nothing) = server.ask("POST", "/api/result", &json!({"path": run}).to_string());
     assert_eq!((status, &nothing["is_study"], &nothing["witnesses"]), (200, &json!(false), &json!([])));
 }

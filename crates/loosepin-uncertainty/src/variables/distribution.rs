@@ -127,13 +127,13 @@ pub enum DistributionError {
     NotPositive { parameter: &'static str, value: f64 },
     #[error("lower end {lower}, upper end {upper}; the lower end must be below the upper end")]
     TurnedRound { lower: f64, upper: f64 },
-    #[error("mode {mode}; must lie between the ends {lower} and {upper}")]
+    #[error("mode {mode}; must be between the ends {lower} and {upper}")]
     ModeOutside { mode: f64, lower: f64, upper: f64 },
     /// A truncation keeps nothing that arithmetic could resolve.
     #[error(
         "truncation to [{lower}, {upper}] keeps the share {share} of a normal distribution with mean {mean} and standard \
          deviation {standard_deviation}; the share must be at least 1e-100\n\
-         hint: cut nearer to the mean, or state a uniform distribution"
+         hint: truncate nearer to the mean, or use a uniform distribution"
     )]
     NothingKept {
         mean: f64,
@@ -145,7 +145,7 @@ pub enum DistributionError {
     },
     #[error(
         "truncation to [{lower}, {upper}] keeps the share {share} of a {family} distribution; the share must be at least \
-         1e-100\nhint: cut nearer to the mean, or state a uniform distribution"
+         1e-100\nhint: truncate nearer to the mean, or use a uniform distribution"
     )]
     NothingLeft {
         family: &'static str,

@@ -156,7 +156,7 @@ fn inputs_are_told_in_words_and_units() {
     assert!(old.left_out.iter().any(|words| words.contains("older version")), "{:?}", old.left_out);
     // A text of today is not that of then.
     let broken = changed(|after| after.repeat.files[0].text = "name = ".to_owned());
-    assert!(broken.left_out.iter().any(|words| words.contains("cannot be read")), "{:?}", broken.left_out);
+    assert!(broken.left_out.iter().any(|words| words.contains("can no longer be read")), "{:?}", broken.left_out);
 }
 
 #[test]

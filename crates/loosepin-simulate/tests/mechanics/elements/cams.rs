@@ -164,7 +164,7 @@ fn what_is_wrong_with_a_table_is_told_at_its_place() {
     );
     assert_eq!(
         of(&format!("{header}10,2\n80;3,1\n90,x\n")),
-        "profile.csv:3:1: error[E0411]: '80;3' is not a number\nhint: columns are separated by commas, with a decimal point in numbers\nprofile.csv:4:4: error[E0411]: 'x' is not a number\nhint: write numbers with a decimal point and no thousands separator, for example 0.25 or 1e-3"
+        "profile.csv:3:1: error[E0411]: '80;3' is not a number\nhint: columns are separated by commas, and numbers have a decimal point\nprofile.csv:4:4: error[E0411]: 'x' is not a number\nhint: write numbers with a decimal point and no thousands separator, for example 0.25 or 1e-3"
     );
     assert_eq!(
         of(&format!("{header}10,2\n80,3,1\n")),

@@ -255,7 +255,7 @@ fn values_that_do_not_fit_the_period_are_refused() {
     );
     assert_eq!(
         refused("load.push.points.3.force=3.1N"),
-        "model.toml:18:7: error[E0412]: load 'push': the last point, one period after the first, is 3.1 N; it must be 3, as the first point N\nhint: remove the last point: the curve then continues from the point before it to the first point of the next period"
+        "model.toml:18:7: error[E0412]: load 'push': the last point, one period after the first, is 3.1 N; it must be 3 N, as the first point\nhint: remove the last point: the curve then continues from the point before it to the first point of the next period"
     );
 }
 

@@ -106,7 +106,7 @@ fn results_of_other_inputs_are_refused_or_replaced() {
     );
     assert_eq!(error.hint().as_deref(), Some("give another folder, or replace these results with --force"));
     let study = Claim { kind: ResultKind::Study, ..claim(&path, "b", false) };
-    assert!(study.take().expect_err("a simulation").to_string().contains(" holds a simulation, 'Worn pin"));
+    assert!(study.take().expect_err("a simulation").to_string().contains(" contains a simulation, 'Worn pin"));
     claim(&path, "b", true).take().expect("forced");
     assert!(!path.join("history.csv").exists(), "the old result is gone");
     assert!(path.join("notes.txt").exists(), "other files stay");

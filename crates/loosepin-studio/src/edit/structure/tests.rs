@@ -322,7 +322,7 @@ fn two_points_are_joined_as_a_pin_with_play_a_slider_or_a_slot() {
         // A slot leaves the link its turn: one degree of freedom, as before the link came; a pin takes one more away.
         let due = match by {
             Joined::Slot { .. } => "1 degree of freedom, 1 drive",
-            Joined::Pin { .. } | Joined::Slider { .. } | Joined::Rigid => "hold one another",
+            Joined::Pin { .. } | Joined::Slider { .. } | Joined::Rigid => "block one another",
         };
         assert!(done.says[0].contains(due), "{by:?} {:?}", done.says);
         assert_eq!(done.is_complete, matches!(by, Joined::Slot { .. }), "{by:?}");
