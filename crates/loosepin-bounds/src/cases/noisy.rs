@@ -269,6 +269,34 @@ fn analytic_extreme_inside_four_intervals_is_missed_as_rarely_as_stated() {
     );
 }
 
+/// A response that rests at 0 in most mechanisms, as a part on its stop: of the probability of leaving it the upper end was always 1.
+#[test]
+fn analytic_the_probability_of_leaving_a_stop_is_missed_as_rarely_as_stated() {
+    check_misses(
+        50,
+        64,
+        256,
+        &[STANDARD_NORMAL],
+        &[(0.0, 1.0)],
+        &[expect(Statistic::ProbabilityAbove(0.0), normal_cdf(-1.5), normal_cdf(-0.5), 0.12)],
+        |x, u| (x[0] + u[0] - 1.5).max(0.0),
+    );
+}
+
+/// The same where most values of u show no mechanism that leaves it.
+#[test]
+fn analytic_the_small_probability_of_leaving_a_stop_is_missed_as_rarely_as_stated() {
+    check_misses(
+        50,
+        64,
+        256,
+        &[STANDARD_NORMAL],
+        &[(0.0, 1.0)],
+        &[expect(Statistic::ProbabilityAbove(0.0), normal_cdf(-4.0), normal_cdf(-3.0), 0.05)],
+        |x, u| (x[0] + u[0] - 4.0).max(0.0),
+    );
+}
+
 #[test]
 fn analytic_a_quantile_beyond_which_few_runs_lie_is_rough_and_noisy_at_once() {
     // 128 runs have no order statistic above the 97.5 % quantile in 99 % of samples: its interval has no upper end.

@@ -4,6 +4,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::inner_basis::DesignMatrix;
 
+/// What a fit says of the polynomials of its degree.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Assessment {
+    /// What they leave at most, at any run.
+    pub largest_residual: f64,
+    /// An error of the mean that degrees are compared by.
+    pub error: f64,
+}
+
 /// The fits of one sample, by their matrices; `S` is a sample with polynomials. A copy begins without.
 #[derive(Debug)]
 pub(super) struct KnownFits<S>(Mutex<Vec<KnownFit<S>>>);
@@ -11,19 +20,19 @@ pub(super) struct KnownFits<S>(Mutex<Vec<KnownFit<S>>>);
 #[derive(Debug)]
 struct KnownFit<S> {
     design: Arc<DesignMatrix>,
-    largest_residual: f64,
+    assessment: Assessment,
     /// The sample with these polynomials, where it is kept.
     sample: Option<Arc<S>>,
 }
 
 impl<S> KnownFits<S> {
-    /// The largest residual of the polynomials of `design`; else that of `find`, which is then kept.
-    pub fn largest_residual(&self, design: &Arc<DesignMatrix>, find: impl FnOnce() -> f64) -> f64 {
-        let known = self.list().iter().find(|own| Arc::ptr_eq(&own.design, design)).map(|own| own.largest_residual);
+    /// What is known of the polynomials of `design`; else what `find` finds, which is then kept.
+    pub fn assessment(&self, design: &Arc<DesignMatrix>, find: impl FnOnce() -> Assessment) -> Assessment {
+        let known = self.list().iter().find(|own| Arc::ptr_eq(&own.design, design)).map(|own| own.assessment);
         known.unwrap_or_else(|| {
-            let largest_residual = find();
-            self.list().push(KnownFit { design: design.clone(), largest_residual, sample: None });
-            largest_residual
+            let assessment = find();
+            self.list().push(KnownFit { design: design.clone(), assessment, sample: None });
+            assessment
         })
     }
 
@@ -32,11 +41,11 @@ impl<S> KnownFits<S> {
         self.list().iter().find(|own| Arc::ptr_eq(&own.design, design))?.sample.clone()
     }
 
-    /// Keeps the sample with the polynomials of `design`, whose largest residual is this.
-    pub fn keep(&self, design: &Arc<DesignMatrix>, largest_residual: f64, sample: Arc<S>) {
+    /// Keeps the sample with the polynomials of `design`, of which this is known.
+    pub fn keep(&self, design: &Arc<DesignMatrix>, assessment: Assessment, sample: Arc<S>) {
         let mut list = self.list();
         list.retain(|own| !Arc::ptr_eq(&own.design, design));
-        list.push(KnownFit { design: design.clone(), largest_residual, sample: Some(sample) });
+        list.push(KnownFit { design: design.clone(), assessment, sample: Some(sample) });
     }
 
     fn list(&self) -> MutexGuard<'_, Vec<KnownFit<S>>> {

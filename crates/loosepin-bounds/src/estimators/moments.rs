@@ -19,7 +19,7 @@ pub(crate) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) ->
 fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
-        return smooth.mean(confidence);
+        return smooth.mean(sample.values(), confidence);
     }
     let value = sample.sums().mean;
     if !value.is_finite() {

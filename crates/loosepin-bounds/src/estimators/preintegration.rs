@@ -143,7 +143,9 @@ impl Conditional {
             for ((term, product), coefficient) in basis.terms.iter().zip(products).zip(coefficients) {
                 let part = product * coefficient;
                 value.coefficients[term[rest.axis]] += part;
-                if term.iter().sum::<usize>() + 2 > basis.degree {
+                let order = term.iter().sum::<usize>();
+                // Linear terms are never what is left out: their remainder is seen at the runs.
+                if order > 1 && order + 2 > basis.degree {
                     last_terms.coefficients[term[rest.axis]] += part;
                 }
             }

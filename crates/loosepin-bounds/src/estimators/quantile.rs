@@ -1,8 +1,7 @@
 //! Quantiles with errors from order statistics.
 
-use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
+use super::estimate::{Confidence, EitherWay, Estimate};
 use super::known::{Asked, Found};
-use super::moments::variance_of_ordered;
 use super::order_statistics::OrderStatistics;
 use super::ordered::Ordered;
 use super::probability::effective_runs;
@@ -63,11 +62,10 @@ fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (Ei
     }
     let sorted = &mut OrderStatistics::new(ordered, probability);
     let central = interpolate(sorted, probability * finished);
-    if let Some(smooth) = sample.smooth() {
-        let deviation = standard_deviation(variance_of_ordered(ordered, confidence)).value;
-        if let Some(at) = smooth.quantile(probability, central, deviation) {
-            return (EitherWay::both(at), 0.0);
-        }
+    if let Some(smooth) = sample.smooth()
+        && let Some(at) = smooth.quantile(probability, central, smooth.deviation(sample.values()))
+    {
+        return (EitherWay::both(at), 0.0);
     }
     let (runs, failed) = (sample.runs() as f64, sample.failed() as f64);
     let hits = sample.count_up_to(central);

@@ -2,9 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::estimate::{
-    Confidence, Estimate, replicate_error, standard_deviation, variance_of_mean, variance_with_error,
-};
+use super::estimate::{Confidence, Estimate, mean_of, replicate_error, variance_of_mean, variance_with_error};
 use super::index::{Index, compressed};
 use super::inner_basis::{CrossFit, DesignMatrix};
 use super::orthogonal::Axis;
@@ -14,6 +12,8 @@ use loosepin_uncertainty::normal_quantile;
 
 /// Factor by which residuals between the runs may exceed those at the runs.
 const RESIDUAL_MARGIN: f64 = 2.0;
+/// Factor by which the distance from the estimates of the next degrees may fall short of the error.
+const DEGREE_FACTOR: f64 = 2.0;
 /// Responses that differ by less than this share of their size differ by round-off.
 pub(crate) const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 /// Steps of the search for a quantile, at most; and its resolution in standard deviations.
@@ -50,12 +50,29 @@ impl Smooth {
         self.fit.coefficients.iter().zip(residuals).map(mean).collect()
     }
 
-    /// Mean; its error from the replicates ([`replicate_error`]).
-    pub fn mean(&self, confidence: &Confidence) -> Estimate {
+    /// The mean of `values`, those of the sample. Its error is the largest of that of the replicates ([`replicate_error`]), that of the
+    /// residuals ([`Self::error_of_residuals`]), and twice the distance from the estimates of the next degrees.
+    pub fn mean(&self, values: &[f64], confidence: &Confidence) -> Estimate {
         let means = self.means();
-        let value = means.iter().sum::<f64>() / means.len() as f64;
+        let value = mean_of(&means);
+        let least = self.least_error_of_mean(values, confidence.student);
         let (below, above) = replicate_error(&means, confidence);
-        Estimate { value, below, above }
+        Estimate { value, below: below.max(least), above: above.max(least) }
+    }
+
+    /// The error of the mean but for that of the replicates; `factor`: Student's.
+    pub fn least_error_of_mean(&self, values: &[f64], factor: f64) -> f64 {
+        let own = self.design.mean(values);
+        let others = self.design.higher().iter().map(|higher| (higher.mean(values) - own).abs());
+        let of_degrees = DEGREE_FACTOR * others.fold(0.0, f64::max);
+        of_degrees.max(self.error_of_residuals(self.design.weights().iter().copied(), factor))
+    }
+
+    /// `factor` √(Σ w² ε²) of an estimate that changes by w with the value of each run, ε its residual against the polynomial that was fitted without
+    /// its replicate.
+    fn error_of_residuals(&self, weights: impl Iterator<Item = f64>, factor: f64) -> f64 {
+        let parts = weights.zip(&self.fit.residuals).map(|(weight, residual)| weight * residual);
+        factor * parts.map(|part| part * part).sum::<f64>().sqrt()
     }
 
     /// Mean square distance of `values`, those of the sample, from `mean` as each replicate sees it: that of the polynomial, Σ c² of
@@ -72,11 +89,44 @@ impl Smooth {
         parts.map(square).collect()
     }
 
-    /// Unbiased variance of `values`, those of the sample.
+    /// By how much the mean of [`Self::squares`] changes with each of `values`, those of the sample: 2(y - m)/N, and by way of each p_r 2/R
+    /// times what the mean of (p_r - m) dp_r over its replicate falls short of the expected value of it.
+    fn slopes_of_squares(&self, values: &[f64], mean: f64) -> impl Iterator<Item = f64> {
+        let of_polynomials: Vec<f64> =
+            values.iter().zip(&self.fit.residuals).map(|(value, left)| value - left - mean).collect();
+        let factor = 2.0 / self.fit.coefficients.len() as f64;
+        let gradients = self.design.means_with(&of_polynomials).zip(&self.fit.coefficients).map(|(means, own)| {
+            let mut gradient: Vec<f64> = own.iter().zip(means).map(|(c, mean)| factor * (c - mean)).collect();
+            gradient[0] -= factor * mean;
+            gradient
+        });
+        let each = 2.0 / values.len() as f64;
+        let sensitivities = self.design.sensitivities(gradients).into_iter();
+        sensitivities.zip(values).map(move |(sensitivity, value)| each * (value - mean) + sensitivity)
+    }
+
+    /// Unbiased variance of `values`, those of the sample, without its error.
+    fn variance_alone(&self, values: &[f64]) -> f64 {
+        let means = self.means();
+        (mean_of(&self.squares(values, mean_of(&means))) + variance_of_mean(&means)).max(0.0)
+    }
+
+    /// Standard deviation of `values`, those of the sample, without its error.
+    pub fn deviation(&self, values: &[f64]) -> f64 {
+        self.variance_alone(values).sqrt()
+    }
+
+    /// Unbiased variance of `values`, those of the sample, with the three errors that the mean has too.
     pub fn variance(&self, values: &[f64], confidence: &Confidence) -> Estimate {
-        let squares = self.squares(values, self.mean(confidence).value);
-        let value = squares.iter().sum::<f64>() / squares.len() as f64 + variance_of_mean(&self.means());
-        variance_with_error(value.max(0.0), replicate_error(&squares, confidence))
+        let value = self.variance_alone(values);
+        let mean = mean_of(&self.means());
+        let higher = self.design.higher().iter();
+        let others = higher.map(|higher| Self::new(higher.clone(), higher.fit(values)).variance_alone(values));
+        let of_degrees = DEGREE_FACTOR * others.fold(0.0, |most: f64, other| most.max((other - value).abs()));
+        let of_residuals = self.error_of_residuals(self.slopes_of_squares(values, mean), confidence.student);
+        let least = of_degrees.max(of_residuals);
+        let (below, above) = replicate_error(&self.squares(values, mean), confidence);
+        variance_with_error(value, (below.max(least), above.max(least)))
     }
 
     /// The distribution function at `y`.
@@ -94,7 +144,12 @@ impl Smooth {
     }
 
     fn residual(&self) -> f64 {
-        RESIDUAL_MARGIN * largest_magnitude(&self.fit.residuals)
+        RESIDUAL_MARGIN * self.largest_residual()
+    }
+
+    /// What the polynomials leave at most, at any run.
+    pub fn largest_residual(&self) -> f64 {
+        largest_magnitude(&self.fit.residuals)
     }
 
     /// The probability of `event` for the response moved by `shift`.
@@ -129,10 +184,9 @@ impl Smooth {
     ///
     /// The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters; that scale is never less than
     /// `least_scale`.
-    pub fn index(&self, event: Event, least_scale: f64, values: &[f64], confidence: &Confidence) -> Index {
-        let tail = |side: usize, probability: f64| {
-            *self.tails[side].get_or_init(|| self.find_tail(probability, values, confidence))
-        };
+    pub fn index(&self, event: Event, least_scale: f64, values: &[f64]) -> Index {
+        let tail =
+            |side: usize, probability: f64| *self.tails[side].get_or_init(|| self.find_tail(probability, values));
         let above = |limit: f64| {
             let share = 1.0 - self.at(limit).cdf;
             if share < TAIL {
@@ -154,9 +208,9 @@ impl Smooth {
 
     /// The quantile at `probability` with the scale of the distribution there, φ(Φ⁻¹(probability))/density, at least its standard
     /// deviation.
-    fn find_tail(&self, probability: f64, values: &[f64], confidence: &Confidence) -> (f64, f64) {
-        let mean = self.mean(confidence).value;
-        let deviation = standard_deviation(self.variance(values, confidence)).value;
+    fn find_tail(&self, probability: f64, values: &[f64]) -> (f64, f64) {
+        let mean = mean_of(&self.means());
+        let deviation = self.deviation(values);
         let z = normal_quantile(probability);
         let near = mean + z * deviation;
         let at = self.quantile(probability, near, deviation).map_or(near, |estimate| estimate.value);
@@ -206,4 +260,72 @@ impl Smooth {
 /// Largest magnitude of `values`, 0 of none.
 pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Smooth;
+    use crate::estimators::inner_basis::InnerBasis;
+    use crate::estimators::orthogonal::Axis;
+    use loosepin_uncertainty::{ScrambledSobol, normal_quantile};
+
+    const REPLICATES: u32 = 8;
+    const EACH: u32 = 32;
+
+    fn points(seed: u64) -> Vec<Vec<f64>> {
+        let sobol = ScrambledSobol::try_new(seed, 1).unwrap();
+        let all = (0..REPLICATES).flat_map(|replicate| (0..EACH).map(move |index| (replicate, index)));
+        let point = |(replicate, index)| {
+            let mut point = vec![0.0];
+            sobol.write_point(replicate, index, &mut point);
+            point
+        };
+        all.map(point).collect()
+    }
+
+    #[test]
+    fn identity_the_slopes_of_the_mean_square_are_those_of_small_changes() {
+        const STEP: f64 = 1e-6;
+        const TOLERANCE: f64 = 1e-7; // the square of a step, and round-off over it
+        let points = points(1);
+        let basis = InnerBasis::new(&[Axis::Hermite], &points, REPLICATES as usize).unwrap();
+        let design = &basis.designs()[2];
+        let values: Vec<f64> =
+            points.iter().map(|at| normal_quantile(at[0])).map(|x| x + 0.3 * libm::sin(4.0 * x)).collect();
+        let of = |values: &[f64]| {
+            let smooth = Smooth::new(design.clone(), design.fit(values));
+            let squares = smooth.squares(values, 0.1);
+            squares.iter().sum::<f64>() / squares.len() as f64
+        };
+        let smooth = Smooth::new(design.clone(), design.fit(&values));
+        let slopes: Vec<f64> = smooth.slopes_of_squares(&values, 0.1).collect();
+        for run in [0, 17, 100, 255] {
+            let [less, more] = [-STEP, STEP].map(|step| {
+                let mut changed = values.clone();
+                changed[run] += step;
+                of(&changed)
+            });
+            let slope = (more - less) / (2.0 * STEP);
+            assert!((slope - slopes[run]).abs() < TOLERANCE, "{run}: {slope} {}", slopes[run]);
+        }
+    }
+
+    /// With the spread of the cross-fitted means alone, 21 of 100 bounds of this mean were missed.
+    #[test]
+    fn analytic_the_mean_beside_a_small_kink_lies_in_its_interval() {
+        const SAMPLES: u64 = 100;
+        let confidence = crate::estimators::estimate::Confidence::new(0.99, REPLICATES as usize);
+        let exact = 1e-3 * core::f64::consts::FRAC_2_PI.sqrt();
+        let is_missed = |seed: &u64| {
+            let points = points(*seed);
+            let basis = InnerBasis::new(&[Axis::Hermite], &points, REPLICATES as usize).unwrap();
+            let values: Vec<f64> = points.iter().map(|at| normal_quantile(at[0])).map(|x| x + 1e-3 * x.abs()).collect();
+            let design = basis.designs().last().unwrap();
+            let at = Smooth::new(design.clone(), design.fit(&values)).mean(&values, &confidence);
+            at.value + at.above < exact || at.value - at.below > exact
+        };
+        // Where one of a hundred is missed, more than three are in 1.8 % of such sets.
+        let missed = (0..SAMPLES).filter(is_missed).count();
+        assert!(missed <= 3, "{missed} of {SAMPLES}");
+    }
 }

@@ -2,15 +2,18 @@
 
 use std::sync::Arc;
 
-use super::inner_basis::{CrossFit, DesignMatrix, InnerBasis};
+use super::inner_basis::{DesignMatrix, InnerBasis};
+use super::known_fits::Assessment;
 use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
 
 /// The polynomials may leave at most this share of the standard deviation of a sample, or of the largest one of any sample.
 const MAX_RESIDUAL: f64 = 1e-3;
 const MAX_RESIDUAL_OF_ALL: f64 = 1e-6;
-/// The degree is chosen at this many points u; a lower degree must leave less than the highest by this factor.
+/// The degree is chosen at this many points u, by its error of the mean there, with about Student's factor; that of a lower degree must be less
+/// than that of the highest by this factor.
 const TRIAL_POINTS: usize = 8;
+const FACTOR: f64 = 3.5;
 const CLEARLY_LESS: f64 = 0.25;
 /// Where the highest degree leaves more than this times what is allowed, lower ones are not tried.
 const HOPELESS: f64 = 100.0;
@@ -33,69 +36,73 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>], keeps
         return;
     }
     let allowed = |point: usize| (MAX_RESIDUAL * deviations[point]).max(MAX_RESIDUAL_OF_ALL * largest);
-    let largest_residual = |fit: &CrossFit| largest_magnitude(&fit.residuals);
-    // The same relative to what is allowed.
-    let share = |largest_residual: f64, point: usize| {
+    let fitted = |design: &Arc<DesignMatrix>, point: usize| {
+        let values = samples[point].values();
+        let smooth = Smooth::new(design.clone(), design.fit(values));
+        let error = smooth.least_error_of_mean(values, FACTOR);
+        (Assessment { largest_residual: smooth.largest_residual(), error }, smooth)
+    };
+    let assessment =
+        |design: &Arc<DesignMatrix>, point: usize| samples[point].fits().assessment(design, || fitted(design, point).0);
+    // What they leave, and the error of the mean, relative to what is allowed.
+    let shares = |assessment: Assessment, point: usize| {
         // Of a response that does not scatter at all, round-off is left.
         let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
-        (largest_residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
-    };
-    let residual_share = |design: &Arc<DesignMatrix>, point: usize| {
-        let sample = &samples[point];
-        let find = || largest_residual(&design.fit(sample.values()));
-        share(sample.fits().largest_residual(design, find), point)
+        [assessment.largest_residual, assessment.error]
+            .map(|left| (left - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE))
     };
     let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
-    let mut chosen: Option<(&Arc<DesignMatrix>, f64)> = None;
+    let mut chosen: Option<(&Arc<DesignMatrix>, [f64; 2])> = None;
     for design in tried_degrees(basis.designs()) {
-        let known = chosen.map_or(f64::INFINITY, |(_, most)| CLEARLY_LESS * most);
-        let mut most = 0.0_f64;
+        let least_error = chosen.map_or(f64::INFINITY, |(_, [_, error])| CLEARLY_LESS * error);
+        let mut most = [0.0_f64; 2];
         for point in (0..samples.len()).step_by(step) {
             if point >= step && Arc::ptr_eq(samples[point], samples[point - step]) {
                 continue;
             }
-            most = most.max(residual_share(design, point));
-            if most > HOPELESS {
+            let own = shares(assessment(design, point), point);
+            most = [most[0].max(own[0]), most[1].max(own[1])];
+            if most[0] > HOPELESS && chosen.is_none() {
                 return;
             }
-            if most >= known && chosen.is_some() {
+            if !(most[1] < least_error) {
                 break;
             }
         }
-        if chosen.is_none() || most < known {
+        if most[0] <= 1.0 && most[1] < least_error || chosen.is_none() {
             chosen = Some((design, most));
         }
     }
-    let Some((design, most)) = chosen else { return };
-    if !(most <= 1.0) {
+    let Some((design, [residual, _])) = chosen else { return };
+    if !(residual <= 1.0) {
         return;
     }
-    let mut fitted: Vec<Arc<Sample>> = Vec::with_capacity(samples.len());
+    let mut with_polynomials: Vec<Arc<Sample>> = Vec::with_capacity(samples.len());
     for (point, sample) in samples.iter().enumerate() {
-        let as_before = fitted.last().cloned().filter(|_| is_as_before(point));
+        let as_before = with_polynomials.last().cloned().filter(|_| is_as_before(point));
+        let is_allowed = |assessment: Assessment| shares(assessment, point)[0] <= 1.0;
         let own = match as_before {
             Some(known) => known,
             None => match sample.fits().sample(design) {
-                Some(known) if residual_share(design, point) <= 1.0 => known,
+                Some(known) if is_allowed(assessment(design, point)) => known,
                 Some(_) => return,
                 None => {
-                    let fit = design.fit(sample.values());
-                    let largest = largest_residual(&fit);
-                    if !(share(largest, point) <= 1.0) {
+                    let (assessment, smooth) = fitted(design, point);
+                    if !is_allowed(assessment) {
                         return;
                     }
-                    let own = Arc::new(sample.with_polynomials(Smooth::new(design.clone(), fit)));
+                    let own = Arc::new(sample.with_polynomials(smooth));
                     if keeps {
-                        sample.fits().keep(design, largest, own.clone());
+                        sample.fits().keep(design, assessment, own.clone());
                     }
                     own
                 }
             },
         };
-        fitted.push(own);
+        with_polynomials.push(own);
     }
-    for (sample, fitted) in samples.iter_mut().zip(fitted) {
-        **sample = fitted;
+    for (sample, own) in samples.iter_mut().zip(with_polynomials) {
+        **sample = own;
     }
 }
 

@@ -56,7 +56,7 @@ pub(super) fn index_target(
     let means: Vec<f64> = samples.iter().map(|sample| mean(sample, confidence).value).collect();
     let largest_spread = samples.iter().map(spread).fold(0.0, f64::max);
     let least_scale = MIN_SCALE * (range(&means) + largest_spread);
-    let index = |sample: &&Sample| Some(sample.smooth()?.index(event, least_scale, sample.values(), confidence));
+    let index = |sample: &&Sample| Some(sample.smooth()?.index(event, least_scale, sample.values()));
     let indices: Vec<Index> = samples.iter().map(index).collect::<Option<_>>()?;
     let values: Vec<f64> = indices.iter().map(|index| index.value()).collect();
     let sides: Option<Vec<[f64; 2]>> = indices.iter().map(|index| index.sides()).collect();

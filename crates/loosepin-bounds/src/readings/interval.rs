@@ -170,21 +170,30 @@ impl<'a> Modelled<'a> {
         }
         let least = target.values[point] + target.conceded(direction);
         if let Some(event) = event.filter(|_| of.is_counted()) {
-            let by_shares = self.furthest_by_shares(direction, value, least, focal.region);
+            let is_on_atom = atoms(self.samples, point).iter().any(|&atom| event.missed_by(atom) == 0.0);
+            let least_between = if is_on_atom { 0.0 } else { MIN_SHARE_BETWEEN };
+            let by_shares = self.furthest_by_shares(direction, value, least, least_between, focal.region);
             return self.furthest_by_margins(direction, by_shares, event, focal).clamp(0.0, 1.0);
         }
         let reach = self.search.furthest_reach(target, &self.branches, direction, focal.region);
         direction.further(value, of.reached(value, target.values[point], direction.further(least, reach)))
     }
 
-    /// How far the models of a counted probability let it go, where enough points lie between 0 and 1.
-    fn furthest_by_shares(&self, direction: Direction, value: f64, least: f64, region: &Region) -> f64 {
+    /// How far the models of a counted probability let it go, where so many points lie between 0 and 1: a share of all, `least_between`.
+    fn furthest_by_shares(
+        &self,
+        direction: Direction,
+        value: f64,
+        least: f64,
+        least_between: f64,
+        region: &Region,
+    ) -> f64 {
         let target = &self.measure.target;
         let mut furthest = value;
         for branch in &self.branches {
             let shares = branch.points.iter().map(|&point| target.values[point]);
             let between = shares.filter(|&share| share > 0.0 && share < 1.0).count() as f64;
-            if between >= MIN_SHARE_BETWEEN * branch.points.len() as f64 {
+            if between >= least_between * branch.points.len() as f64 {
                 let most = direction.further(least, self.search.reach(target, branch, direction, region));
                 furthest = direction.further(most, furthest);
             }
@@ -201,7 +210,9 @@ impl<'a> Modelled<'a> {
             if let Some(nearest) = extreme_among(&margin.target.values, inside, direction) {
                 let most = self.search.reach(&margin.target, branch, direction, focal.region);
                 let shift = margin.shift(nearest, most);
-                furthest = direction.further(shifted_share(self.samples[nearest], event, shift, direction), furthest);
+                let atoms = atoms(self.samples, nearest);
+                let share = shifted_share(self.samples[nearest], event, shift, &atoms, direction);
+                furthest = direction.further(share, furthest);
             }
         }
         furthest
@@ -223,12 +234,33 @@ fn branches_of_all<'a>(
     measures.map(of).collect::<Vec<_>>().into_iter()
 }
 
-/// The share of `sample`, moved by `shift`, for which `event` holds; failed runs count towards `direction`.
-fn shifted_share(sample: &Sample, event: Event, shift: f64, direction: Direction) -> f64 {
+/// Values that do not move with u: several runs at `point` have exactly this response, and several at another u, as where a part rests on a
+/// stop, or there is no contact. In increasing order.
+fn atoms(samples: &[&Sample], point: usize) -> Vec<f64> {
+    let own = repeated(samples[point]);
+    let is_elsewhere = |atom: &f64| {
+        let others = samples.iter().filter(|other| !other.is_same(samples[point]));
+        others.into_iter().any(|other| other.values().iter().filter(|value| *value == atom).count() > 1)
+    };
+    own.into_iter().filter(is_elsewhere).collect()
+}
+
+/// Values of several runs, in increasing order.
+fn repeated(sample: &Sample) -> Vec<f64> {
+    let mut values: Vec<f64> =
+        sample.sorted().windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+    values.dedup();
+    values
+}
+
+/// The share of `sample`, moved by `shift` but for its `atoms`, for which `event` holds; failed runs count towards `direction`.
+fn shifted_share(sample: &Sample, event: Event, shift: f64, atoms: &[f64], direction: Direction) -> f64 {
     if let Some(smooth) = sample.smooth() {
         return smooth.probability(event, shift).value;
     }
-    let hits = sample.values().iter().filter(|&&value| event.holds(value + shift)).count();
+    let is_atom = |value: f64| atoms.binary_search_by(|atom| atom.total_cmp(&value)).is_ok();
+    let moved = |&value: &f64| event.holds(if is_atom(value) { value } else { value + shift });
+    let hits = sample.values().iter().filter(|value| moved(value)).count();
     let failed = direction.of(0, sample.failed());
     (hits + failed) as f64 / sample.runs() as f64
 }
