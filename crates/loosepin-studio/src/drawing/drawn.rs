@@ -425,7 +425,7 @@ mod tests {
         assert!(wrong(|drawn| drawn.name = "a\u{7f}".into()).contains("must be on one line"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 9]).contains("two pins or more"));
         assert!(wrong(|drawn| drawn.pins[1].x = f64::INFINITY).contains("further away"));
-        assert!(wrong(|drawn| drawn.pins[1] = drawn.pins[0]).contains("one place"));
+        assert!(wrong(|drawn| drawn.pins[1] = drawn.pins[0]).contains("at the same place"));
         // A loop too many or too few.
         assert!(wrong(|drawn| drawn.links.push(vec![0, 2])).len() > 20);
         assert!(wrong(|drawn| drawn.pins[3].hold = Hold::Free).len() > 20);

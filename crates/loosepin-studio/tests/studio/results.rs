@@ -105,9 +105,9 @@ fn two_studies_are_compared_and_odd_pairs_say_why_not() {
     let summary = root.join(&after).join("summary.json");
     let whole = fs::read_to_string(&summary).unwrap();
     for (broken, words) in [
-        (whole[..whole.len() / 2].to_owned(), "is not what this version writes"),
+        (whole[..whole.len() / 2].to_owned(), "does not have the format of this version"),
         (whole.replacen("\"format\": 2", "\"format\": 99", 1), "has format 99"),
-        ("[1, 2".to_owned(), "is not what this version writes"),
+        ("[1, 2".to_owned(), "does not have the format of this version"),
     ] {
         assert_ne!(broken, whole);
         fs::write(&summary, broken).unwrap();

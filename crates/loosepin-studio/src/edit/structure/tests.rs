@@ -342,7 +342,7 @@ fn two_points_are_joined_as_a_pin_with_play_a_slider_or_a_slot() {
         second: point("coupler", "tracer"),
         by: Joined::Pin { play: None },
     });
-    assert!(again.unwrap_err().message.contains("joins these points already"));
+    assert!(again.unwrap_err().message.contains("already joins these points"));
 }
 
 #[test]
