@@ -60,7 +60,7 @@ def test_nothing_is_extrapolated(surrogates):
     assert refused.value.code == "E0920"
     with pytest.raises(lp.LoosepinError, match="no value of 'parameter.rod_length'"):
         saved.predict(0, {"parameter.crank_length": 0.05})
-    with pytest.raises(lp.LoosepinError, match="'mass' is no input"):
+    with pytest.raises(lp.LoosepinError, match="'mass' is not an input of these surrogates"):
         saved.predict(0, {**point, "mass": 1.0})
     with pytest.raises(IndexError, match="output 2; there are 2, counted from 0"):
         saved.predict(2, point)
