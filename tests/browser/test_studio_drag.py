@@ -69,7 +69,7 @@ def test_a_point_dropped_on_a_point_is_pinned_to_it_in_one_step(studio):  # noqa
     onto = studio.browser.evaluate(GRIP % "point link_2.b")
     drag(studio, "point link_1.b", onto, is_let_go=False)
     studio.wait("document.querySelector('.drawing circle.drop')")
-    studio.wait(f"{OVER}.includes('Let go to pin it to link_2.b')")
+    studio.wait(f"{OVER}.includes('Release to pin it to link_2.b')")
     mouse(studio, "mouseReleased", onto, clickCount=1)
     # Two links more with three pins: the mechanism moves again.
     studio.wait(f"{MOBILITY}.includes('1 degree of freedom, 1 drive')")

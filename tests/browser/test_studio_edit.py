@@ -160,7 +160,7 @@ def test_the_same_by_keys_and_lists_alone(studio):  # noqa: F811
         studio.browser.evaluate(f"({focus % name}, true)")
         studio.key("Enter")
     # A third link between the same bodies holds them: that is said, and not refused.
-    studio.wait(f"{HINT}.includes('Not complete yet') && {HINT}.includes('hold one another')")
+    studio.wait(f"{HINT}.includes('Not complete yet') && {HINT}.includes('block one another')")
     studio.key("Escape")
     studio.wait("document.querySelector('.tools.build input[value=move]').checked")
     undo(studio, 3)
@@ -236,7 +236,7 @@ def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
     say("crank_pin")
     studio.wait("document.querySelector('.naming .message')?.innerText.includes('there is a joint')")
     say("top pin")
-    studio.wait("document.querySelector('.naming .message')?.innerText.includes(\"'top pin' is no name\")")
+    studio.wait("document.querySelector('.naming .message')?.innerText.includes(\"'top pin' is not a valid name\")")
     say("top_pin")
     studio.wait("document.querySelector('#chosen-heading')?.innerText === 'top_pin'")
     studio.settle()

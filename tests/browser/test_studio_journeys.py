@@ -275,7 +275,7 @@ def test_an_analysis_that_takes_too_long_is_cut_off_and_the_last_drawing_stays(s
     studio.wait(CHANGED)
     studio.click("button", "Load the version on disk")
     studio.wait("document.querySelector('.drawing .over')?.innerText.includes('took longer than 2 s and was stopped')", 30)
-    assert "of the texts before" in studio.browser.evaluate("document.querySelector('.drawing .over').innerText")
+    assert "shows the texts before" in studio.browser.evaluate("document.querySelector('.drawing .over').innerText")
     assert studio.browser.evaluate("document.querySelector('.drawing').classList.contains('stale')"), "it is seen to be of earlier texts"
     assert studio.browser.evaluate(bodies) == before, "the last good drawing stays"
     assert studio.browser.evaluate("document.querySelector('.band').ariaBusy") == "true"

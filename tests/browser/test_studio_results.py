@@ -151,7 +151,7 @@ def test_what_is_no_pair_is_refused_with_words(studio, conducted):
     studio.browser.evaluate(f"(location.hash = '#/compare/{results['worn'].replace('/', '%2F')}/{results['worn'].replace('/', '%2F')}', true)")
     studio.wait("document.querySelector('.notice.error')?.innerText.includes('both are the same result')")
     studio.browser.evaluate(f"(location.hash = '#/compare/{results['worn'].replace('/', '%2F')}/..%2Fsecret', true)")
-    studio.wait("document.querySelector('.notice.error')?.innerText.includes('no path in the served folder')")
+    studio.wait("document.querySelector('.notice.error')?.innerText.includes('is not a path in the served folder')")
     assert studio.browser.evaluate("document.querySelector('.headline') === null")
 
 
@@ -194,7 +194,7 @@ def test_a_value_of_the_report_is_made_the_model(studio, conducted):
     assert said.split(":")[0].lower() in shown.lower()
     studio.click("button", "Make it the model")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
-    studio.wait("document.querySelector('.notice.plain')?.innerText.includes('Known exactly now')")
+    studio.wait("document.querySelector('.notice.plain')?.innerText.includes('Now known exactly')")
     studio.settle()
     assert "No problems" in studio.browser.evaluate("document.querySelector('.problems').innerText")
     assert "unsaved" in studio.browser.evaluate("document.querySelector('.bar').innerText")
