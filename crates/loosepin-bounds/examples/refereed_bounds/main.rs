@@ -6,6 +6,7 @@
 mod problems;
 
 use loosepin_bounds::{Bound, BoundPair, evaluate};
+use loosepin_uncertainty::binomial_tail;
 use problems::{Case, cases};
 use rayon::prelude::*;
 
@@ -104,16 +105,6 @@ fn lines(case: &Case, seeds: u64) -> Vec<Line> {
 
 /// The largest number of misses of `seeds` that is not less probable than `level` where an end is missed with [`STATED_MISS`].
 fn most_misses(seeds: u64, level: f64) -> usize {
-    let n = seeds as f64;
-    let (mut term, mut above) = (libm::exp(n * libm::log1p(-STATED_MISS)), 1.0);
-    let mut misses = 0;
-    loop {
-        // P(more than `misses`)
-        above -= term;
-        if above < level || misses as u64 == seeds {
-            return misses;
-        }
-        term *= (n - misses as f64) / (misses as f64 + 1.0) * STATED_MISS / (1.0 - STATED_MISS);
-        misses += 1;
-    }
+    let is_last = |misses: &u64| binomial_tail(seeds, misses + 1, STATED_MISS) < level;
+    (0..=seeds).find(is_last).unwrap_or(seeds) as usize
 }

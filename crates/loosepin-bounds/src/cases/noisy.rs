@@ -269,32 +269,24 @@ fn analytic_extreme_inside_four_intervals_is_missed_as_rarely_as_stated() {
     );
 }
 
-/// A response that rests at 0 in most mechanisms, as a part on its stop: of the probability of leaving it the upper end was always 1.
-#[test]
-fn analytic_the_probability_of_leaving_a_stop_is_missed_as_rarely_as_stated() {
-    check_misses(
-        50,
-        64,
-        256,
-        &[STANDARD_NORMAL],
-        &[(0.0, 1.0)],
-        &[expect(Statistic::ProbabilityAbove(0.0), normal_cdf(-1.5), normal_cdf(-0.5), 0.12)],
-        |x, u| (x[0] + u[0] - 1.5).max(0.0),
-    );
+/// A response that rests at 0 in most mechanisms, as a part on its stop: it leaves it where X exceeds `stop` - u.
+#[track_caller]
+fn check_leaving_a_stop(stop: f64, most_error: f64) {
+    let ends = [normal_cdf(-stop), normal_cdf(1.0 - stop)];
+    let expected = [expect(Statistic::ProbabilityAbove(0.0), ends[0], ends[1], most_error)];
+    check_misses(50, 64, 256, &[STANDARD_NORMAL], &[(0.0, 1.0)], &expected, |x, u| (x[0] + u[0] - stop).max(0.0));
 }
 
-/// The same where most values of u show no mechanism that leaves it.
+/// The upper end was always 1.
+#[test]
+fn analytic_the_probability_of_leaving_a_stop_is_missed_as_rarely_as_stated() {
+    check_leaving_a_stop(1.5, 0.12);
+}
+
+/// Most values of u show no mechanism that leaves it.
 #[test]
 fn analytic_the_small_probability_of_leaving_a_stop_is_missed_as_rarely_as_stated() {
-    check_misses(
-        50,
-        64,
-        256,
-        &[STANDARD_NORMAL],
-        &[(0.0, 1.0)],
-        &[expect(Statistic::ProbabilityAbove(0.0), normal_cdf(-4.0), normal_cdf(-3.0), 0.05)],
-        |x, u| (x[0] + u[0] - 4.0).max(0.0),
-    );
+    check_leaving_a_stop(4.0, 0.05);
 }
 
 #[test]

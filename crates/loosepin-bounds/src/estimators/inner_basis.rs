@@ -166,22 +166,7 @@ impl DesignMatrix {
         let size = self.basis.terms.len();
         let centre = values.iter().sum::<f64>() / values.len() as f64;
         let block = size * self.per_replicate;
-        let right = |(rows, values): (&[f64], &[f64])| {
-            let mut right = vec![0.0; size];
-            on_vectors(
-                #[inline(always)]
-                || {
-                    for (row, value) in rows.chunks(size).zip(values) {
-                        let value = value - centre;
-                        for (entry, term) in right.iter_mut().zip(row) {
-                            *entry += term * value;
-                        }
-                    }
-                },
-            );
-            right
-        };
-        let rights: Vec<Vec<f64>> = self.rows.chunks(block).zip(values.chunks(self.per_replicate)).map(right).collect();
+        let rights: Vec<Vec<f64>> = self.sums_with(values, centre).collect();
         let mut sum = vec![0.0; size];
         for right in &rights {
             for (entry, value) in sum.iter_mut().zip(right) {
@@ -239,18 +224,23 @@ impl DesignMatrix {
         &self.higher
     }
 
-    /// Means over each replicate of the terms times `values`, one for each run.
-    pub fn means_with<'s>(&'s self, values: &'s [f64]) -> impl Iterator<Item = Vec<f64>> + 's {
+    /// Sums over each replicate of the terms times how far `values`, one for each run, are above `centre`.
+    pub fn sums_with<'s>(&'s self, values: &'s [f64], centre: f64) -> impl Iterator<Item = Vec<f64>> + 's {
         let size = self.basis.terms.len();
         self.rows.chunks(size * self.per_replicate).zip(values.chunks(self.per_replicate)).map(move |(rows, values)| {
-            let mut sum = vec![0.0; size];
-            for (row, value) in rows.chunks(size).zip(values) {
-                for (sum, term) in sum.iter_mut().zip(row) {
-                    *sum += term * value;
-                }
-            }
-            sum.iter_mut().for_each(|sum| *sum /= self.per_replicate as f64);
-            sum
+            let mut sums = vec![0.0; size];
+            on_vectors(
+                #[inline(always)]
+                || {
+                    for (row, value) in rows.chunks(size).zip(values) {
+                        let value = value - centre;
+                        for (entry, term) in sums.iter_mut().zip(row) {
+                            *entry += term * value;
+                        }
+                    }
+                },
+            );
+            sums
         })
     }
 

@@ -93,10 +93,12 @@ impl Smooth {
     /// times what the mean of (p_r - m) dp_r over its replicate falls short of the expected value of it.
     fn slopes_of_squares(&self, values: &[f64], mean: f64) -> impl Iterator<Item = f64> {
         let of_polynomials: Vec<f64> =
-            values.iter().zip(&self.fit.residuals).map(|(value, left)| value - left - mean).collect();
+            values.iter().zip(&self.fit.residuals).map(|(value, left)| value - left).collect();
+        let each_replicate = self.design.per_replicate() as f64;
         let factor = 2.0 / self.fit.coefficients.len() as f64;
-        let gradients = self.design.means_with(&of_polynomials).zip(&self.fit.coefficients).map(|(means, own)| {
-            let mut gradient: Vec<f64> = own.iter().zip(means).map(|(c, mean)| factor * (c - mean)).collect();
+        let gradients = self.design.sums_with(&of_polynomials, mean).zip(&self.fit.coefficients).map(|(sums, own)| {
+            let mut gradient: Vec<f64> =
+                own.iter().zip(sums).map(|(c, sum)| factor * (c - sum / each_replicate)).collect();
             gradient[0] -= factor * mean;
             gradient
         });
@@ -105,27 +107,27 @@ impl Smooth {
         sensitivities.zip(values).map(move |(sensitivity, value)| each * (value - mean) + sensitivity)
     }
 
-    /// Unbiased variance of `values`, those of the sample, without its error.
-    fn variance_alone(&self, values: &[f64]) -> f64 {
+    /// Unbiased variance of `values`, those of the sample, without its error; and the mean squares that it is made of.
+    fn variance_and_squares(&self, values: &[f64]) -> (f64, Vec<f64>) {
         let means = self.means();
-        (mean_of(&self.squares(values, mean_of(&means))) + variance_of_mean(&means)).max(0.0)
+        let squares = self.squares(values, mean_of(&means));
+        ((mean_of(&squares) + variance_of_mean(&means)).max(0.0), squares)
     }
 
     /// Standard deviation of `values`, those of the sample, without its error.
     pub fn deviation(&self, values: &[f64]) -> f64 {
-        self.variance_alone(values).sqrt()
+        self.variance_and_squares(values).0.sqrt()
     }
 
     /// Unbiased variance of `values`, those of the sample, with the three errors that the mean has too.
     pub fn variance(&self, values: &[f64], confidence: &Confidence) -> Estimate {
-        let value = self.variance_alone(values);
-        let mean = mean_of(&self.means());
+        let (value, squares) = self.variance_and_squares(values);
         let higher = self.design.higher().iter();
-        let others = higher.map(|higher| Self::new(higher.clone(), higher.fit(values)).variance_alone(values));
+        let others = higher.map(|higher| Self::new(higher.clone(), higher.fit(values)).variance_and_squares(values).0);
         let of_degrees = DEGREE_FACTOR * others.fold(0.0, |most: f64, other| most.max((other - value).abs()));
-        let of_residuals = self.error_of_residuals(self.slopes_of_squares(values, mean), confidence.student);
-        let least = of_degrees.max(of_residuals);
-        let (below, above) = replicate_error(&self.squares(values, mean), confidence);
+        let slopes = self.slopes_of_squares(values, mean_of(&self.means()));
+        let least = of_degrees.max(self.error_of_residuals(slopes, confidence.student));
+        let (below, above) = replicate_error(&squares, confidence);
         variance_with_error(value, (below.max(least), above.max(least)))
     }
 

@@ -258,7 +258,8 @@ fn shifted_share(sample: &Sample, event: Event, shift: f64, atoms: &[f64], direc
     if let Some(smooth) = sample.smooth() {
         return smooth.probability(event, shift).value;
     }
-    let is_atom = |value: f64| atoms.binary_search_by(|atom| atom.total_cmp(&value)).is_ok();
+    // Zeros of either sign are the same value.
+    let is_atom = |value: f64| atoms.binary_search_by(|atom| (atom + 0.0).total_cmp(&(value + 0.0))).is_ok();
     let moved = |&value: &f64| event.holds(if is_atom(value) { value } else { value + shift });
     let hits = sample.values().iter().filter(|value| moved(value)).count();
     let failed = direction.of(0, sample.failed());
