@@ -60,6 +60,7 @@ impl Case {
         let interval = |&[low, high]: &[f64; 2]| Interval::try_new(low, high).expect("an interval").into();
         let requests = self.exact.iter().map(|exact| Request { column: 0, statistic: exact.statistic }).collect();
         Problem {
+            compared_columns: vec![0],
             sampling: Sampling { seed, inner: self.inner, ..Sampling::default() },
             ..Problem::new(random.collect(), self.intervals.iter().map(interval).collect(), requests)
         }
@@ -127,6 +128,7 @@ pub fn cases() -> Vec<Case> {
         (1.0 + 2.0 * a * normal_cdf(-1.0) + a * a * (square - hinge * hinge)).sqrt()
     };
     let rare = normal_cdf(-2.7);
+    let rarer = normal_cdf(-2.6);
     let above = |u: f64| (1.0 - rare) * normal_cdf(-6.5 / (1.0 + u)) + rare * normal_cdf(-2.5 / (1.0 + u));
     let spread = |u: f64| ((1.0 + u).powi(2) + 16.0 * rare * (1.0 - rare)).sqrt();
     let quantile_of_rare = |u: f64| {
@@ -177,6 +179,20 @@ pub fn cases() -> Vec<Case> {
         .with(Statistic::ProbabilityAbove(6.5), [above(0.0), above(1.0)])
         .with(Statistic::StandardDeviation, [spread(0.0), spread(1.0)])
         .with(Statistic::Quantile(0.975), [quantile_of_rare(0.0), quantile_of_rare(1.0)]),
+        Case::new("a (2 + sin 3u) - 3 [b < -2.6]", &[NORMAL, NORMAL], &[UNIT], |x, u| {
+            x[0] * (2.0 + libm::sin(3.0 * u[0])) - if x[1] < -2.6 { 3.0 } else { 0.0 }
+        })
+        .with(Statistic::Mean, [-3.0 * rarer; 2])
+        .with(Statistic::StandardDeviation, [2.0, 3.0].map(|s: f64| (s * s + 9.0 * rarer * (1.0 - rarer)).sqrt()))
+        .with(
+            Statistic::ProbabilityBelow(-8.0),
+            [2.0, 3.0].map(|s: f64| (1.0 - rarer) * normal_cdf(-8.0 / s) + rarer * normal_cdf(-5.0 / s)),
+        ),
+        Case::new("a + b + u + 5 [c > 2.6, d > 0]", &[NORMAL; 4], &[UNIT], |x, u| {
+            x[0] + x[1] + u[0] + if x[2] > 2.6 && x[3] > 0.0 { 5.0 } else { 0.0 }
+        })
+        .with(Statistic::Mean, UNIT.map(|u| u + 2.5 * rarer))
+        .with(Statistic::StandardDeviation, [(2.0 + 12.5 * rarer * (1.0 - 0.5 * rarer)).sqrt(); 2]),
         Case::new("max(0, x + u - 1.5)", &[NORMAL], &[UNIT], |x, u| (x[0] + u[0] - 1.5).max(0.0))
             .with(Statistic::ProbabilityAbove(0.0), [normal_cdf(-1.5), normal_cdf(-0.5)])
             .with(Statistic::Mean, [excess(1.5), excess(0.5)]),

@@ -68,8 +68,8 @@ pub(crate) fn treatments(
     let double_loop = DoubleLoop::try_new(problem)?;
     let table = execute_all(&double_loop, &response)?;
     let bounds = double_loop.results(&table)?;
-    let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.setup.needed_columns())
-        .with_polynomials(double_loop.setup.inner_basis());
+    let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.setup.needed_columns());
+    let pool = double_loop.setup.with_polynomials(pool, &table);
     let shares = double_loop.setup.shares_of_mechanisms(&pool);
     // Where the surrogate gave no answer inside the box it was not looked at: nothing bounds the extremes.
     let is_extreme = |run: &usize| table.inputs()[*run].purpose == Purpose::Extreme;

@@ -21,5 +21,7 @@ pub(crate) mod quantile;
 pub(crate) mod replicates;
 pub(crate) mod sample;
 pub(crate) mod sampled;
+pub(crate) mod single_runs;
 pub(crate) mod smooth;
 pub(crate) mod smoothness;
+pub(crate) mod unseen;

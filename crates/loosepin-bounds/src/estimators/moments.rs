@@ -5,6 +5,7 @@ use super::known::{Asked, Found};
 use super::mean_error::{error_of_mean, error_of_mean_square};
 use super::ordered::Ordered;
 use super::sample::Sample;
+use super::unseen::Unseen;
 
 /// Mean over the finished runs, with its error ([`super::mean_error`]).
 pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
@@ -19,7 +20,7 @@ pub(crate) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) ->
 fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
-        return smooth.mean(sample.values(), confidence);
+        return with_unseen(sample, confidence, smooth.mean(sample.values(), confidence), Unseen::added_to_mean);
     }
     let value = sample.sums().mean;
     if !value.is_finite() {
@@ -29,7 +30,7 @@ fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
         return Estimate::symmetric(value, 0.0);
     }
     let (below, above) = error_of_mean(ordered, confidence);
-    Estimate { value, below, above }
+    with_unseen(sample, confidence, Estimate { value, below, above }, Unseen::added_to_mean)
 }
 
 /// Unbiased variance over the finished runs.
@@ -51,7 +52,12 @@ pub(crate) fn variance_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence
 fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
-        return smooth.variance(sample.values(), confidence);
+        return with_unseen(
+            sample,
+            confidence,
+            smooth.variance(sample.values(), confidence),
+            Unseen::added_to_variance,
+        );
     }
     if sample.values().is_empty() {
         return Estimate::UNDEFINED;
@@ -64,7 +70,18 @@ fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let shortfall = variance_of_mean(&means);
     let error = error_of_mean_square(ordered, confidence);
     let Estimate { value, below, above } = variance_with_error(sums.square / sums.count + shortfall, error);
-    Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall }
+    let above = above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall;
+    with_unseen(sample, confidence, Estimate { value, below: below + shortfall, above }, Unseen::added_to_variance)
+}
+
+/// `estimate` with what rare events that the sample does not show may add to its error.
+fn with_unseen(
+    sample: &Sample,
+    confidence: &Confidence,
+    estimate: Estimate,
+    add: impl Fn(&Unseen, Estimate, usize, &Confidence) -> Estimate,
+) -> Estimate {
+    sample.unseen().map_or(estimate, |unseen| add(&unseen, estimate, sample.runs(), confidence))
 }
 
 /// What `find` finds where it is not known yet. Failed runs have no part in it.

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::gathered::{Gathered, OfPoint};
 use super::inner_basis::InnerBasis;
 use super::sample::Sample;
+use super::single_runs::{Contradiction, SingleRuns};
 use super::smoothness::smooth;
 use crate::data::bound::Witness;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
@@ -100,6 +101,32 @@ impl Pool {
             }
         }
         columns.par_iter_mut().for_each(|samples| smooth(basis, samples, keeps));
+        self
+    }
+
+    /// Whether any column has polynomials.
+    pub fn has_polynomials(&self) -> bool {
+        self.points.first().is_some_and(|point| point.samples.iter().any(|sample| sample.smooth().is_some()))
+    }
+
+    /// This pool with what `runs` show that its samples with polynomials do not.
+    pub fn without_contradicted(mut self, runs: &SingleRuns, table: &SampleTable) -> Self {
+        let columns: Vec<(usize, Vec<&Sample>)> =
+            self.slots.keys().map(|&column| (column, self.samples(column))).collect();
+        let found = runs.against(&columns, table);
+        for (&slot, found) in self.slots.values().zip(found) {
+            let Some(Contradiction { unseen, is_small }) = found else { continue };
+            let mut last: Option<(Arc<Sample>, Arc<Sample>)> = None;
+            for point in &mut self.points {
+                let own = &mut point.samples[slot];
+                // What neighbours share stays shared.
+                let known = last.take().filter(|(known, _)| Arc::ptr_eq(known, own));
+                let (before, after) =
+                    known.unwrap_or_else(|| (own.clone(), Arc::new(own.contradicted(unseen, is_small))));
+                *own = after.clone();
+                last = Some((before, after));
+            }
+        }
         self
     }
 

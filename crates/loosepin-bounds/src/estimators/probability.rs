@@ -45,7 +45,7 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 ///
 /// The error is that of the interval of Clopper and Pearson for n = p(1 - p)/v runs, v the variance of the share that the replicates
 /// show: it is not 0 when nothing was hit, and holds for a single hit. Where there are fewer than two hits or misses a replicate, or where
-/// the replicates are not clearly better than independent runs, n = N.
+/// the replicates are not clearly better than independent runs, or single runs show what the sample does not, n = N.
 pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
     share_with(sample, confidence, &ShareLimits::default(), is_hit)
 }
@@ -89,7 +89,8 @@ pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
     let finished = sample.values().len();
     let runs = sample.runs() as f64;
     let least = MIN_PER_REPLICATE * shares.len();
-    if hits < least || finished - hits < least {
+    // What no run of a stratified sample shows, none of independent ones may show.
+    if hits < least || finished - hits < least || sample.unseen().is_some() {
         return runs;
     }
     let share = hits as f64 / finished as f64;

@@ -8,6 +8,7 @@ use super::in_order::in_order;
 use super::known::Known;
 use super::known_fits::KnownFits;
 use super::smooth::Smooth;
+use super::unseen::Unseen;
 use crate::data::scratch::{Away, Numbers};
 
 /// The values of one column that belong together, in the order of the plan.
@@ -18,6 +19,8 @@ pub(crate) struct Sample {
     failed: usize,
     /// Beside the sample, since most have none.
     smooth: Option<Box<Smooth>>,
+    /// Rare events that it does not show.
+    unseen: Option<Unseen>,
     known: Known,
     fits: KnownFits<Self>,
     ends: OnceLock<Option<(f64, f64)>>,
@@ -75,6 +78,7 @@ impl Sample {
             replicate_ends,
             failed,
             smooth: None,
+            unseen: None,
             known: Known::default(),
             fits: KnownFits::default(),
             ends,
@@ -86,7 +90,8 @@ impl Sample {
     pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
         let values: Arc<[f64]> = self.values.iter().map(|&value| change(value)).collect();
         let smooth = self.smooth.as_ref().map(|smooth| Box::new(smooth.refitted(&values)));
-        Self { smooth, ..Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed) }
+        let unseen = self.unseen.zip(self.ends()).map(|(unseen, (low, high))| unseen.changed([low, high], &change));
+        Self { smooth, unseen, ..Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed) }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
@@ -104,6 +109,7 @@ impl Sample {
         self.values.len() == other.values.len()
             && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
             && (&self.replicate_ends, self.failed) == (&other.replicate_ends, other.failed)
+            && self.unseen == other.unseen
             && self.smooth.is_none()
             && other.smooth.is_none()
     }
@@ -140,6 +146,19 @@ impl Sample {
     pub fn with_polynomials(&self, smooth: Smooth) -> Self {
         let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
         Self { smooth: Some(Box::new(smooth)), ends: self.ends.clone(), sums: self.sums.clone(), ..plain }
+    }
+
+    /// The same values beside rare events that single runs have shown. The polynomials stay where the events are small, and leave these too.
+    pub fn contradicted(&self, unseen: Unseen, are_small: bool) -> Self {
+        let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
+        let kept = self.smooth.as_ref().filter(|_| are_small);
+        let smooth = kept.map(|smooth| Box::new(smooth.with_residual(unseen.largest())));
+        Self { unseen: Some(unseen), smooth, ends: self.ends.clone(), sums: self.sums.clone(), ..plain }
+    }
+
+    /// Rare events that it does not show, but single runs do.
+    pub fn unseen(&self) -> Option<Unseen> {
+        self.unseen
     }
 
     /// Finished values.

@@ -13,6 +13,8 @@
 //! * D: the change of S where the outermost value of every replicate is put where one more run would lie, at either end of the sample;
 //! * b: S of all values less the mean S of the replicates, over √R - 1. A bias that falls as 1/√n at least is no larger. It points away from
 //!   the replicates, whose bias is larger.
+//!
+//! Where single runs show a rare event that no run of the sample does ([`super::unseen`]), what it may do to S is added.
 
 use super::estimate::{Confidence, EitherWay, Estimate, mean_of, skewness, variance_of_mean};
 use super::in_order::in_order;
@@ -20,6 +22,7 @@ use super::known::{Asked, Found};
 use super::mean_error::one_beyond;
 use super::ordered::Ordered;
 use super::sample::Sample;
+use super::unseen::Unseen;
 use loosepin_terms::Statistic;
 
 /// Gaps across which a value is moved.
@@ -57,10 +60,12 @@ fn find(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) ->
     let unseen = changes_beyond(sorted, of_replicates.len(), |changed| statistic.of_sorted(changed) - value);
     let skewness = skewness(&of_replicates);
     let bias = (value - mean_of(&of_replicates)) / (replicates.sqrt() - 1.0);
+    let of_rare = changes_of_rare(ordered, confidence, |changed| statistic.of_sorted(changed) - value);
     let towards = |sign: f64| {
         let unseen: f64 = unseen.iter().map(|change| (sign * change).max(0.0).powi(2)).sum();
         let variance = (spread.max(steps) + unseen / replicates) / replicates;
-        confidence.student * variance.sqrt() * (1.0 + (sign * skewness).max(0.0)) + (sign * bias).max(0.0)
+        let of_rare = of_rare.iter().map(|change| (sign * change).max(0.0)).fold(0.0, f64::max);
+        confidence.student * variance.sqrt() * (1.0 + (sign * skewness).max(0.0)) + (sign * bias).max(0.0) + of_rare
     };
     Estimate { value, below: towards(-1.0), above: towards(1.0) }
 }
@@ -94,6 +99,19 @@ fn changes_beyond(sorted: &[f64], replicates: usize, change: impl Fn(&[f64]) -> 
     };
     let below = further(&negated).map(|values| in_order(values.iter().map(|value| -value)));
     [below, further(sorted)].map(|changed| changed.map_or(0.0, |values| change(&values)))
+}
+
+/// `change` where as many values as may have a rare event that no run shows jump as far as one of a single run: the outermost, either way.
+fn changes_of_rare(ordered: &Ordered<'_>, confidence: &Confidence, change: impl Fn(&[f64]) -> f64) -> Vec<f64> {
+    let (Some(unseen), sorted) = (ordered.sample.unseen(), ordered.sorted()) else { return Vec::new() };
+    let count = Unseen::most_runs(sorted.len(), confidence);
+    let jumped = |own: std::ops::Range<usize>, by: f64| {
+        let values = sorted.iter().enumerate();
+        in_order(values.map(|(place, value)| if own.contains(&place) { value + by } else { *value }))
+    };
+    let (lowest, highest) = (0..count, sorted.len() - count..sorted.len());
+    let jumps = [lowest, highest].into_iter().flat_map(|own| [-unseen.below, unseen.above].map(|by| (own.clone(), by)));
+    jumps.map(|(own, by)| change(&jumped(own, by))).collect()
 }
 
 #[cfg(test)]

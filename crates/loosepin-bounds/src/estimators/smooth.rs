@@ -28,6 +28,8 @@ const TAIL: f64 = 1e-4;
 pub(crate) struct Smooth {
     design: Arc<DesignMatrix>,
     fit: CrossFit,
+    /// How far off single runs are, beside those of the sample.
+    residual_of_others: f64,
     conditional: Arc<OnceLock<Conditional>>,
     tails: [OnceLock<(f64, f64)>; 2],
 }
@@ -35,12 +37,17 @@ pub(crate) struct Smooth {
 impl Smooth {
     /// The polynomials of `design` with their `fit` to the runs of a sample.
     pub fn new(design: Arc<DesignMatrix>, fit: CrossFit) -> Self {
-        Self { fit, design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
+        Self { fit, design, residual_of_others: 0.0, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
     }
 
     /// The fit to other values of these runs.
     pub fn refitted(&self, values: &[f64]) -> Self {
         Self::new(self.design.clone(), self.design.fit(values))
+    }
+
+    /// The same where single runs beside those of the sample are this far off.
+    pub fn with_residual(&self, residual_of_others: f64) -> Self {
+        Self { residual_of_others, ..self.clone() }
     }
 
     /// The mean as each replicate sees it.
@@ -137,16 +144,23 @@ impl Smooth {
     }
 
     fn conditional(&self) -> &Conditional {
-        let coefficients = || {
-            let count = self.fit.coefficients.len() as f64;
-            let sum = |term: usize| self.fit.coefficients.iter().map(|own| own[term]).sum::<f64>();
-            (0..self.design.basis.terms.len()).map(|term| sum(term) / count).collect::<Vec<f64>>()
-        };
-        self.conditional.get_or_init(|| self.design.conditional(&coefficients()))
+        self.conditional.get_or_init(|| self.design.conditional(&self.coefficients()))
+    }
+
+    /// Coefficients of the polynomial, means over the replicates.
+    pub fn coefficients(&self) -> Vec<f64> {
+        let count = self.fit.coefficients.len() as f64;
+        let sum = |term: usize| self.fit.coefficients.iter().map(|own| own[term]).sum::<f64>();
+        (0..self.design.basis.terms.len()).map(|term| sum(term) / count).collect()
+    }
+
+    /// What it was fitted with.
+    pub fn design(&self) -> &Arc<DesignMatrix> {
+        &self.design
     }
 
     fn residual(&self) -> f64 {
-        RESIDUAL_MARGIN * self.largest_residual()
+        RESIDUAL_MARGIN * self.largest_residual().max(self.residual_of_others)
     }
 
     /// What the polynomials leave at most, at any run.

@@ -25,7 +25,7 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
-        let pool = pool.with_polynomials(self.setup.inner_basis());
+        let pool = self.setup.with_polynomials(pool, table);
         let experiment = Experiment::new(&self.setup, &pool, table);
         let mut levels = experiment.cuts();
         let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
@@ -56,7 +56,7 @@ impl DoubleLoop {
     pub fn pinching(&self, table: &SampleTable, columns: &[usize]) -> Result<Option<Pinching>, PlanError> {
         let pool = Pool::gather(table, Purpose::DoubleLoop, columns.iter().copied());
         self.check_points(&pool)?;
-        let pool = pool.with_polynomials(self.setup.inner_basis());
+        let pool = self.setup.with_polynomials(pool, table);
         Ok(Experiment::new(&self.setup, &pool, table).pinching(columns))
     }
 

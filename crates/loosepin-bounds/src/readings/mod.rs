@@ -3,6 +3,7 @@
 
 mod added_quantile;
 pub(crate) mod bounds;
+mod contradiction;
 pub(crate) mod coverage;
 mod deviation;
 mod evidence;

@@ -130,7 +130,7 @@ impl Setup {
 
     /// In what a response may be smooth: a uniform input in its own probability; what else there is, and what is correlated, in the
     /// standard normal variable of the same rank.
-    fn random_axes(&self) -> impl Iterator<Item = Axis> {
+    pub fn random_axes(&self) -> impl Iterator<Item = Axis> {
         self.problem.random.iter().map(|variable| match variable.distribution() {
             Distribution::Uniform { .. } if self.problem.copula.is_none() => Axis::Legendre,
             _ => Axis::Hermite,
