@@ -73,7 +73,7 @@ def open_small(studio, template):
     folder = studio.folder / template
     subprocess.run([PROGRAM, "new", template, folder], check=True, capture_output=True)
     study = folder / "study.toml"
-    text = study.read_text().replace("inner = 1024", "inner = 32").replace("inner = 128", "inner = 32").replace("outer = 16", "outer = 4")
+    text = study.read_text().replace("inner = 1024", "inner = 32").replace("inner = 256", "inner = 32").replace("outer = 16", "outer = 4")
     # So few runs show a share of 80 %, and none that is larger.
     text = re.sub("probability_at_least = 0.9[0-9]*", "probability_at_least = 0.8", text)
     study.write_text(text)

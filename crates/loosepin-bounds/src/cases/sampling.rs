@@ -9,7 +9,7 @@ use crate::estimators::probability::{ShareLimits, probability};
 use crate::estimators::quantile::quantile;
 use crate::estimators::sample::Sample;
 use loosepin_terms::Event;
-use loosepin_uncertainty::{ScrambledSobol, hash, normal_quantile, uniform};
+use loosepin_uncertainty::{ScrambledSobol, binomial_tail, hash, normal_quantile, uniform};
 use rayon::prelude::*;
 
 /// Inputs of a family, at most.
@@ -233,33 +233,67 @@ fn check_families(families: &[Family], statistics: usize) {
 
 /// The least m with P(Binomial(200, 0.005) > m) < 1e-4: hundreds of ends are counted.
 const MAX_OF_200: u64 = 6;
-/// The same of 40 families with 1000 seeds each.
-const MAX_OF_40_000: u64 = 255;
+/// So often an end may be missed.
+const STATED_MISS: f64 = 0.005;
 
 #[test]
 fn analytic_sampling_errors_hold_at_their_confidence_for_skewed_and_stepped_responses() {
     check_families(&families(), STATISTICS);
 }
 
+/// The upper half of a lognormal sample shows its tail, that of a Student sample does not.
 #[test]
-fn analytic_errors_of_means_hold_at_their_confidence_for_heavy_tails() {
-    check_families(&heavy_families(), 1);
+fn analytic_errors_of_means_and_deviations_hold_at_their_confidence_for_heavy_tails() {
+    let (lognormal, student): (Vec<Family>, Vec<Family>) =
+        heavy_families().into_iter().partition(|family| family.name.starts_with("lognormal"));
+    check_families(&lognormal, 2);
+    check_families(&student, 1);
 }
 
+/// LOOSEPIN_SEED draws other families. A table tells how often ends are missed where a family has a part of each kind: `just campaign
+/// sampling-errors [SEED]`.
 #[test]
 #[ignore = "a campaign: minutes"]
 fn analytic_sampling_errors_hold_at_their_confidence_for_families_drawn_from_a_seed() {
-    // LOOSEPIN_SEED draws other families. All of them together keep the confidence, statistic by statistic; single ones may not: a step
-    // that other inputs blur is seen by no gap between values.
-    const SEEDS: u64 = 1000;
+    const FAMILIES: u64 = 500;
+    const SEEDS: u64 = 60;
+    /// Of all statistics, ends and plans together.
+    const LEVEL: f64 = 0.01;
     let seed = std::env::var("LOOSEPIN_SEED").ok().map_or(2611, |seed| seed.parse().unwrap());
-    let drawn: Vec<Family> = (0..40).map(|index| drawn_family(hash(seed, index))).collect();
-    for plan in [[256, 8], [256, 16], [1024, 8], [4096, 16]] {
-        let (counts, report) = misses(&drawn, STATISTICS, MORE_EXACT_POINTS, plan, SEEDS);
-        println!("{report}");
+    let drawn: Vec<Family> = (0..FAMILIES).map(|index| drawn_family(hash(seed, index))).collect();
+    let plans = [[256, 8], [1024, 8]];
+    let tests = (2 * STATISTICS * plans.len()) as f64;
+    let is_last = |misses: &u64| binomial_tail(FAMILIES * SEEDS, misses + 1, STATED_MISS) < LEVEL / tests;
+    let allowed = (0..).find(is_last).unwrap();
+    let mut failed = Vec::new();
+    for plan in plans {
+        let (counts, _) = misses(&drawn, STATISTICS, MORE_EXACT_POINTS, plan, SEEDS);
+        println!("{plan:?} runs and replicates, {FAMILIES} families, {SEEDS} seeds: per cent missed below/above");
+        println!(
+            "{:10} {:>8}  {}",
+            "", "families", "mean, deviation, quantiles 0.025 0.5 0.975, exceeded in 0.5 0.05 1e-3 1e-4"
+        );
+        for class in ["", "normal", "magnitude", "lognormal", "branch", "square", "steps", "kink", "rough"] {
+            let own: Vec<&Vec<[u64; 2]>> = drawn
+                .iter()
+                .zip(&counts)
+                .filter(|(family, _)| family.name.contains(class))
+                .map(|(_, own)| own)
+                .collect();
+            let share = |statistic: usize, end: usize| {
+                let missed: u64 = own.iter().map(|counts| counts[statistic][end]).sum();
+                100.0 * missed as f64 / (own.len() as u64 * SEEDS) as f64
+            };
+            let shares: Vec<String> =
+                (0..STATISTICS).map(|k| format!("{:5.2}/{:4.2}", share(k, 0), share(k, 1))).collect();
+            println!("{:10} {:8} {}", if class.is_empty() { "all" } else { class }, own.len(), shares.join(" "));
+        }
         for (statistic, end) in (0..STATISTICS).flat_map(|statistic| [(statistic, 0), (statistic, 1)]) {
             let missed: u64 = counts.iter().map(|family| family[statistic][end]).sum();
-            assert!(missed <= MAX_OF_40_000, "statistic {statistic}, end {end}: {missed}\n{report}");
+            if missed > allowed {
+                failed.push(format!("{plan:?}, statistic {statistic}, end {end}: {missed}, more than {allowed}"));
+            }
         }
     }
+    assert!(failed.is_empty(), "{failed:?}");
 }

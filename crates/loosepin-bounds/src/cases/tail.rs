@@ -1,9 +1,9 @@
 //! Where a sample shows little or nothing: tails beyond its values, events that never happened, scatter at one u only. A bound holds, or
-//! says that it is not confirmed.
+//! has no end.
 
 use crate::Function;
 use crate::cases::exact::{STANDARD_NORMAL, check, problem};
-use crate::{Guarantee, Reading, Sampling, Statistic, evaluate};
+use crate::{Reading, Sampling, Statistic, evaluate};
 use loosepin_uncertainty::{Distribution, normal_cdf};
 
 const PROBABILITY: f64 = 0.99;
@@ -12,7 +12,7 @@ const SEEDS: u64 = 24;
 const MAX_MISSED: usize = 2;
 
 #[test]
-fn analytic_bounds_of_tail_quantiles_hold_or_are_not_confirmed() {
+fn analytic_bounds_of_tail_quantiles_hold_or_have_no_end() {
     let exponential = Distribution::Exponential { lower: 0.25, mean: 1.75 };
     let truth = 0.25 - 1.5 * libm::log(1.0 - PROBABILITY);
     let rough = |x: &[f64], u: &[f64]| (x[0] - 0.9).abs() + u[0];
@@ -23,7 +23,7 @@ fn analytic_bounds_of_tail_quantiles_hold_or_are_not_confirmed() {
     ] {
         for reading in [Reading::FixedButUnknown, Reading::RandomSet] {
             for inner in [64, 256] {
-                let (mut missed, mut confirmed) = (0, 0);
+                let (mut missed, mut endless) = (0, 0_u64);
                 for seed in 0..SEEDS {
                     let mut problem = problem(
                         std::slice::from_ref(&exponential),
@@ -33,13 +33,13 @@ fn analytic_bounds_of_tail_quantiles_hold_or_are_not_confirmed() {
                     problem.reading = reading;
                     problem.sampling = Sampling { outer: 6, inner, seed, ..Sampling::default() };
                     let upper = evaluate(problem, &Function(response)).unwrap().pairs[0].upper.clone();
-                    assert!(upper.widened.is_finite(), "{name} {reading:?} {inner} {seed}: {upper:?}");
-                    if upper.guarantee != Guarantee::Inner {
-                        confirmed += 1;
-                        missed += usize::from(upper.widened < exact);
-                    }
+                    endless += u64::from(upper.widened.is_infinite());
+                    missed += usize::from(upper.widened < exact);
                 }
-                assert!(missed <= MAX_MISSED, "{name} {reading:?} {inner}: {missed} of {confirmed} missed");
+                assert!(missed <= MAX_MISSED, "{name} {reading:?} {inner}: {missed} missed");
+                // 0.99^n < 0.005 from n = 528 on.
+                let is_counted = name == "rough" || reading == Reading::RandomSet;
+                assert!(endless == SEEDS || !is_counted, "{name} {reading:?} {inner}: {endless} have no end");
             }
         }
     }

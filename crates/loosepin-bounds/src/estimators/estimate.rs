@@ -2,19 +2,27 @@
 
 use loosepin_uncertainty::{normal_cdf, normal_quantile, student_factor};
 
-/// Factors that turn a standard error into the half-width of a confidence interval.
+/// Factors that turn a standard error into the half-width of a confidence interval, and what is known of tails beforehand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Confidence {
     /// Student's factor for the spread of the replicates.
     pub student: f64,
     /// The factor of a normal distribution, for counts.
     pub normal: f64,
+    /// Index of the heaviest tail of the random inputs ([`super::tail`]), at least 0.
+    pub tail_of_inputs: f64,
 }
 
 impl Confidence {
     /// Factors at `level` in (0, 1) for a spread of `replicates` >= 2.
     pub fn new(level: f64, replicates: usize) -> Self {
-        Self { student: student_factor(level, replicates - 1), normal: normal_quantile(0.5 + 0.5 * level) }
+        let (student, normal) = (student_factor(level, replicates - 1), normal_quantile(0.5 + 0.5 * level));
+        Self { student, normal, tail_of_inputs: 0.0 }
+    }
+
+    /// The same where the heaviest tail of the random inputs has this index.
+    pub fn with_tail_of_inputs(self, tail_of_inputs: f64) -> Self {
+        Self { tail_of_inputs, ..self }
     }
 
     /// Probability that an interval misses on one side.

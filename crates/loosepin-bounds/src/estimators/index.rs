@@ -7,7 +7,7 @@
 //! The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters. Elsewhere z itself is the smoother
 //! one of the two: a model takes the scale in which the values are likelier.
 
-use super::orthogonal::Axis;
+use super::polynomials::orthogonal::Axis;
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
 
 /// Beyond the largest z probabilities are not told apart.
@@ -20,7 +20,7 @@ pub(crate) fn compressed(z: f64) -> f64 {
     libm::asinh(z.clamp(-MAX_INDEX, MAX_INDEX))
 }
 
-/// The index of the probability of an event ([`super::smooth::Smooth::index`]).
+/// The index of the probability of an event ([`super::polynomials::smooth::Smooth::index`]).
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Index {
     OfOne(f64),
@@ -68,7 +68,7 @@ pub(crate) fn index_of_either(a: f64, b: f64) -> f64 {
     compressed(z)
 }
 
-/// The probability with this index ([`super::smooth::Smooth::index`]), where it is neither below ε nor above 1 - ε.
+/// The probability with this index ([`super::polynomials::smooth::Smooth::index`]), where it is neither below ε nor above 1 - ε.
 pub(crate) fn probability_of_index(index: f64) -> f64 {
     normal_cdf(libm::sinh(index))
 }

@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn analytic_moments_of_five_numbers() {
-        let confidence = Confidence { student: 2.0, normal: 1.0 };
+        let confidence = Confidence { student: 2.0, normal: 1.0, tail_of_inputs: 0.0 };
         let mean = mean(&sample(), &confidence);
         assert!((mean.value - 3.8).abs() < TOLERANCE);
         // means 2.5 and 14/3: standard error half their distance; the skewness of the five, over √2.5, lengthens the upper end

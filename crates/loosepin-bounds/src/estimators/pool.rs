@@ -6,10 +6,10 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::gathered::{Gathered, OfPoint};
-use super::inner_basis::InnerBasis;
+use super::polynomials::inner_basis::InnerBasis;
+use super::polynomials::single_runs::{Contradiction, SingleRuns};
+use super::polynomials::smoothness::smooth;
 use super::sample::Sample;
-use super::single_runs::{Contradiction, SingleRuns};
-use super::smoothness::smooth;
 use crate::data::bound::Witness;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 

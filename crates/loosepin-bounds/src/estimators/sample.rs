@@ -6,8 +6,8 @@ use std::sync::{Arc, OnceLock};
 use super::estimate::PowerSums;
 use super::in_order::in_order;
 use super::known::Known;
-use super::known_fits::KnownFits;
-use super::smooth::Smooth;
+use super::polynomials::known_fits::KnownFits;
+use super::polynomials::smooth::Smooth;
 use super::unseen::Unseen;
 use crate::data::scratch::{Away, Numbers};
 

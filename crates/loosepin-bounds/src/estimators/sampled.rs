@@ -19,9 +19,10 @@
 use super::estimate::{Confidence, EitherWay, Estimate, mean_of, skewness, variance_of_mean};
 use super::in_order::in_order;
 use super::known::{Asked, Found};
-use super::mean_error::one_beyond;
+use super::mean_error::{one_beyond, tail_length};
 use super::ordered::Ordered;
 use super::sample::Sample;
+use super::tail::index_for_mean_square;
 use super::unseen::Unseen;
 use loosepin_terms::Statistic;
 
@@ -57,7 +58,8 @@ fn find(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) ->
     }
     let steps = (0.5 * replicates * confidence.normal / confidence.student).powi(2)
         * square_of_moves(sorted, |changed| statistic.of_sorted(changed) - value);
-    let unseen = changes_beyond(sorted, of_replicates.len(), |changed| statistic.of_sorted(changed) - value);
+    let unseen =
+        changes_beyond(sorted, of_replicates.len(), confidence, |changed| statistic.of_sorted(changed) - value);
     let skewness = skewness(&of_replicates);
     let bias = (value - mean_of(&of_replicates)) / (replicates.sqrt() - 1.0);
     let of_rare = changes_of_rare(ordered, confidence, |changed| statistic.of_sorted(changed) - value);
@@ -89,10 +91,17 @@ fn square_of_moves(sorted: &[f64], change: impl Fn(&[f64]) -> f64) -> f64 {
 }
 
 /// `change` where the outermost values of the sample, one for each replicate, are put further out: below, and above.
-fn changes_beyond(sorted: &[f64], replicates: usize, change: impl Fn(&[f64]) -> f64) -> [f64; 2] {
+fn changes_beyond(
+    sorted: &[f64],
+    replicates: usize,
+    confidence: &Confidence,
+    change: impl Fn(&[f64]) -> f64,
+) -> [f64; 2] {
     let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
+    // A statistic of any kind may be as a mean square.
+    let index = index_for_mean_square([&negated, sorted], tail_length(sorted, replicates), confidence);
     let further = |sorted: &[f64]| -> Option<Vec<f64>> {
-        let (outermost, beyond) = one_beyond(sorted, replicates)?;
+        let (outermost, beyond) = one_beyond(sorted, replicates, index)?;
         let kept = sorted.len() - outermost.len();
         let moved = outermost.iter().map(|value| value.max(beyond));
         Some(sorted[..kept].iter().copied().chain(moved).collect())

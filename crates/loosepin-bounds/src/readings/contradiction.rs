@@ -3,9 +3,9 @@
 use super::setup::Setup;
 use crate::data::points::mixture_points;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
-use crate::estimators::orthogonal::Axis;
+use crate::estimators::polynomials::orthogonal::Axis;
+use crate::estimators::polynomials::single_runs::{SingleRun, SingleRuns, Weights};
 use crate::estimators::pool::Pool;
-use crate::estimators::single_runs::{SingleRun, SingleRuns, Weights};
 use crate::search::search_box::Place;
 use loosepin_math::dense::Cholesky;
 use loosepin_uncertainty::normal_quantile;

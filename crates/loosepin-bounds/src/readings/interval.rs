@@ -60,14 +60,13 @@ impl Experiment<'_> {
         let possible = furthest_conceded(&*measure.of, is_of_rough_curves, modelled.samples, direction);
         let room = (sign * (measure.of.limited(possible) - value)).max(0.0);
         let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
-        let bound = Bound {
+        Bound {
             value,
             widened: measure.of.limited(error.widen(value, direction)),
             witness: self.pool.points.get(point).map(PoolPoint::witness),
             error,
             guarantee,
-        };
-        bound.within_responses(&*measure.of, modelled.samples, direction)
+        }
     }
 
     /// The extreme of a mean or of a probability over `elements`: the sum of mass times extreme.

@@ -1,16 +1,14 @@
 //! The range of the responses so far, and the limits of statistics that follow from it.
 
-use crate::data::bound::{Bound, BoundError, Guarantee};
 use crate::data::direction::{Direction, range_of};
 use crate::estimators::sample::Sample;
 use crate::measures::measure::Measured;
 use loosepin_terms::Event;
 
-/// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them; and a rough
-/// statistic among those of curves.
-const RESPONSE_MARGIN: f64 = 0.1;
+/// By this share of the range of all responses a search concedes that a rough statistic of curves lies beyond the furthest of them.
+const ROUGH_MARGIN: f64 = 0.1;
 
-/// The same for what a search concedes to any other statistic: a hill of which a run has met the upper half may be twice as high.
+/// The same for any other statistic: a hill of which a run has met the upper half may be twice as high.
 const HALF_SEEN_MARGIN: f64 = 1.0;
 
 /// Fewer runs at a point than this do not show the range of the response.
@@ -25,11 +23,7 @@ pub(crate) fn furthest_conceded(
     samples: &[&Sample],
     direction: Direction,
 ) -> f64 {
-    furthest(of, samples, direction, if is_of_rough_curves { RESPONSE_MARGIN } else { HALF_SEEN_MARGIN })
-}
-
-/// The same with a margin that is a share of that range.
-fn furthest(of: &dyn Measured, samples: &[&Sample], direction: Direction, margin: f64) -> f64 {
+    let margin = if is_of_rough_curves { ROUGH_MARGIN } else { HALF_SEEN_MARGIN };
     let unlimited = direction.sign() * f64::INFINITY;
     let Some((low, high)) = responses(samples) else { return unlimited };
     let [least, greatest] = of.furthest([low, high], margin * (high - low));
@@ -50,23 +44,6 @@ fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
         return None;
     }
     Some(range_of(samples.iter().filter_map(|sample| sample.ends()).flat_map(|(low, high)| [low, high])))
-}
-
-impl Bound {
-    /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error of it holds. What is known then is how
-    /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
-    /// anywhere, and stay infinite.
-    pub(crate) fn within_responses(self, of: &dyn Measured, samples: &[&Sample], direction: Direction) -> Self {
-        let possible = of.limited(furthest(of, samples, direction, RESPONSE_MARGIN));
-        let has_failed = samples.iter().any(|sample| sample.failed() > 0);
-        if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
-            return self;
-        }
-        let room = (direction.sign() * (possible - self.value)).max(0.0);
-        let error = BoundError { sampling: room, optimisation: 0.0, ..self.error };
-        let widened = self.value + direction.sign() * room;
-        Self { widened, error, guarantee: Guarantee::Inner, ..self }
-    }
 }
 
 #[cfg(test)]

@@ -26,7 +26,6 @@ use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
-use crate::measures::quantile::Quantile;
 use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::{Estimation, Event, Statistic};
@@ -255,9 +254,7 @@ impl RandomSet {
         });
         let optimisation = shift.sum::<f64>().min(total);
         let error = BoundError::with_optimisation(total, optimisation);
-        let bound = Bound::without_witness(value, value + direction.sign() * total, error, experiment.guarantee());
-        let ends: Vec<&Sample> = self.elements.iter().flat_map(|ends| &ends.widened).collect();
-        bound.within_responses(&Quantile(probability), &ends, direction)
+        Bound::without_witness(value, value + direction.sign() * total, error, experiment.guarantee())
     }
 
     fn deviation(&self, experiment: &Experiment<'_>, direction: Direction) -> Bound {

@@ -7,10 +7,11 @@ use crate::data::direction::Direction;
 use crate::data::points::{inner_points, mixture_points};
 use crate::data::problem::{Problem, Reading, Request};
 use crate::estimators::estimate::{Confidence, Estimate};
-use crate::estimators::inner_basis::InnerBasis;
 use crate::estimators::moments::mean;
-use crate::estimators::orthogonal::Axis;
+use crate::estimators::polynomials::inner_basis::InnerBasis;
+use crate::estimators::polynomials::orthogonal::Axis;
 use crate::estimators::pool::{Pool, PoolPoint};
+use crate::estimators::tail::index_of_distribution;
 use crate::measures::targets::target;
 use crate::search::design::candidates;
 use crate::search::parts::Structure;
@@ -21,6 +22,18 @@ use loosepin_uncertainty::{Copula, Distribution, EpistemicVariable, RandomVariab
 
 /// Probabilities of the quantiles by which a whole distribution function is searched.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Index of the heaviest tail of the random inputs, parameters of their distributions in the middle.
+fn tail_of_inputs(problem: &Problem) -> f64 {
+    let middle: Vec<f64> = problem.epistemic.iter().map(EpistemicVariable::middle).collect();
+    let index = |input: usize| {
+        let Some(variable) = problem.variable_at(input, &middle) else { return 0.0 };
+        let upper = index_of_distribution(|above| variable.quantile(1.0 - above), problem.sampling.inner);
+        let lower = index_of_distribution(|below| -variable.quantile(below), problem.sampling.inner);
+        upper.max(lower)
+    };
+    (0..problem.random.len()).map(index).fold(0.0, f64::max)
+}
 
 /// Streams of random numbers.
 const INNER: u64 = 0x0069_6e6e_6572;
@@ -59,7 +72,8 @@ impl Setup {
             epistemic_candidates.extend(structure.candidates(dimensions)?);
         }
         Ok(Self {
-            confidence: Confidence::new(sampling.confidence, sampling.replicates),
+            confidence: Confidence::new(sampling.confidence, sampling.replicates)
+                .with_tail_of_inputs(tail_of_inputs(&problem)),
             inner: ScrambledSobol::try_new(hash(sampling.seed, INNER), problem.random.len())?,
             mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
             candidates: epistemic_candidates,

@@ -150,7 +150,7 @@ fn a_clearance_that_may_be_below_zero_is_refused_or_told() {
 fn a_quantile_that_the_samples_do_not_reach_is_told() {
     let desk = template("slider-crank");
     change(&desk, "study.toml", "{ quantile = 0.975 }", "{ quantile = 0.999 }");
-    change(&desk, "study.toml", "inner = 128", "inner = 64");
+    change(&desk, "study.toml", "inner = 256", "inner = 64");
     let said = desk.succeed(&["check", "study.toml"]).messages;
     assert!(
         said.contains(

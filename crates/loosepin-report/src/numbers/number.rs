@@ -151,6 +151,9 @@ impl<'a> NumberWriter<'a> {
 
     /// An error: one digit, rounded up, with unit.
     pub fn error(&self, error_si: f64, unit: &SiUnit) -> String {
+        if error_si.is_infinite() {
+            return NOT_KNOWN.to_owned();
+        }
         self.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)
     }
 

@@ -3,6 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, read_the_same};
 use crate::words::bound::bound_value;
+use crate::words::error::too_few_samples;
 use crate::words::wording::{
     deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words,
 };
@@ -237,7 +238,9 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
-        return format!("At each angle of {drive}, the {subject} has no bound, because some quantiles have no bound.");
+        let reason = too_few_samples(result, &curve.probabilities, writer);
+        let reason = reason.unwrap_or_else(|| "some quantiles have none.".to_owned());
+        return format!("At each angle of {drive}, the {subject} has no bound: {reason}");
     }
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);

@@ -15,12 +15,13 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
-        let (error_si, unit) = summary.error_si()?;
+        let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
         let error = writer.about(&summary.error_tag()).error(error_si, unit);
         let halved = halving_words(result, *summary, writer).unwrap_or_default();
         Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", summary.limit_words()))
     });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
+    let endless = |bound: &&BoundRecord| [&bound.lower, &bound.upper].iter().any(|end| end.widened_si.is_infinite());
     let mut sentence = match error_text {
         Some(error) if answers.len() > 1 => {
             format!("{error} The table shows those of the other answers, which are included as well.")
@@ -38,25 +39,44 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
             (false, 1) => "The only bound".to_owned(),
             (false, _) => format!("{some} of {all} bounds"),
         };
-        let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
         let them = if inner == 1 { "it" } else { "them" };
-        let reason = match needed.filter(|needed| *needed > result.counts.inner) {
-            _ if is_by_surrogate(result) => format!("direct runs do not confirm {them}"),
-            Some(needed) => {
-                let needed = count(needed.next_power_of_two(), &writer.about(&Tag::Count("random samples needed")));
-                format!("increase 'inner' to {needed} or more")
-            }
-            None => "increase 'inner'".to_owned(),
+        let reason = if is_by_surrogate(result) {
+            format!("direct runs do not confirm {them}")
+        } else {
+            "increase 'inner'".to_owned()
         };
         sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
+    }
+    let quantiles = mixed().filter(endless).filter_map(|bound| bound.statistic.probability_of_quantile());
+    let quantiles: Vec<f64> = quantiles.collect();
+    if let Some(reason) = too_few_samples(result, &quantiles, writer) {
+        let all = mixed().count();
+        let subject = match (quantiles.len(), all) {
+            (_, 1) => "The only bound has".to_owned(),
+            (some, _) => {
+                let [some_words, all] = [(some, "bounds without an end"), (all, "bounds")]
+                    .map(|(number, what)| count(number as u64, &writer.about(&Tag::Count(what))));
+                format!("{some_words} of {all} bounds {}", if some == 1 { "has" } else { "have" })
+            }
+        };
+        sentence.push_str(&format!(" {subject} no end: {reason}"));
     }
     sentence
 }
 
-/// Mechanisms of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
-fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
+/// Why quantiles at these probabilities have no end, and what to do, where too few samples are the reason.
+pub(crate) fn too_few_samples(result: &StudyResult, quantiles: &[f64], writer: &NumberWriter) -> Option<String> {
+    let needed = quantiles.iter().filter_map(|&probability| samples_needed(probability)).max()?;
+    if is_by_surrogate(result) || needed <= result.counts.inner {
+        return None;
+    }
+    let needed = count(needed.next_power_of_two(), &writer.about(&Tag::Count("random samples needed")));
+    Some(format!("too few samples lie beyond a quantile. Increase 'inner' to {needed} or more."))
+}
+
+/// Samples of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
+fn samples_needed(probability: f64) -> Option<u64> {
     const BEYOND: f64 = 0.005;
-    let probability = bound.statistic.probability_of_quantile()?;
     let inside = probability.max(1.0 - probability);
     (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
 }

@@ -230,11 +230,26 @@ fn inputs_that_would_read_the_same_keep_their_paths() {
 fn analytic_a_quantile_that_is_not_known_names_the_number_of_mechanisms_that_it_takes() {
     // 0.975^n < 0.005 from n = 210 on, 0.999^n from n = 5296 on.
     let mut result = worn_pin();
-    result.bounds[0].guarantee = Guarantee::Inner;
+    result.bounds[0].upper.widened_si = f64::INFINITY;
     result.counts.inner = 128;
-    assert_says(&result, "This answer may be too narrow: increase 'inner' to 256 or more.");
+    assert_says(
+        &result,
+        " 1 of 5 bounds has no end: too few samples lie beyond a quantile. Increase 'inner' to 256 or more.",
+    );
     result.bounds[0].statistic = Statistic::Quantile(0.999);
-    assert_says(&result, "This answer may be too narrow: increase 'inner' to 8192 or more.");
+    assert_says(&result, "Increase 'inner' to 8192 or more.");
+    result.bounds[0].statistic = Statistic::Quantile(0.975);
+    // Failed runs are the reason, and more samples are no way out.
+    result.counts.inner = 256;
+    assert!(!study_text(&result).contains("no end"));
+    result.counts.inner = 128;
+    result.curves[0].mixed.upper_si[0] = f64::INFINITY;
+    result.curves[0].numerical_error_si = f64::INFINITY;
+    assert_says(
+        &result,
+        "At each angle of crank, the slider (x of slider.pin) has no bound: too few samples lie beyond a quantile. Increase 'inner' to 256 or more.",
+    );
+    assert!(!study_text(&result).contains("at most ∞"));
 }
 
 #[test]

@@ -2,11 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::estimate::{Confidence, Estimate, mean_of, replicate_error, variance_of_mean, variance_with_error};
-use super::index::{Index, compressed};
 use super::inner_basis::{CrossFit, DesignMatrix};
 use super::orthogonal::Axis;
 use super::preintegration::{AtValue, Conditional};
+use crate::estimators::estimate::{
+    Confidence, Estimate, mean_of, replicate_error, variance_of_mean, variance_with_error,
+};
+use crate::estimators::index::{Index, compressed};
 use loosepin_terms::Event;
 use loosepin_uncertainty::normal_quantile;
 
@@ -281,8 +283,8 @@ pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Smooth;
-    use crate::estimators::inner_basis::InnerBasis;
-    use crate::estimators::orthogonal::Axis;
+    use crate::estimators::polynomials::inner_basis::InnerBasis;
+    use crate::estimators::polynomials::orthogonal::Axis;
     use loosepin_uncertainty::{ScrambledSobol, normal_quantile};
 
     const REPLICATES: u32 = 8;

@@ -260,7 +260,7 @@ impl DesignMatrix {
 #[cfg(test)]
 mod tests {
     use super::InnerBasis;
-    use crate::estimators::orthogonal::Axis;
+    use crate::estimators::polynomials::orthogonal::Axis;
     use loosepin_uncertainty::{ScrambledSobol, hash, uniform};
 
     const REPLICATES: usize = 4;

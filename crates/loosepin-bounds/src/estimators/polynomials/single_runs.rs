@@ -10,7 +10,7 @@
 //! whose terms are of degree d + 4 at most is nowhere larger than ε √K(t) (Cauchy and Schwarz).
 //!
 //! Polynomials that are contradicted by more than 1 % of the standard deviation are not used. Else what they leave at single runs is a residual
-//! like those of the sample. Either way the rare event enters the errors of mean and variance ([`super::unseen`]).
+//! like those of the sample. Either way the rare event enters the errors of mean and variance ([`super::super::unseen`]).
 
 use std::sync::Arc;
 
@@ -18,10 +18,10 @@ use rayon::prelude::*;
 
 use super::inner_basis::DesignMatrix;
 use super::orthogonal::Axis;
-use super::sample::Sample;
 use super::smooth::{ROUND_OFF, largest_magnitude};
-use super::unseen::Unseen;
 use crate::data::table::SampleTable;
+use crate::estimators::sample::Sample;
+use crate::estimators::unseen::Unseen;
 use loosepin_math::dense::dot;
 
 /// Errors between the outer points are this many times those at the outer points, at most.
@@ -152,8 +152,8 @@ fn kernel(axes: &[Axis], coordinates: &[f64], degree: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::kernel;
-    use crate::estimators::basis::Basis;
-    use crate::estimators::orthogonal::Axis;
+    use crate::estimators::polynomials::basis::Basis;
+    use crate::estimators::polynomials::orthogonal::Axis;
 
     #[test]
     fn identity_the_kernel_is_the_sum_of_the_squares_of_all_terms() {

@@ -305,7 +305,7 @@ fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut a
 #[cfg(test)]
 mod tests {
     use super::extreme;
-    use crate::estimators::orthogonal::{Axis, Univariate};
+    use crate::estimators::polynomials::orthogonal::{Axis, Univariate};
 
     #[test]
     fn analytic_an_extreme_beside_a_slope_of_round_off_is_found() {

@@ -6,7 +6,7 @@ use super::inner_basis::DesignMatrix;
 
 /// What a fit says of the polynomials of its degree.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Assessment {
+pub(crate) struct Assessment {
     /// What they leave at most, at any run.
     pub largest_residual: f64,
     /// An error of the mean that degrees are compared by.
@@ -15,7 +15,7 @@ pub(super) struct Assessment {
 
 /// The fits of one sample, by their matrices; `S` is a sample with polynomials. A copy begins without.
 #[derive(Debug)]
-pub(super) struct KnownFits<S>(Mutex<Vec<KnownFit<S>>>);
+pub(crate) struct KnownFits<S>(Mutex<Vec<KnownFit<S>>>);
 
 #[derive(Debug)]
 struct KnownFit<S> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::inner_basis::{DesignMatrix, InnerBasis};
 use super::known_fits::Assessment;
-use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
+use crate::estimators::sample::Sample;
 
 /// The polynomials may leave at most this share of the standard deviation of a sample, or of the largest one of any sample.
 const MAX_RESIDUAL: f64 = 1e-3;
