@@ -4,7 +4,8 @@ use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{
-    self, BoundPair, DoubleLoop, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic,
+    self, BoundPair, EvaluateError, Goal, Problem, Reading, Refinement, Request, SampleTable, Sampling, Standing,
+    Statistic,
 };
 use loosepin::diagnostics::{self, Code};
 use loosepin::uncertainty::Copula;
@@ -51,11 +52,20 @@ pub struct Runs {
     confidence: f64,
 }
 
+/// By how much bounds may be widened, and how many runs may be made for it, as Python states them.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Accuracy {
+    /// One number for each request; nothing for those that do not matter.
+    most: Vec<Option<f64>>,
+    budget: Option<usize>,
+}
+
 /// Bounds of the statistics of the columns of `function`, which is given a list of arrays, one for each input, random ones first,
 /// and gives an array with a row for each run. Returns the answers and the runs as plain values for `_function_bounds.py`.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-#[pyo3(signature = (function, inputs, columns, requests, ranks, reading, runs))]
+#[pyo3(signature = (function, inputs, columns, requests, ranks, reading, runs, accuracy))]
 pub fn evaluate<'py>(
     py: Python<'py>,
     function: Bound<'py, PyAny>,
@@ -65,6 +75,7 @@ pub fn evaluate<'py>(
     ranks: Vec<(String, String, f64)>,
     reading: &str,
     runs: Runs,
+    accuracy: Accuracy,
 ) -> PyResult<Bound<'py, PyDict>> {
     let inputs = Inputs::read(inputs)?;
     let copula = inputs.copula(&ranks)?;
@@ -92,12 +103,25 @@ pub fn evaluate<'py>(
         },
     };
     let fail = |error: EvaluateError| raise_problem(&FunctionProblem(error));
-    let plan = DoubleLoop::try_new(problem).map_err(|error| fail(error.into()))?;
+    let goal = |(request, most): (&Request, &Option<f64>)| Some(Goal { request: *request, most: (*most)? });
+    let goals: Vec<Goal> = problem.requests.iter().zip(&accuracy.most).filter_map(goal).collect();
+    let is_asked = !goals.is_empty();
+    let sampling = problem.sampling;
+    let planned = sampling.outer * sampling.inner + sampling.mixture + sampling.extreme;
+    let budget = accuracy.budget.unwrap_or(planned.saturating_mul(bounds::USUAL_GROWTH));
+    let mut plan = Refinement::try_new(problem, goals).map_err(|error| fail(error.into()))?;
     let mut table = SampleTable::new(columns.len());
-    loop {
+    let is_budget_spent = loop {
         let round = unlocked(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
-        if round.is_empty() {
-            break;
+        let is_too_large = is_asked && table.len() + round.len() > budget;
+        if is_too_large && table.is_empty() {
+            let least = round.len();
+            return Err(PyValueError::new_err(format!(
+                "budget {budget}; the first round takes {least} runs, smaller outer and inner need fewer"
+            )));
+        }
+        if round.is_empty() || is_too_large {
+            break is_too_large;
         }
         let random = (0..inputs.random.len()).map(|k| round.iter().map(|run| run.random[k]).collect());
         let epistemic = (0..inputs.epistemic.len()).map(|k| round.iter().map(|run| run.epistemic[k]).collect());
@@ -107,10 +131,18 @@ pub fn evaluate<'py>(
         for (inputs, row) in round.into_iter().zip(given.as_array().rows()) {
             table.push(inputs, Ok(&row.to_vec())).map_err(|error| fail(error.into()))?;
         }
-    }
+    };
     let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
-    answer(py, &answers, &names, &table)
+    let given = answer(py, &answers, &names, &table)?;
+    let stop = match plan.standing() {
+        _ if is_budget_spent => "budget",
+        Standing::Reached => "reached",
+        Standing::Growing | Standing::Exhausted => "exhausted",
+    };
+    let steps = plan.history().iter().map(|step| (step.runs, step.outer, step.inner, step.share));
+    given.set_item("accuracy", is_asked.then(|| (stop, steps.collect::<Vec<_>>())))?;
+    Ok(given)
 }
 
 /// Names of inputs and columns.
@@ -203,6 +235,7 @@ pub fn answer<'py>(
     // A run without a number in some column failed there.
     let failed_runs = rows().filter(|&run| table.values(run).iter().any(|value| !value.is_finite())).count();
     given.set_item("runs", (answers.runs, failed_runs, answers.rounds))?;
+    given.set_item("gaps", answers.gaps.map(|gaps| (gaps.between_points, gaps.between_runs)))?;
     let of_inputs = |k: usize| rows().map(|run| table.inputs()[run].random[k]).collect();
     let of_unknown = |k: usize| rows().map(|run| table.inputs()[run].epistemic[k]).collect();
     let of_outputs = |k: usize| rows().map(|run| table.values(run)[k]).collect();

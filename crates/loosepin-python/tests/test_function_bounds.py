@@ -1,6 +1,7 @@
 """Bounds of functions whose bounds are known in closed form, without any mechanism."""
 
 import math
+import re
 import statistics
 
 import loosepin as lp
@@ -196,3 +197,39 @@ def test_analytic_other_kinds_of_ignorance():
     fuzzy = lp.bounds(lambda u: u, {"u": lp.Fuzzy((0, 1, 2, 4))}, ["mean"])
     assert [alpha for alpha, _ in fuzzy.cuts] == [0.0, 0.25, 0.5, 0.75, 1.0]
     assert fuzzy.cuts[-1][1][0].upper.value == pytest.approx(2, abs=1e-6)
+
+
+def test_samples_grow_until_an_accuracy_is_reached():
+    kink = lambda x, u: np.abs(x - u)
+    # E|X| of a normal number with the mean 0; with another mean it is larger.
+    exact = 1.5 * math.sqrt(2 / math.pi)
+    result = lp.bounds(kink, INPUTS, ["mean"], outer=8, inner=64, accuracy=0.01)
+    (bound,) = result.bounds
+    assert result.accuracy.stop == "reached"
+    assert result.accuracy.steps[0].share > 1 >= result.accuracy.steps[-1].share
+    assert result.accuracy.steps[-1].runs == result.runs
+    assert abs(bound.lower.widened - bound.lower.value) <= 0.01
+    assert bound.lower.widened <= exact <= bound.lower.widened + 0.02
+    alone = lp.bounds(kink, INPUTS, ["mean", {"probability_above": 1.0}], outer=8, inner=64, accuracy={"y.mean": 0.01})
+    assert alone.accuracy.stop == "reached"
+
+
+def test_a_budget_ends_what_grows():
+    kink = lambda x, u: np.abs(x - u)
+    result = lp.bounds(kink, INPUTS, ["mean"], outer=8, inner=64, accuracy=1e-9, budget=4000)
+    assert result.accuracy.stop == "budget" and result.runs <= 4000
+    assert lp.bounds(shift, INPUTS, ["mean"], outer=8, inner=64).accuracy is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"accuracy": 0.0}, "accuracy 0.0 of 'y'; must be a number above 0"),
+        ({"accuracy": {"z": 0.1}}, "accuracy of 'z'; must be of y, y.mean, y.standard_deviation"),
+        ({"budget": 4000}, "budget without accuracy"),
+        ({"accuracy": 0.1, "budget": 10}, "budget 10; the first round takes"),
+    ],
+)
+def test_an_accuracy_that_cannot_be(arguments, says):
+    with pytest.raises(ValueError, match=re.escape(says)):
+        lp.bounds(shift, INPUTS, **arguments)

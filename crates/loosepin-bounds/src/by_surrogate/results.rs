@@ -178,6 +178,7 @@ impl SurrogateBounds {
             comparisons: Vec::new(),
             outer_points: Vec::new(),
             centre_point: 0,
+            gaps: None,
             runs: self.training_runs + self.confirming_runs,
             failed_runs: self.failed_runs,
             rounds,

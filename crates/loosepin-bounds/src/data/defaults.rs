@@ -14,3 +14,6 @@ impl Default for Sampling {
         Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.99 }
     }
 }
+
+/// Where an accuracy is asked for and no budget is stated, samples end at so many times the runs of the plan without an accuracy.
+pub const USUAL_GROWTH: usize = 100;

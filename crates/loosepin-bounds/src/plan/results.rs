@@ -42,6 +42,7 @@ impl DoubleLoop {
             comparisons: TreatmentComparison::all(&experiment),
             outer_points: pool.points.iter().map(|point| point.epistemic.clone()).collect(),
             centre_point: self.centre_point(),
+            gaps: experiment.gaps(),
             runs: table.len(),
             failed_runs: table.failed(),
             rounds: table.rounds(),

@@ -6,6 +6,16 @@ use super::treatment::TreatmentComparison;
 use crate::data::bound::{BoundPair, CutBounds};
 use crate::data::problem::Reading;
 
+/// How finely the box of the epistemic inputs was seen: a peak of a statistic within a gap may have been missed, whatever its height. Shares of
+/// the volume of the box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gaps {
+    /// The largest cube without a point at which statistics were estimated.
+    pub between_points: f64,
+    /// The largest cube without a single run: a peak that stands out of the scatter of one run is seen by that.
+    pub between_runs: f64,
+}
+
 /// Everything that the runs of a problem say.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
@@ -25,6 +35,8 @@ pub struct Bounds {
     pub outer_points: Vec<Vec<f64>>,
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
     pub centre_point: u32,
+    /// The gaps between these points, and between all values of the epistemic inputs that were run; nothing where there is one value.
+    pub gaps: Option<Gaps>,
     /// Runs in the table.
     pub runs: usize,
     /// Failed runs in the table.

@@ -1,11 +1,13 @@
 //! All runs of the double loop, ready to be asked.
 
+use super::bounds::Gaps;
 use super::setup::Setup;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::measures::measure::Measure;
+use crate::search::gaps::largest_gap;
 use crate::search::models::of_points::Search;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::parts::{Cut, Element};
@@ -73,6 +75,22 @@ impl<'a> Experiment<'a> {
     ) -> Search<'s> {
         let axes = self.setup.epistemic_box.axes();
         Search::sharing(&self.grids, axes, &self.places, &self.setup.candidates, targets)
+    }
+
+    /// How finely the box was seen; nothing where it is a point.
+    pub fn gaps(&self) -> Option<Gaps> {
+        let Setup { epistemic_box, candidates, .. } = self.setup;
+        if epistemic_box.is_a_point() {
+            return None;
+        }
+        let gap =
+            |places: &[Place]| largest_gap(epistemic_box.axes(), epistemic_box.combinations(), places, candidates);
+        let of_mixture = self.table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Mixture);
+        let single = of_mixture.map(|inputs| epistemic_box.place_of(&inputs.epistemic));
+        let all: Vec<Place> = self.places.iter().cloned().chain(single).collect();
+        let between_points = gap(&self.places);
+        // A search for the largest one may end lower among more points.
+        Some(Gaps { between_points, between_runs: gap(&all).min(between_points) })
     }
 
     /// Runs of `column` that failed.

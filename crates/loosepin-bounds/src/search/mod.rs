@@ -5,6 +5,7 @@ mod climb;
 pub(crate) mod design;
 mod extremes;
 mod furthest;
+pub(crate) mod gaps;
 pub(crate) mod models;
 mod next;
 pub(crate) mod parts;

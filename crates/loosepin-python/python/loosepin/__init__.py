@@ -9,7 +9,7 @@
 Numbers are SI unless a name says otherwise. Files and their keys are those of the command `loosepin`.
 """
 
-from ._function_bounds import Band, Box, FunctionBounds, bounds
+from ._function_bounds import AccuracyReached, AccuracyStep, Band, Box, FunctionBounds, bounds
 from ._identification import Identification, MotionPlan, Posterior, Unknown
 from ._inputs import (
     Beta,
@@ -40,6 +40,8 @@ from ._warning import LoosepinWarning
 
 __all__ = [
     "__version__",
+    "AccuracyReached",
+    "AccuracyStep",
     "Band",
     "Beta",
     "Bound",

@@ -51,6 +51,30 @@ class Box:
     """The largest one."""
 
 
+@dataclass(frozen=True)
+class AccuracyStep:
+    """The samples at one step towards an accuracy."""
+
+    runs: int
+    """Runs so far."""
+    outer: int
+    """Values of what is not known."""
+    inner: int
+    """Samples of the random inputs at each."""
+    share: float
+    """The largest numerical error over the one that was asked for; 1 or less where all are reached."""
+
+
+@dataclass(frozen=True)
+class AccuracyReached:
+    """How an accuracy was approached."""
+
+    stop: str
+    """"reached", "budget" or "exhausted" (more runs are not possible, or do not help)."""
+    steps: tuple[AccuracyStep, ...]
+    """One for each size of the samples."""
+
+
 class FunctionBounds:
     """Result of `bounds`: `result.bounds` holds one `Bound` for each statistic of each output."""
 
@@ -70,6 +94,14 @@ class FunctionBounds:
         )
         """The 95 % band of each output by three treatments."""
         self.runs, self.failed_runs, self.rounds = record["runs"]
+        self.gaps: tuple[float, float] | None = record["gaps"]
+        """How finely the box of the intervals was seen: the largest cube of it without a value at which statistics were estimated, and
+        without any run, as shares of its volume. A peak within a gap may have been missed, whatever its height."""
+        reached = record.get("accuracy")
+        self.accuracy: AccuracyReached | None = (
+            None if reached is None else AccuracyReached(reached[0], tuple(AccuracyStep(*step) for step in reached[1]))
+        )
+        """Where an accuracy was asked for: whether it was reached, and how."""
         self.inputs: dict[str, Array] = {column.name: column.values for column in record["inputs"]}
         """Every value of each input that the function was given."""
         self.outputs: dict[str, Array] = {column.name: column.values for column in record["outputs"]}
@@ -118,6 +150,8 @@ def bounds(
     extreme: int = 128,
     seed: int = 1,
     confidence: float = 0.99,
+    accuracy: float | Mapping[str, float] | None = None,
+    budget: int | None = None,
 ) -> FunctionBounds:
     """Bounds of statistics of a function's values, over everything about its inputs that is not known.
 
@@ -131,6 +165,8 @@ def bounds(
     reading: meaning of an interval: "fixed" (one value, unknown), "unknown-distribution" or "random-set".
     outer, inner: values of what is not known, and samples of the random inputs for each; `outer * inner + mixture + extreme` runs at
     most. replicates: independent parts of the samples, which must divide `inner` and `mixture`. confidence: of sampling errors.
+    accuracy: the largest numerical error of the bounds, one number for all, or one for each output or statistic by name:
+    {"y": 0.01, "y.mean": 0.002}. The samples grow until it is reached, or `budget` runs are made (100 times those without it if omitted).
     """
     names = list(outputs)
     asked = requests(statistics, len(names))
@@ -156,7 +192,28 @@ def bounds(
     for name, number in runs.items():
         if number < 0:
             raise ValueError(f"{name} {number}; must be >= 0")
-    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs), names)
+    if budget is not None and accuracy is None:
+        raise ValueError("budget without accuracy; samples grow towards an accuracy only")
+    limits = {"most": _errors_allowed(accuracy, asked, names), "budget": budget}
+    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names)
+
+
+def _errors_allowed(
+    accuracy: float | Mapping[str, float] | None, asked: list[tuple[int, str, float | None]], outputs: list[str]
+) -> list[float | None]:
+    """The largest numerical error of each statistic; nothing where none is stated."""
+    if accuracy is None:
+        return [None] * len(asked)
+    stated = {name: accuracy for name in outputs} if isinstance(accuracy, (int, float)) else dict(accuracy)
+    for name, most in stated.items():
+        if not 0 < most < float("inf"):
+            raise ValueError(f"accuracy {most} of '{name}'; must be a number above 0")
+    of_each = [(f"{outputs[column]}.{statistic}", outputs[column]) for column, statistic, _ in asked]
+    known = {name for names in of_each for name in names}
+    strangers = [name for name in stated if name not in known]
+    if strangers:
+        raise ValueError(f"accuracy of '{strangers[0]}'; must be of {', '.join(sorted(known))}")
+    return [stated.get(own, stated.get(output)) for own, output in of_each]
 
 
 def _is_unknown(known: Input) -> bool:

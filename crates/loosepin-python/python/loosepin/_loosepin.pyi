@@ -206,4 +206,5 @@ def evaluate(
     ranks: list[tuple[str, str, float]],
     reading: str,
     runs: dict[str, float],
+    accuracy: dict[str, Any],
 ) -> dict[str, Any]: ...

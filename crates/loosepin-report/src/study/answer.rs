@@ -55,6 +55,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
     details.push(error_sentence(result, &answers, writer));
+    details.extend(gaps_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
     Answer { requirements, caveats, headline, further, details, verdict }
@@ -295,6 +296,22 @@ pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
         (false, true) => format!("below {}", writer.value_shortest(upper_si, unit)),
         (false, false) => "anywhere".to_owned(),
     }
+}
+
+/// How finely the box of the unknown values was seen. Where surrogates answer, direct runs stand at their bounds alone.
+fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
+    let gaps = result.gaps.filter(|_| !is_by_surrogate(result))?;
+    let [points, runs] = [(gaps.between_points, "gap between points"), (gaps.between_runs, "gap between runs")]
+        .map(|(share, what)| writer.about(&Tag::Count(what)).percent(share, Rounding::Up));
+    let values = counted(result.counts.outer, "value", &writer.about(&Tag::Count("values of the unknown inputs")));
+    let single = if runs == points {
+        String::new()
+    } else {
+        format!(" Single runs leave gaps of {runs}, and see only peaks that stand out of their scatter.")
+    };
+    Some(format!(
+        "Between the {values} of the unknown inputs that were tried, a peak of a result may be missed if it fills less than {points} of their box.{single}"
+    ))
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {

@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, read_the_same};
 use crate::words::bound::bound_value;
-use crate::words::error::too_few_samples;
+use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{
     deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words,
 };

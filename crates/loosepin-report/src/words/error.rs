@@ -3,6 +3,7 @@
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{OutputSummary, largest, smallest};
+use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{count, is_by_surrogate};
 use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
 
@@ -62,23 +63,6 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
         sentence.push_str(&format!(" {subject} no end: {reason}"));
     }
     sentence
-}
-
-/// Why quantiles at these probabilities have no end, and what to do, where too few samples are the reason.
-pub(crate) fn too_few_samples(result: &StudyResult, quantiles: &[f64], writer: &NumberWriter) -> Option<String> {
-    let needed = quantiles.iter().filter_map(|&probability| samples_needed(probability)).max()?;
-    if is_by_surrogate(result) || needed <= result.counts.inner {
-        return None;
-    }
-    let needed = count(needed.next_power_of_two(), &writer.about(&Tag::Count("random samples needed")));
-    Some(format!("too few samples lie beyond a quantile. Increase 'inner' to {needed} or more."))
-}
-
-/// Samples of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
-fn samples_needed(probability: f64) -> Option<u64> {
-    const BEYOND: f64 = 0.005;
-    let inside = probability.max(1.0 - probability);
-    (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
 }
 
 /// What would halve a large error: random samples, or nothing that more runs do. An answer here is a quantile, and its sampling error falls as

@@ -124,7 +124,10 @@ pub(crate) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> St
         Guarantee::Enclosure => "proven, rounding errors included".to_owned(),
         Guarantee::Optimised => "found by a search over the intervals, not proven".to_owned(),
         Guarantee::Sampled { confidence } => {
-            format!("estimated from samples, with {} confidence", writer.percent(confidence, Rounding::Nearest))
+            format!(
+                "estimated from samples, with {} confidence in this statistic by itself",
+                writer.percent(confidence, Rounding::Nearest)
+            )
         }
         Guarantee::Inner => "may be too narrow: not confirmed".to_owned(),
     }

@@ -167,6 +167,17 @@ pub struct RunCounts {
     pub rounds: u64,
 }
 
+/// How finely the box of the epistemic inputs was seen: a peak within a gap may have been missed, whatever its height.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct GapRecord {
+    /// The largest cube of the box without a point at which statistics were estimated, as a share of its volume.
+    #[serde(with = "extended")]
+    pub between_points: f64,
+    /// The largest one without a run: a peak that stands out of the scatter of a single run is seen by that.
+    #[serde(with = "extended")]
+    pub between_runs: f64,
+}
+
 /// Runs for one purpose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PurposeRuns {

@@ -38,7 +38,7 @@ pub use figures::{
 };
 pub use further_turns::{FurtherOutput, FurtherTurns};
 pub use inputs::{
-    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup, GapRecord,
     InputDescription, InputKind, OutputDescription, PathOutput, PurposeRuns, RunCounts,
 };
 
@@ -99,6 +99,9 @@ pub struct StudyResult {
     pub outputs: Vec<OutputDescription>,
     /// How many runs, and how many of them failed.
     pub counts: RunCounts,
+    /// How finely the box of the epistemic inputs was seen; absent where there is one value, and in records of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gaps: Option<GapRecord>,
     /// How near the bounds were to be and are; absent where neither accuracy nor budget was stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<AccuracyRecord>,

@@ -2,9 +2,11 @@
 
 use super::material::Material;
 use crate::response::extras::{JointExtras, RunExtras};
-use loosepin_bounds::Purpose;
+use loosepin_bounds::{Gaps, Purpose};
 use loosepin_mechanics::mechanism::Sample;
-use loosepin_result::study::{EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, StudiedLaw};
+use loosepin_result::study::{
+    EnergyResiduals, GapRecord, HistogramBin, JointImpacts, PurposeRuns, RunCounts, StudiedLaw,
+};
 use loosepin_simulate::contact_basis;
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
@@ -30,6 +32,12 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
         replicates: if material.study.random.is_empty() { 1 } else { material.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
     }
+}
+
+/// How finely the box of the epistemic inputs was seen.
+pub fn gaps(material: &Material<'_>) -> Option<GapRecord> {
+    let Gaps { between_points, between_runs } = material.bounds.gaps?;
+    Some(GapRecord { between_points, between_runs })
 }
 
 /// The runs by what they were for.

@@ -2,11 +2,10 @@
 
 use crate::error::StudyError;
 use crate::file::{Budget, Study};
+use loosepin_bounds::USUAL_GROWTH;
 use std::time::Instant;
 
-/// Where no budget is stated, a study ends at so many times the runs that it has without an accuracy, or where its runs, which it
-/// holds in memory, are so many numbers (a gibibyte).
-const USUAL_GROWTH: usize = 100;
+/// Where no budget is stated, a study ends at [`USUAL_GROWTH`], or where its runs, which it holds in memory, are so many numbers (a gibibyte).
 const USUAL_NUMBERS: usize = 1 << 27;
 
 /// The budget of a study whose samples may grow, or that has one; `stated_runs` of `row_length` numbers each are those without

@@ -35,7 +35,7 @@ fn templates_load_from_their_folder() {
 #[test]
 fn a_study_is_read_in_file_order_and_si() {
     let study = template("slider-crank");
-    assert_eq!((study.seed, study.sampling.outer, study.sampling.inner), (1, 16, 128));
+    assert_eq!((study.seed, study.sampling.outer, study.sampling.inner), (1, 16, 256));
     assert_eq!(
         (study.cycle.transient_turns, study.cycle.recorded_turns, study.cycle.samples_per_turn),
         (2.0, 1.0, 180)

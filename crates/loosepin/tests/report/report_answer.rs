@@ -77,8 +77,20 @@ fn analytic_runs_that_would_halve_a_large_error() {
         "included in it. Of this, 0.06 mm comes from the search over the unknown values and decreases slowly with more runs (outer), and 0.04 mm \
          from random samples: inner = 1024, about 71000 runs should halve this part.",
     );
-    says(&shown(1e-6, 9e-5), "and decreases slowly with more runs (outer). - 17536 runs");
+    says(&shown(1e-6, 9e-5), "and decreases slowly with more runs (outer). - Between the 64 values");
     assert!(!shown(1e-5, 1e-5).contains("halve"));
+}
+
+#[test]
+fn how_finely_the_box_was_seen_is_told() {
+    let mut result = worn_pin();
+    assert_says(
+        &result,
+        "- Between the 64 values of the unknown inputs that were tried, a peak of a result may be missed if it fills less than 5.3 % of their \
+         box. Single runs leave gaps of 0.31 %, and see only peaks that stand out of their scatter. -",
+    );
+    result.gaps = None;
+    assert!(!study_text(&result).contains("a peak of a result"));
 }
 
 /// The headline and what follows it up to the details, on one line.
@@ -232,10 +244,7 @@ fn analytic_a_quantile_that_is_not_known_names_the_number_of_mechanisms_that_it_
     let mut result = worn_pin();
     result.bounds[0].upper.widened_si = f64::INFINITY;
     result.counts.inner = 128;
-    assert_says(
-        &result,
-        " 1 of 5 bounds has no end: too few samples lie beyond a quantile. Increase 'inner' to 256 or more.",
-    );
+    assert_says(&result, " bounds has no end: too few samples lie beyond a quantile. Increase 'inner' to 256 or more.");
     result.bounds[0].statistic = Statistic::Quantile(0.999);
     assert_says(&result, "Increase 'inner' to 8192 or more.");
     result.bounds[0].statistic = Statistic::Quantile(0.975);

@@ -39,7 +39,7 @@ impl Progress for Listener {
 fn study() -> Study {
     let text = "name = \"watched\"\nmodel = \"model.toml\"\n\
         [cycle]\ntransient_turns = 0\nrecorded_turns = 0.25\nsamples_per_turn = 36\n\
-        [sampling]\nouter = 12\ninner = 128\ntolerance = \"1e-6 m\"\n\
+        [sampling]\nouter = 12\ninner = 256\ntolerance = \"1e-6 m\"\n\
         [random]\n\"parameter.crank_length\" = { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }\n\
         [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n\
         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum_absolute\"\n\

@@ -9,7 +9,7 @@ use loosepin::units::SiUnit;
 use super::shown::Shown;
 
 /// Keys of numbers that are held against what is shown.
-const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds settled_share further_turns nominal_trust.horizons[].until_s nominal_trust.horizons[].turns \
+const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds gaps.between_points gaps.between_runs settled_share further_turns nominal_trust.horizons[].until_s nominal_trust.horizons[].turns \
     nominal_trust.whole_m requirements[].probability[] \
     bounds[].lower.widened_si bounds[].upper.widened_si bounds[].lower.error.sampling_si bounds[].lower.error.optimisation_si \
     bounds[].lower.error.surrogate_si bounds[].upper.error.sampling_si bounds[].upper.error.optimisation_si \
@@ -44,6 +44,10 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     found.add(Tag::Count("values of the unknown inputs"), counts.outer as f64);
     found.add(Tag::Count("random samples"), counts.inner as f64);
     found.add(Tag::Count("rounds"), counts.rounds as f64);
+    if let Some(gaps) = result.gaps {
+        found.add(Tag::Count("gap between points"), 100.0 * gaps.between_points);
+        found.add(Tag::Count("gap between runs"), 100.0 * gaps.between_runs);
+    }
     if let Some(settled) = result.settled_share {
         found.add(Tag::whole("settled", ""), 100.0 * settled);
         found.add(Tag::whole("settled", "not"), 100.0 * (1.0 - settled));

@@ -146,6 +146,7 @@ pub fn worn_pin() -> StudyResult {
             replicates: 8,
             rounds: 1,
         },
+        gaps: Some(GapRecord { between_points: 0.0525, between_runs: 0.0031 }),
         failures: vec![FailureGroup {
             code: "step_below_minimum".to_owned(),
             words: "step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s: grazing contact in gudgeon"
