@@ -269,10 +269,8 @@ fn analytic_sampling_errors_hold_at_their_confidence_for_families_drawn_from_a_s
     for plan in plans {
         let (counts, _) = misses(&drawn, STATISTICS, MORE_EXACT_POINTS, plan, SEEDS);
         println!("{plan:?} runs and replicates, {FAMILIES} families, {SEEDS} seeds: per cent missed below/above");
-        println!(
-            "{:10} {:>8}  {}",
-            "", "families", "mean, deviation, quantiles 0.025 0.5 0.975, exceeded in 0.5 0.05 1e-3 1e-4"
-        );
+        const HEAD: &str = "mean, deviation, quantiles 0.025 0.5 0.975, exceeded in 0.5 0.05 1e-3 1e-4";
+        println!("{:10} {:>8}  {HEAD}", "", "families");
         for class in ["", "normal", "magnitude", "lognormal", "branch", "square", "steps", "kink", "rough"] {
             let own: Vec<&Vec<[u64; 2]>> = drawn
                 .iter()
