@@ -46,6 +46,7 @@ pub use by_surrogate::{
 };
 pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatment, Witness};
 pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES, USUAL_GROWTH};
+pub use data::gaps::Gaps;
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::scratch::Scratch;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
@@ -59,7 +60,7 @@ pub use plan::promise::{
     PROMISE_MISS, PromiseError, PromisePlan, PromiseRequest, PromiseSettings, PromisedBound, least_promise_runs,
 };
 pub use plan::refinement::{Assessment, Goal, Refinement, Standing};
-pub use readings::bounds::{Bounds, Gaps};
+pub use readings::bounds::Bounds;
 pub use readings::coverage::{Coverage, CoveragePoint};
 pub use readings::pinching::{PinchedInput, Pinching};
 pub use readings::probability_box::ProbabilityBox;

@@ -70,6 +70,7 @@ fn linear_in_x(
         location,
         location_ends,
         scatter,
+        rarest: 1.0,
         exact,
         magnitude,
     }
@@ -176,7 +177,17 @@ fn bifurcation(draw: &mut Draw) -> Problem {
     });
     let location: Location = Box::new(amplitude);
     let intervals = vec![UNIT; 2];
-    Problem { random: 2, intervals, response, location, location_ends: [low, high], scatter, exact, magnitude: 1.0 }
+    Problem {
+        random: 2,
+        intervals,
+        response,
+        location,
+        location_ends: [low, high],
+        scatter,
+        rarest: 1.0,
+        exact,
+        magnitude: 1.0,
+    }
 }
 
 /// Flat at both ends: tanh of a sum over a width.
@@ -216,7 +227,17 @@ fn atom(draw: &mut Draw) -> Problem {
     });
     let response: Function = Box::new(move |x, u| (m(u) + x[0]).max(0.0));
     let intervals = vec![UNIT; dimensions];
-    Problem { random: 1, intervals, response, location, location_ends, scatter: 1.0, exact, magnitude: 1.0 }
+    Problem {
+        random: 1,
+        intervals,
+        response,
+        location,
+        location_ends,
+        scatter: 1.0,
+        rarest: 1.0,
+        exact,
+        magnitude: 1.0,
+    }
 }
 
 /// Y = m(u) + x + D where y is beyond z: in 0.1 to 2 % of the mechanisms.
@@ -245,7 +266,17 @@ fn rare_event(draw: &mut Draw) -> Problem {
     });
     let response: Function = Box::new(move |x, u| m(u) + x[0] + if x[1] > threshold { jump } else { 0.0 });
     let intervals = vec![UNIT; dimensions];
-    Problem { random: 2, intervals, response, location, location_ends, scatter: 1.0, exact, magnitude: 10.0 }
+    Problem {
+        random: 2,
+        intervals,
+        response,
+        location,
+        location_ends,
+        scatter: 1.0,
+        rarest: rare,
+        exact,
+        magnitude: 10.0,
+    }
 }
 
 /// Far quantiles and small probabilities of m(u) + s x, or of m(u) + s |x|, which is not smooth.
@@ -270,7 +301,7 @@ fn extreme(draw: &mut Draw) -> Problem {
     });
     let response: Function = Box::new(move |x, u| m(u) + scatter * if is_magnitude { x[0].abs() } else { x[0] });
     let intervals = vec![UNIT; dimensions];
-    Problem { random: 1, intervals, response, location, location_ends, scatter, exact, magnitude: 10.0 }
+    Problem { random: 1, intervals, response, location, location_ends, scatter, rarest: 1.0, exact, magnitude: 10.0 }
 }
 
 /// 10⁹ beside all that differs.

@@ -24,6 +24,8 @@ pub struct Problem {
     pub location: Location,
     pub location_ends: [f64; 2],
     pub scatter: f64,
+    /// Probability of what happens in the fewest mechanisms.
+    pub rarest: f64,
     pub exact: Vec<Exact>,
     /// Of the response: round-off is a share of it.
     pub magnitude: f64,

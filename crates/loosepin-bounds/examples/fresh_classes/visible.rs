@@ -2,7 +2,7 @@
 //!
 //! Of each end of each statistic: where it goes more than half of the way from its median over the box to that end, the part of the box is at least
 //! 4.6/1024, so that one of the 1024 runs of the mixture lies in it in 99 %. This is the rule of `fresh-bounds` for features that stand out of the scatter of a
-//! run. Features that are no higher than that scatter, but than a quarter of it, need 4.6/32; lower ones are hidden.
+//! run. So must what happens in some of the mechanisms. Features that are no higher than that scatter, but than a quarter of it, need 4.6/32; lower ones are hidden.
 
 use super::problem::Problem;
 use loosepin_uncertainty::{hash, uniform};
@@ -12,8 +12,11 @@ const POINTS: u64 = 4096;
 const OF_RUNS: f64 = 4.6 / 1024.0;
 const OF_FIRST_POINTS: f64 = 4.6 / 32.0;
 
-/// Whether every end of the location is visible.
+/// Whether every end of the location is visible, and what happens in few mechanisms only.
 pub fn is_visible(problem: &Problem) -> bool {
+    if problem.rarest < OF_RUNS {
+        return false;
+    }
     let at = |point: u64| -> Vec<f64> {
         let ends = problem.intervals.iter().enumerate();
         ends.map(|(axis, [low, high])| low + (high - low) * uniform(hash(0x7669_7369, point), axis as u64)).collect()

@@ -5,6 +5,7 @@ mod beside;
 pub(crate) mod bound;
 pub(crate) mod defaults;
 pub(crate) mod direction;
+pub(crate) mod gaps;
 pub(crate) mod points;
 pub(crate) mod problem;
 pub(crate) mod random_inputs;

@@ -1,9 +1,9 @@
 //! All runs of the double loop, ready to be asked.
 
-use super::bounds::Gaps;
 use super::setup::Setup;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
+use crate::data::gaps::Gaps;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::measures::measure::Measure;
