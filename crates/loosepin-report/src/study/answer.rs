@@ -45,6 +45,10 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     });
     let mut further: Vec<String> = sentences.collect();
     let is_answered = further.len() + result.bounds.len() + result.curves.len() > 0;
+    // A sentence that there is no bound holds without conditions.
+    let is_endless =
+        matches!(answers[..], [only] if only.error_si().is_some_and(|(error_si, _)| error_si.is_infinite()));
+    let is_answered = is_answered && !is_endless;
     let conditions = if is_answered { conditions(result, further.is_empty(), writer) } else { String::new() };
     let headline = if further.is_empty() { headline + &conditions } else { headline };
     further.extend((!further.is_empty()).then(|| conditions.trim_start().to_owned()));

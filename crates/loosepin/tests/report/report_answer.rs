@@ -259,6 +259,11 @@ fn analytic_a_quantile_that_is_not_known_names_the_number_of_mechanisms_that_it_
         "At each angle of crank, the slider (x of slider.pin) has no bound: too few samples lie beyond a quantile. Increase 'inner' to 256 or more.",
     );
     assert!(!study_text(&result).contains("at most ∞"));
+    let page = study_page(&result);
+    assert!(
+        page.contains("The orange band has no end at some angles: too few samples lie beyond a quantile"),
+        "{page}"
+    );
 }
 
 #[test]

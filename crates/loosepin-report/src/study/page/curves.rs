@@ -11,6 +11,7 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, read_the_same};
 use crate::study::answer::requirement_words;
 use crate::study::output_summary::main_bound;
+use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use loosepin_result::study::{
     BoundRecord, CurveRange, Deviation, DeviationCurve, Event, InputKind, ProbabilityBox, RequirementOutcome,
@@ -136,16 +137,26 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     let (worst_angle, worst) = worst_pose(curve);
     let subject = output_words(&curve.output, &result.outputs);
     let centre = writer.about(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
-    let worst_words = format!(
-        "is largest at {}, {} from zero",
-        writer.about(&Tag::curve(curve, "mixed reach angle")).rounded(
-            worst_angle,
-            &SiUnit::ANGLE,
-            3,
-            Rounding::Nearest
-        ),
-        writer.about(&Tag::curve(curve, "mixed reach")).rounded(worst, &curve.unit, 2, Rounding::Up)
-    );
+    let largest_words = || {
+        format!(
+            "is largest at {}, {} from zero",
+            writer.about(&Tag::curve(curve, "mixed reach angle")).rounded(
+                worst_angle,
+                &SiUnit::ANGLE,
+                3,
+                Rounding::Nearest
+            ),
+            writer.about(&Tag::curve(curve, "mixed reach")).rounded(worst, &curve.unit, 2, Rounding::Up)
+        )
+    };
+    let endless = || {
+        let reason = too_few_samples(result, &curve.probabilities, writer);
+        format!(
+            "has no end at some angles: {}",
+            reason.as_deref().unwrap_or("some quantiles have none.").trim_end_matches('.')
+        )
+    };
+    let worst_words = if worst.is_finite() { largest_words() } else { endless() };
     Chart {
         y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
         y_symbol: writer.symbol(&curve.unit),
@@ -165,8 +176,11 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
             } @else if has_evidence(result) {
                 ". With evidence, mechanisms belong to several intervals, so there is no band for a single value of the unknown inputs"
             }
-            ". The orange band " (worst_words) ". It includes its numerical error, which differs from angle to angle: up to "
-            (writer.about(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
+            ". The orange band " (worst_words) "."
+            @if worst.is_finite() {
+                " It includes its numerical error, which differs from angle to angle: up to "
+                (writer.about(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
+            }
             @if let Some((bound, _)) = main_bound(&result.bounds).filter(|(bound, _)| bound.output == curve.output && bound.of == curve.of) {
                 " The limit over the whole cycle has its own, " (writer.about(&Tag::bound(bound, "upper error")).error(bound.upper.error.total_si(), &bound.unit)) "."
             }
