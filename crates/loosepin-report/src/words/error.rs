@@ -134,7 +134,9 @@ fn furthest<'r>(
             let ends =
                 |bound: &'r BoundRecord| [(bound, "lower", bound.lower.error), (bound, "upper", bound.upper.error)];
             let ends = result.bounds.iter().filter(is_of_curve).flat_map(ends);
-            ends.max_by(|(_, _, a), (_, _, b)| a.total_si().total_cmp(&b.total_si()))
+            let largest = ends.max_by(|(_, _, a), (_, _, b)| a.total_si().total_cmp(&b.total_si()));
+            // Where the band is narrowed to the limit over the whole cycle, parts of what it was before are none of its error.
+            largest.filter(|(_, _, error)| error.total_si() <= curve.numerical_error_si)
         }
     }
 }
