@@ -71,8 +71,12 @@ fn two_studies_are_compared_and_odd_pairs_say_why_not() {
     let [before, after, unlike] = [&worn, &measured, &other].map(|study| run(&mut live, study));
     let (status, found) = compared(&server, &before, &after);
     assert_eq!(status, 200, "{found}");
-    // Play up to a third of what it was: the band is narrower, beyond all numerical errors.
-    assert!(found["headline"].as_str().unwrap().contains("smaller"), "{}", found["headline"]);
+    // Play up to a third of what it was: the band is narrower, but five values of the play do not show that beyond all numerical errors.
+    let headline = found["headline"].as_str().unwrap();
+    assert!(
+        headline.contains("in A") && headline.ends_with("The difference is within the numerical errors."),
+        "{headline}"
+    );
     let inputs = found["inputs"].as_array().unwrap();
     assert_eq!(inputs.len(), 1, "{inputs:?}");
     assert_eq!(inputs[0]["path"], "joint.gudgeon.radial_clearance");
