@@ -140,7 +140,8 @@ def test_two_results_are_compared_side_by_side(studio, conducted):
     before = studio.browser.evaluate(HEADLINE)
     studio.click("button", "Swap A and B")
     studio.wait(f"({HEADLINE}) !== {before!r}")
-    studio.wait(f"({HEADLINE}).includes('larger')")
+    # What was in A is in B now.
+    assert re.findall(r"±([\d.]+)", studio.browser.evaluate(HEADLINE)) == re.findall(r"±([\d.]+)", before)[::-1]
     studio.browser.evaluate("(history.back(), true)")
     studio.wait(f"({HEADLINE}) === {before!r}")
     assert studio.browser.diagnostics() == []
