@@ -106,11 +106,10 @@ pub fn evaluate<'py>(
     let goal = |(request, most): (&Request, &Option<f64>)| Some(Goal { request: *request, most: (*most)? });
     let goals: Vec<Goal> = problem.requests.iter().zip(&accuracy.most).filter_map(goal).collect();
     let is_asked = !goals.is_empty();
-    let sampling = problem.sampling;
-    let planned = sampling.outer * sampling.inner + sampling.mixture + sampling.extreme;
-    let budget = accuracy.budget.unwrap_or(planned.saturating_mul(bounds::USUAL_GROWTH));
     let mut plan = Refinement::try_new(problem, goals).map_err(|error| fail(error.into()))?;
     let mut table = SampleTable::new(columns.len());
+    let planned = plan.plan(&table).most_runs();
+    let budget = accuracy.budget.unwrap_or(planned.saturating_mul(bounds::USUAL_GROWTH));
     let is_budget_spent = loop {
         let round = unlocked(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
         let is_too_large = is_asked && table.len() + round.len() > budget;

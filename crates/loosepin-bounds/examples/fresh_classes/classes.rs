@@ -2,7 +2,8 @@
 //! intervals.
 
 use crate::draw::Draw;
-use crate::problem::{Exact, Function, Location, Problem};
+use crate::exact::Exact;
+use crate::problem::{Problem, Shared};
 use loosepin_bounds::Statistic;
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
 use std::f64::consts::TAU;
@@ -25,11 +26,7 @@ pub const CLASSES: [Class; 11] = [
     ("aliasing", aliasing),
 ];
 
-const UNIT: [f64; 2] = [0.0, 1.0];
 const SIGMA: f64 = 1.959_963_984_540_054;
-
-/// A shared function of u.
-type Shared = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 
 fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
@@ -58,22 +55,9 @@ fn linear_in_x(
         Exact { statistic: Statistic::ProbabilityAbove(limit), ends: over(&|u| normal_cdf((m(u) - limit) / s(u))) },
     ];
     let scatter = candidates.iter().map(|u| s(u)).fold(0.0, f64::max);
-    let location: Location = Box::new({
-        let m = m.clone();
-        move |u| m(u)
-    });
-    let response: Function = Box::new(move |x, u| m(u) + s(u) * x[0]);
-    Problem {
-        random: 1,
-        intervals: vec![UNIT; dimensions],
-        response,
-        location,
-        location_ends,
-        scatter,
-        rarest: 1.0,
-        exact,
-        magnitude,
-    }
+    let location = (m.clone(), location_ends);
+    let response = move |x: &[f64], u: &[f64]| m(u) + s(u) * x[0];
+    Problem::new([1, dimensions], location, scatter, response, exact).with_magnitude(magnitude)
 }
 
 /// A limit that the median passes somewhere: between the ends of m, and a little beyond.
@@ -171,23 +155,12 @@ fn bifurcation(draw: &mut Draw) -> Problem {
         Exact { statistic: Statistic::StandardDeviation, ends: ends(&deviation) },
         Exact { statistic: Statistic::ProbabilityAbove(limit), ends: ends(&above) },
     ];
-    let response: Function = Box::new(move |x, u| {
+    let response = move |x: &[f64], u: &[f64]| {
         let a = amplitude(u);
         (if x[0] < threshold { -a } else { a }) + scatter * x[1]
-    });
-    let location: Location = Box::new(amplitude);
-    let intervals = vec![UNIT; 2];
-    Problem {
-        random: 2,
-        intervals,
-        response,
-        location,
-        location_ends: [low, high],
-        scatter,
-        rarest: 1.0,
-        exact,
-        magnitude: 1.0,
-    }
+    };
+    let location: Shared = Arc::new(amplitude);
+    Problem::new([2, 2], (location, [low, high]), scatter, response, exact).with_magnitude(1.0)
 }
 
 /// Flat at both ends: tanh of a sum over a width.
@@ -221,23 +194,9 @@ fn atom(draw: &mut Draw) -> Problem {
         Exact { statistic: Statistic::ProbabilityAbove(0.0), ends: ends(&normal_cdf) },
         Exact { statistic: Statistic::ProbabilityAbove(1.0), ends: ends(&|m| normal_cdf(m - 1.0)) },
     ];
-    let location: Location = Box::new({
-        let m = m.clone();
-        move |u| m(u)
-    });
-    let response: Function = Box::new(move |x, u| (m(u) + x[0]).max(0.0));
-    let intervals = vec![UNIT; dimensions];
-    Problem {
-        random: 1,
-        intervals,
-        response,
-        location,
-        location_ends,
-        scatter: 1.0,
-        rarest: 1.0,
-        exact,
-        magnitude: 1.0,
-    }
+    let location = (m.clone(), location_ends);
+    let response = move |x: &[f64], u: &[f64]| (m(u) + x[0]).max(0.0);
+    Problem::new([1, dimensions], location, 1.0, response, exact).with_magnitude(1.0)
 }
 
 /// Y = m(u) + x + D where y is beyond z: in 0.1 to 2 % of the mechanisms.
@@ -260,23 +219,9 @@ fn rare_event(draw: &mut Draw) -> Problem {
         Exact { statistic: Statistic::StandardDeviation, ends: [(1.0 + rare * (1.0 - rare) * jump * jump).sqrt(); 2] },
         Exact { statistic, ends: ends_of(of_ends.into_iter()) },
     ];
-    let location: Location = Box::new({
-        let m = m.clone();
-        move |u| m(u)
-    });
-    let response: Function = Box::new(move |x, u| m(u) + x[0] + if x[1] > threshold { jump } else { 0.0 });
-    let intervals = vec![UNIT; dimensions];
-    Problem {
-        random: 2,
-        intervals,
-        response,
-        location,
-        location_ends,
-        scatter: 1.0,
-        rarest: rare,
-        exact,
-        magnitude: 10.0,
-    }
+    let location = (m.clone(), location_ends);
+    let response = move |x: &[f64], u: &[f64]| m(u) + x[0] + if x[1] > threshold { jump } else { 0.0 };
+    Problem { rarest: rare, ..Problem::new([2, dimensions], location, 1.0, response, exact) }
 }
 
 /// Far quantiles and small probabilities of m(u) + s x, or of m(u) + s |x|, which is not smooth.
@@ -295,13 +240,9 @@ fn extreme(draw: &mut Draw) -> Problem {
         Exact { statistic: Statistic::Quantile(0.9999), ends: location_ends.map(|m| m + quantile(1e-4)) },
         Exact { statistic: Statistic::ProbabilityAbove(far), ends: location_ends.map(above) },
     ];
-    let location: Location = Box::new({
-        let m = m.clone();
-        move |u| m(u)
-    });
-    let response: Function = Box::new(move |x, u| m(u) + scatter * if is_magnitude { x[0].abs() } else { x[0] });
-    let intervals = vec![UNIT; dimensions];
-    Problem { random: 1, intervals, response, location, location_ends, scatter, rarest: 1.0, exact, magnitude: 10.0 }
+    let location = (m.clone(), location_ends);
+    let response = move |x: &[f64], u: &[f64]| m(u) + scatter * if is_magnitude { x[0].abs() } else { x[0] };
+    Problem::new([1, dimensions], location, scatter, response, exact)
 }
 
 /// 10⁹ beside all that differs.

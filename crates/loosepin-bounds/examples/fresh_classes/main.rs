@@ -5,29 +5,26 @@
 //! in `visible.rs`.
 
 mod classes;
-#[allow(dead_code, reason = "the other campaign reads the rest of it")]
+#[allow(dead_code, reason = "the other campaigns read the rest of it")]
 #[path = "../../tests/fresh/draw.rs"]
 mod draw;
+#[allow(dead_code, reason = "the other campaign reads the rest of it")]
+#[path = "../../tests/exact/mod.rs"]
+mod exact;
 mod problem;
 mod visible;
 
 use classes::CLASSES;
 use draw::Draw;
+use exact::{LEVEL, median, most_misses};
 use loosepin_bounds::{BoundPair, evaluate};
-use loosepin_uncertainty::{binomial_tail, hash};
+use loosepin_uncertainty::hash;
 use problem::Problem;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// An end may be missed so often.
-const STATED_MISS: f64 = 0.005;
-/// Of all tests together.
-const LEVEL: f64 = 0.01;
 /// More problems than so many times those asked for are not drawn to find visible ones.
 const MOST_DRAWN: u64 = 20;
-/// Differences of this share of the exact width, and of the size of the response, are round-off.
-const ROUND_OFF: [f64; 2] = [1e-9, 2e-15];
-
 /// What was counted of one statistic of a class.
 #[derive(Debug, Clone, Default)]
 struct Counted {
@@ -66,35 +63,28 @@ fn main() {
             .par_iter()
             .enumerate()
             .map(|(index, (problem, _))| {
-                evaluate(problem.question(hash(seed, index as u64) >> 32), problem).expect("a plan").pairs
+                let question = problem.case.question(hash(seed, index as u64) >> 32);
+                evaluate(question, &problem.case).expect("a plan").pairs
             })
             .collect();
-        let mut counted: BTreeMap<String, [Counted; 2]> = BTreeMap::new();
+        let mut counted: BTreeMap<&str, [Counted; 2]> = BTreeMap::new();
         for (index, ((problem, is_visible), pairs)) in all.iter().zip(&solved).enumerate() {
-            for (exact, pair) in problem.exact.iter().zip(pairs) {
-                let word = format!("{:?}", exact.statistic).split('(').next().unwrap_or_default().to_owned();
-                let own = &mut counted.entry(word).or_default()[usize::from(*is_visible)];
-                let [low, high] = exact.ends;
-                let width = if high > low { high - low } else { high.abs().max(f64::MIN_POSITIVE) };
-                let allowed = (ROUND_OFF[0] * width).max(ROUND_OFF[1] * problem.magnitude);
-                let beyond = [pair.lower.widened - low - allowed, high - pair.upper.widened - allowed];
+            for ((exact, pair), met) in problem.case.exact.iter().zip(pairs).zip(problem.case.met(pairs)) {
+                let own = &mut counted.entry(exact.statistic.word()).or_default()[usize::from(*is_visible)];
                 own.problems += 1;
-                for (end, beyond) in beyond.into_iter().enumerate() {
-                    if beyond > 0.0 {
-                        own.missed[end] += 1;
-                        println!(
-                            "{name} {index}{} {:?} end {end}: exact {:?}, widened {:?}, short by {:.1e} of the width",
-                            if *is_visible { "" } else { " (hidden)" },
-                            exact.statistic,
-                            exact.ends,
-                            [pair.lower.widened, pair.upper.widened],
-                            beyond / width
-                        );
-                    }
+                for end in [0, 1].into_iter().filter(|&end| met.is_missed[end]) {
+                    own.missed[end] += 1;
+                    println!(
+                        "{name} {index}{} {:?} end {end}: exact {:?}, widened {:?}, short by {:.1e} of the width",
+                        if *is_visible { "" } else { " (hidden)" },
+                        exact.statistic,
+                        exact.ends,
+                        [pair.lower.widened, pair.upper.widened],
+                        met.short[end]
+                    );
                 }
-                let is_endless = pair.lower.widened.is_infinite() || pair.upper.widened.is_infinite();
-                own.endless += u64::from(is_endless);
-                own.widths.push((pair.upper.widened - pair.lower.widened) / width);
+                own.endless += u64::from(met.has_no_end);
+                own.widths.push(met.width);
             }
         }
         lines.extend(counted.into_iter().map(|(word, counted)| (format!("{name}, {word}"), counted)));
@@ -106,12 +96,10 @@ fn main() {
     );
     let mut failed = 0;
     for (name, [hidden, visible]) in &mut lines {
-        let is_last = |misses: &u64| binomial_tail(visible.problems, misses + 1, STATED_MISS) < LEVEL / tests;
-        let allowed = (0..=visible.problems).find(is_last).unwrap_or(visible.problems);
+        let allowed = most_misses(visible.problems, LEVEL / tests);
         let fails = visible.missed.iter().filter(|missed| **missed > allowed).count();
         failed += fails;
-        visible.widths.sort_by(f64::total_cmp);
-        let width = visible.widths.get(visible.widths.len() / 2).copied().unwrap_or(f64::NAN);
+        let width = median(std::mem::take(&mut visible.widths));
         println!(
             "{name:46} {:8} {:6} {:6} {:8} {width:7.3} | {:6} {:6} {:6} {}",
             visible.problems,

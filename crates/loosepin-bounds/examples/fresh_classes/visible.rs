@@ -18,7 +18,7 @@ pub fn is_visible(problem: &Problem) -> bool {
         return false;
     }
     let at = |point: u64| -> Vec<f64> {
-        let ends = problem.intervals.iter().enumerate();
+        let ends = problem.case.intervals.iter().enumerate();
         ends.map(|(axis, [low, high])| low + (high - low) * uniform(hash(0x7669_7369, point), axis as u64)).collect()
     };
     let mut values: Vec<f64> = (0..POINTS).map(|point| (problem.location)(&at(point))).collect();

@@ -3,25 +3,21 @@
 //! Each end of each statistic may be missed in 0.5 % of the samples. Of every end the number of misses is held against that by a binomial
 //! test, and the level of all tests together, 1 %, is divided by their number (C. E. Bonferroni). The seeds are 1 to SEEDS.
 
+#[allow(dead_code, reason = "the other campaign reads the rest of it")]
+#[path = "../../tests/exact/mod.rs"]
+mod exact;
 mod problems;
 
+use exact::{Case, LEVEL, Met, median, most_misses};
 use loosepin_bounds::{Bound, BoundPair, evaluate};
-use loosepin_uncertainty::binomial_tail;
-use problems::{Case, cases};
+use problems::cases;
 use rayon::prelude::*;
-
-/// Probability of a miss that is stated for an end.
-const STATED_MISS: f64 = 0.005;
-/// Probability with which any test fails where all ends miss as often as stated.
-const LEVEL: f64 = 0.01;
-/// Round-off, of the exact width and of the response.
-const ROUND_OFF: [f64; 2] = [1e-9, 1e-12];
 
 /// What all seeds say of one statistic of one case.
 struct Line {
     name: String,
     /// Lower, upper.
-    missed: [usize; 2],
+    missed: [u64; 2],
     /// By how much at most, in exact widths.
     furthest: f64,
     /// Seeds with an end that is not known.
@@ -64,47 +60,28 @@ fn main() {
 fn lines(case: &Case, seeds: u64) -> Vec<Line> {
     let of_seed = |seed: u64| evaluate(case.question(seed), case).expect("the case can be planned").pairs;
     let all: Vec<Vec<BoundPair>> = (1..=seeds).into_par_iter().map(of_seed).collect();
-    case.exact
-        .iter()
-        .enumerate()
-        .map(|(place, exact)| {
-            let [low, high] = exact.ends;
-            let width = if high > low { high - low } else { low.abs().max(f64::MIN_POSITIVE) };
-            let allowed = (ROUND_OFF[0] * width).max(ROUND_OFF[1] * case.magnitude);
-            let mut line = Line {
-                name: format!("{}, {:?}", case.name, exact.statistic),
-                missed: [0; 2],
-                furthest: 0.0,
-                unknown: 0,
-                median_width: 0.0,
-            };
-            let mut widths = Vec::new();
-            for (seed, pairs) in (1..).zip(&all) {
-                let ends = [&pairs[place].lower, &pairs[place].upper];
-                let inside = [ends[0].widened - low, high - ends[1].widened];
-                for (end, missed) in line.missed.iter_mut().enumerate() {
-                    line.furthest = line.furthest.max(inside[end] / width);
-                    if !(inside[end] <= allowed) {
-                        *missed += 1;
-                        let Bound { value, widened, error, .. } = ends[end];
-                        println!(
-                            "{} seed {seed}: exact {:.9} widened {widened:.9} value {value:.9}, sampling {:.1e}, optimisation {:.1e}",
-                            line.name, exact.ends[end], error.sampling, error.optimisation
-                        );
-                    }
-                }
-                line.unknown += usize::from(ends.iter().any(|end| end.widened.is_infinite()));
-                widths.push((ends[1].widened - ends[0].widened) / width);
+    let met: Vec<Vec<Met>> = all.iter().map(|pairs| case.met(pairs)).collect();
+    let of_statistic = |place: usize| {
+        let exact = &case.exact[place];
+        let name = format!("{}, {:?}", case.name, exact.statistic);
+        let own = || met.iter().map(|met| met[place]);
+        for (seed, (pairs, met)) in (1..).zip(all.iter().zip(own())) {
+            let ends = [&pairs[place].lower, &pairs[place].upper];
+            for end in [0, 1].into_iter().filter(|&end| met.is_missed[end]) {
+                let Bound { value, widened, error, .. } = ends[end];
+                println!(
+                    "{name} seed {seed}: exact {:.9} widened {widened:.9} value {value:.9}, sampling {:.1e}, optimisation {:.1e}",
+                    exact.ends[end], error.sampling, error.optimisation
+                );
             }
-            widths.sort_by(f64::total_cmp);
-            line.median_width = widths[widths.len() / 2];
-            line
-        })
-        .collect()
-}
-
-/// The largest number of misses of `seeds` that is not less probable than `level` where an end is missed with [`STATED_MISS`].
-fn most_misses(seeds: u64, level: f64) -> usize {
-    let is_last = |misses: &u64| binomial_tail(seeds, misses + 1, STATED_MISS) < level;
-    (0..=seeds).find(is_last).unwrap_or(seeds) as usize
+        }
+        Line {
+            name,
+            missed: [0, 1].map(|end| own().filter(|met| met.is_missed[end]).count() as u64),
+            furthest: own().flat_map(|met| met.short).fold(0.0, f64::max),
+            unknown: own().filter(|met| met.has_no_end).count(),
+            median_width: median(own().map(|met| met.width).collect()),
+        }
+    };
+    (0..case.exact.len()).map(of_statistic).collect()
 }

@@ -1,74 +1,9 @@
 //! The problems, each with exact bounds by a closed form or by quadrature.
 
-use loosepin_bounds::{Failure, Problem, Request, Response, Sampling, Statistic};
-use loosepin_uncertainty::{Distribution, Interval, RandomVariable, normal_cdf};
+use crate::exact::{Case, NORMAL, UNIT};
+use loosepin_bounds::Statistic;
+use loosepin_uncertainty::{Distribution, normal_cdf};
 use std::f64::consts::PI;
-
-/// A statistic with its exact bounds.
-#[derive(Debug, Clone, Copy)]
-pub struct Exact {
-    pub statistic: Statistic,
-    pub ends: [f64; 2],
-}
-
-/// A response of random numbers X and unknown numbers u.
-type Function = Box<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
-
-/// A problem with exact bounds.
-pub struct Case {
-    pub name: &'static str,
-    random: Vec<Distribution>,
-    intervals: Vec<[f64; 2]>,
-    response: Function,
-    pub exact: Vec<Exact>,
-    /// Of the response: round-off is a share of it.
-    pub magnitude: f64,
-    inner: usize,
-}
-
-impl Response for Case {
-    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
-        columns[0] = (self.response)(random, epistemic);
-        Ok(())
-    }
-}
-
-impl Case {
-    fn new(
-        name: &'static str,
-        random: &[Distribution],
-        intervals: &[[f64; 2]],
-        response: impl Fn(&[f64], &[f64]) -> f64 + Send + Sync + 'static,
-    ) -> Self {
-        let (random, intervals) = (random.to_vec(), intervals.to_vec());
-        let inner = Sampling::default().inner;
-        Self { name, random, intervals, response: Box::new(response), exact: Vec::new(), magnitude: 10.0, inner }
-    }
-
-    fn with(mut self, statistic: Statistic, ends: [f64; 2]) -> Self {
-        self.exact.push(Exact { statistic, ends });
-        self
-    }
-
-    fn with_inner(self, inner: usize) -> Self {
-        Self { inner, ..self }
-    }
-
-    /// What is asked, with a seed.
-    pub fn question(&self, seed: u64) -> Problem {
-        let random = self.random.iter().map(|law| RandomVariable::try_new(law.clone()).expect("a distribution"));
-        let interval = |&[low, high]: &[f64; 2]| Interval::try_new(low, high).expect("an interval").into();
-        let requests = self.exact.iter().map(|exact| Request { column: 0, statistic: exact.statistic }).collect();
-        Problem {
-            compared_columns: vec![0],
-            sampling: Sampling { seed, inner: self.inner, ..Sampling::default() },
-            ..Problem::new(random.collect(), self.intervals.iter().map(interval).collect(), requests)
-        }
-    }
-}
-
-const NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
-const UNIT: [f64; 2] = [0.0, 1.0];
 
 fn density(z: f64) -> f64 {
     libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt()

@@ -92,7 +92,7 @@ pub(super) fn tail_length(sorted: &[f64], replicates: usize) -> usize {
     (TAIL_PER_REPLICATE * replicates).min((MAX_TAIL * sorted.len() as f64) as usize)
 }
 
-/// The largest values of a sample, one for each replicate, and where one more run would lie beyond them by a tail of this `index`; nothing where
+/// The largest values of a sample, one for each replicate, and where one more run would lie beyond them by a tail of this `index`; `None` if
 /// they are all equal, as where the response ends there.
 pub(super) fn one_beyond(sorted: &[f64], replicates: usize, index: f64) -> Option<(&[f64], f64)> {
     let (count, tail) = (sorted.len(), tail_length(sorted, replicates));

@@ -26,7 +26,7 @@ pub struct Bounds {
     pub outer_points: Vec<Vec<f64>>,
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
     pub centre_point: u32,
-    /// The gaps between these points, and between all values of the epistemic inputs that were run; nothing where there is one value.
+    /// The gaps between these points, and between all values of the epistemic inputs that were run; `None` if there is one value.
     pub gaps: Option<Gaps>,
     /// Runs in the table.
     pub runs: usize,

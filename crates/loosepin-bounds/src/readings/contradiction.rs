@@ -7,12 +7,11 @@ use crate::estimators::polynomials::orthogonal::Axis;
 use crate::estimators::polynomials::single_runs::{SingleRun, SingleRuns, Weights};
 use crate::estimators::pool::Pool;
 use crate::search::search_box::Place;
-use loosepin_math::dense::Cholesky;
-use loosepin_uncertainty::normal_quantile;
+use loosepin_math::dense::{Cholesky, dot, gram};
 
 /// So many runs of the mixture are read, at most.
 const MAX_MIXTURE_RUNS: usize = 1024;
-/// A quantity at some u is told by the nearest outer points, so many for each of its coefficients if it is linear.
+/// A quantity at some u follows from the nearest outer points, so many for each of its coefficients if it is linear.
 const POINTS_PER_COEFFICIENT: usize = 2;
 /// Further out than this many standard deviations polynomials of what has a kink anywhere say little.
 const FURTHEST: f64 = 3.0 + 1e-6;
@@ -67,19 +66,16 @@ impl Setup {
         }
     }
 
-    /// Coordinates of the random inputs of a run by their values; nothing where they depend on each other.
+    /// Coordinates of the random inputs of a run by their values; `None` if they depend on each other.
     fn coordinates_of_values(&self, inputs: &RunInputs) -> Option<Vec<f64>> {
         if self.problem.copula.is_some() {
             return None;
         }
         let of_input = |(input, axis): (usize, Axis)| {
-            let variable = self.problem.variable_at(input, &inputs.epistemic)?;
-            let (below, above) = (variable.cdf(inputs.random[input]), variable.survival(inputs.random[input]));
+            let (variable, x) = (self.problem.variable_at(input, &inputs.epistemic)?, inputs.random[input]);
             Some(match axis {
-                Axis::Legendre => axis.coordinate(below),
-                // Both tails have digits of their own.
-                Axis::Hermite if below < above => normal_quantile(below),
-                Axis::Hermite => -normal_quantile(above),
+                Axis::Legendre => axis.coordinate(variable.cdf(x)),
+                Axis::Hermite => variable.standard_normal_at(x),
             })
         };
         self.random_axes().enumerate().map(of_input).collect()
@@ -87,7 +83,7 @@ impl Setup {
 }
 
 /// Weights of the nearest of `places` but `left_out`, by which what is linear in the coordinates `seen` comes out at `at`, and all else as by
-/// least squares; nothing where they lie in too few directions.
+/// least squares; `None` if they lie in too few directions.
 fn weights(places: &[Place], seen: &[Vec<f64>], place: &Place, at: &[f64], left_out: Option<usize>) -> Option<Weights> {
     let square = |point: usize| -> f64 { seen[point].iter().zip(at).map(|(x, y)| (x - y) * (x - y)).sum() };
     let is_own = |&point: &usize| places[point].combination == place.combination && Some(point) != left_out;
@@ -98,24 +94,15 @@ fn weights(places: &[Place], seen: &[Vec<f64>], place: &Place, at: &[f64], left_
     if nearest.len() < order {
         return None;
     }
-    let rows: Vec<Vec<f64>> = nearest
-        .iter()
-        .map(|&point| std::iter::once(1.0).chain(seen[point].iter().zip(at).map(|(x, y)| x - y)).collect())
-        .collect();
-    let mut gram = vec![0.0; order * order];
-    for row in &rows {
-        for (i, a) in row.iter().enumerate() {
-            for (j, b) in row.iter().enumerate() {
-                gram[i * order + j] += a * b;
-            }
-        }
-    }
+    let row = |&point: &usize| std::iter::once(1.0).chain(seen[point].iter().zip(at).map(|(x, y)| x - y));
+    let rows: Vec<f64> = nearest.iter().flat_map(row).collect();
     let mut first = vec![0.0; order];
     first[0] = 1.0;
-    Cholesky::new(gram, order)?.solve(&mut first);
-    let weight = |row: &Vec<f64>| -> f64 { row.iter().zip(&first).map(|(a, b)| a * b).sum() };
-    let found: Weights = nearest.iter().zip(&rows).map(|(&point, row)| (point, weight(row))).collect();
-    let moment = |k: usize| -> f64 { found.iter().zip(&rows).map(|((_, weight), row)| weight * row[k]).sum() };
+    Cholesky::new(gram(&rows, order), order)?.solve(&mut first);
+    let of_rows = nearest.iter().zip(rows.chunks(order));
+    let found: Weights = of_rows.map(|(&point, row)| (point, dot(row, &first))).collect();
+    let moment =
+        |k: usize| -> f64 { found.iter().zip(rows.chunks(order)).map(|((_, weight), row)| weight * row[k]).sum() };
     let is_exact = (0..order).all(|k| (moment(k) - if k == 0 { 1.0 } else { 0.0 }).abs() < MAX_WEIGHT_ERROR);
     is_exact.then_some(found)
 }

@@ -77,7 +77,7 @@ impl<'a> Experiment<'a> {
         Search::sharing(&self.grids, axes, &self.places, &self.setup.candidates, targets)
     }
 
-    /// How finely the box was seen; nothing where it is a point.
+    /// How finely the box was seen; `None` if it is a point.
     pub fn gaps(&self) -> Option<Gaps> {
         let Setup { epistemic_box, candidates, .. } = self.setup;
         if epistemic_box.is_a_point() {

@@ -4,7 +4,7 @@
 //! r(c) = min over points of max_j |c_j - u_j|,   gap = max over c of the volume of [c - r, c + r] inside the unit box
 //! ```
 //!
-//! sought from the candidates of the search, the best of which climb by steps along the axes. A hill within a gap of that size may have been
+//! sought from the candidates of the search, the best of which climb by steps along the axes, so that a slightly larger one may exist. A hill within a gap of that size may have been
 //! missed, whatever its height: the model of what lies between points knows the points alone.
 
 use super::search_box::{Axes, Place};
@@ -34,9 +34,13 @@ fn largest_of(axes: &Axes, places: &[&[f64]], candidates: &[Vec<f64>]) -> f64 {
 
 /// The volume of the empty cube about `at` inside the box.
 fn gap_at(axes: &Axes, places: &[&[f64]], at: &[f64]) -> f64 {
-    let distance =
-        |place: &&[f64]| (0..at.len()).map(|axis| axes.step(axis, at[axis], place[axis]).abs()).fold(0.0, f64::max);
-    let radius = places.iter().map(distance).fold(f64::INFINITY, f64::min);
+    let mut radius = f64::INFINITY;
+    for place in places {
+        // Most places are known to be no nearer from their first coordinates.
+        let mut steps = (0..at.len()).map(|axis| axes.step(axis, at[axis], place[axis]).abs());
+        let nearer = steps.try_fold(0.0_f64, |distance, step| (step < radius).then_some(distance.max(step)));
+        radius = nearer.unwrap_or(radius);
+    }
     let side = |axis: usize| {
         if axes.is_periodic(axis) {
             (2.0 * radius).min(1.0)

@@ -201,7 +201,7 @@ def bounds(
 def _errors_allowed(
     accuracy: float | Mapping[str, float] | None, asked: list[tuple[int, str, float | None]], outputs: list[str]
 ) -> list[float | None]:
-    """The largest numerical error of each statistic; nothing where none is stated."""
+    """The largest numerical error of each statistic, None if none is stated."""
     if accuracy is None:
         return [None] * len(asked)
     stated = {name: accuracy for name in outputs} if isinstance(accuracy, (int, float)) else dict(accuracy)

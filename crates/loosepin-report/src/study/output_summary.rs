@@ -239,8 +239,8 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
         let reason = too_few_samples(result, &curve.probabilities, writer);
-        let reason = reason.unwrap_or_else(|| "some quantiles have none.".to_owned());
-        return format!("At each angle of {drive}, the {subject} has no bound: {reason}");
+        let reason = reason.unwrap_or_else(|| "some quantiles have none".to_owned());
+        return format!("At each angle of {drive}, the {subject} has no bound: {reason}.");
     }
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);

@@ -60,7 +60,7 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
                 format!("{some_words} of {all} bounds {}", if some == 1 { "has" } else { "have" })
             }
         };
-        sentence.push_str(&format!(" {subject} no end: {reason}"));
+        sentence.push_str(&format!(" {subject} no end: {reason}."));
     }
     sentence
 }

@@ -91,6 +91,11 @@ impl RandomVariable {
         self.family.quantile(Tails::of_standard_normal(z))
     }
 
+    /// The z with P(X <= `x`) = Φ(z), taken from the smaller tail.
+    pub fn standard_normal_at(&self, x: f64) -> f64 {
+        self.family.tails(x).standard_normal()
+    }
+
     /// Whether it takes single values only.
     pub fn has_atoms(&self) -> bool {
         self.atoms().is_some()

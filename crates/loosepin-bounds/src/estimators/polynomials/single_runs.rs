@@ -51,7 +51,7 @@ pub(crate) struct SingleRun {
 #[derive(Debug)]
 pub(crate) struct SingleRuns {
     pub runs: Vec<SingleRun>,
-    /// Outer points that can be told from others, each with the weights of these.
+    /// Outer points that follow from others, each with the weights of these.
     pub left_out: Vec<(usize, Weights)>,
 }
 
@@ -74,7 +74,7 @@ struct AtRuns {
 
 impl SingleRuns {
     /// For each of `columns`, its column in `table` and its samples at all outer points: how far single runs lie from what its polynomials let
-    /// expect, where one contradicts them; nothing where none does, or there are no polynomials.
+    /// expect, where one contradicts them; `None` if none does, or there are no polynomials.
     pub fn against(&self, columns: &[(usize, Vec<&Sample>)], table: &SampleTable) -> Vec<Option<Contradiction>> {
         let mut designs: Vec<AtRuns> = Vec::new();
         for design in columns.iter().filter_map(|(_, samples)| Some(samples.first()?.smooth()?.design())) {

@@ -137,26 +137,15 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     let (worst_angle, worst) = worst_pose(curve);
     let subject = output_words(&curve.output, &result.outputs);
     let centre = writer.about(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
-    let largest_words = || {
-        format!(
-            "is largest at {}, {} from zero",
-            writer.about(&Tag::curve(curve, "mixed reach angle")).rounded(
-                worst_angle,
-                &SiUnit::ANGLE,
-                3,
-                Rounding::Nearest
-            ),
-            writer.about(&Tag::curve(curve, "mixed reach")).rounded(worst, &curve.unit, 2, Rounding::Up)
-        )
-    };
-    let endless = || {
+    let worst_words = if worst.is_finite() {
+        let [angle, reach] = ["mixed reach angle", "mixed reach"].map(|part| Tag::curve(curve, part));
+        let angle = writer.about(&angle).rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest);
+        let reach = writer.about(&reach).rounded(worst, &curve.unit, 2, Rounding::Up);
+        format!("is largest at {angle}, {reach} from zero")
+    } else {
         let reason = too_few_samples(result, &curve.probabilities, writer);
-        format!(
-            "has no end at some angles: {}",
-            reason.as_deref().unwrap_or("some quantiles have none.").trim_end_matches('.')
-        )
+        format!("has no end at some angles: {}", reason.as_deref().unwrap_or("some quantiles have none"))
     };
-    let worst_words = if worst.is_finite() { largest_words() } else { endless() };
     Chart {
         y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
         y_symbol: writer.symbol(&curve.unit),
