@@ -11,9 +11,13 @@
 //! so that mean a, deviation s = √(b² + c²) and quantiles a + z s are known at every u, and their extremes are sought on a fine grid, from
 //! the best place of which on by ever smaller steps. Steep waves turn twice as far over the square. Where four numbers are unknown each wave
 //! depends on one of them alone, so that its ends add up. Kinks come alone and together with the scatter c N.
+//!
+//! An end is what is stated at one pose. A curve is whole where no pose of the end of a statistic is missed. Where two numbers are unknown
+//! the distribution function of Y at the first pose of each curve is asked for as well: it is whole where at none of its values an end
+//! is missed, that is where min and max over u of Φ((y - a)/s) lie within the bounds.
 
 use loosepin_bounds::{Failure, Problem, Request, Response, Sampling, Statistic, evaluate};
-use loosepin_uncertainty::{Distribution, Interval, RandomVariable, hash, normal, normal_quantile};
+use loosepin_uncertainty::{Distribution, Interval, RandomVariable, hash, normal, normal_cdf, normal_quantile};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -130,27 +134,37 @@ impl Curve {
 
     /// The extremes of each statistic over the unit square.
     fn exact(&self, angle: f64) -> [[f64; 2]; 4] {
-        let step = 1.0 / (GRID - 1) as f64;
-        let mut best = [[(f64::INFINITY, [0.0; 2]); 2]; 4];
-        for place in 0..GRID * GRID {
-            let u = [step * (place % GRID) as f64, step * (place / GRID) as f64];
-            for (own, value) in best.iter_mut().zip(self.statistics(angle, &u)) {
-                for (end, sign) in own.iter_mut().zip([1.0, -1.0]) {
-                    if sign * value < end.0 {
-                        *end = (sign * value, u);
-                    }
+        extremes(|u| self.statistics(angle, u))
+    }
+
+    /// The extremes of P(Y <= y) over the unit square.
+    fn exact_share(&self, angle: f64, y: f64) -> [f64; 2] {
+        let share = |u: &[f64]| {
+            let [mean, scatter, unforeseen] = self.at(angle, u);
+            [normal_cdf((y - mean) / scatter.hypot(unforeseen))]
+        };
+        extremes(share)[0]
+    }
+}
+
+/// The least and the greatest of each of `of` over the unit square: from the best places of a grid on by ever smaller steps.
+fn extremes<const N: usize>(of: impl Fn(&[f64]) -> [f64; N]) -> [[f64; 2]; N] {
+    let step = 1.0 / (GRID - 1) as f64;
+    let mut best = [[(f64::INFINITY, [0.0; 2]); 2]; N];
+    for place in 0..GRID * GRID {
+        let u = [step * (place % GRID) as f64, step * (place / GRID) as f64];
+        for (own, value) in best.iter_mut().zip(of(&u)) {
+            for (end, sign) in own.iter_mut().zip([1.0, -1.0]) {
+                if sign * value < end.0 {
+                    *end = (sign * value, u);
                 }
             }
         }
-        let mut statistic = 0;
-        best.map(|ends| {
-            let of = |u: &[f64]| self.statistics(angle, u)[statistic];
-            let found = [(ends[0], 1.0), (ends[1], -1.0)]
-                .map(|((least, u), sign)| sign * descend(|u| sign * of(u), least, u, step));
-            statistic += 1;
-            found
-        })
     }
+    std::array::from_fn(|index| {
+        let [low, high] = [0, 1].map(|end| (best[index][end], [1.0, -1.0][end]));
+        [low, high].map(|((least, u), sign)| sign * descend(|u| sign * of(u)[index], least, u, step))
+    })
 }
 
 /// The least of `of` from `u` on, where it is `least`.
@@ -228,6 +242,10 @@ impl Response for Curves {
 struct Tally {
     ends: usize,
     missed: usize,
+    /// Ends of statistics over all poses, and those with a missed pose.
+    curves: [usize; 2],
+    /// Distribution functions, and those with a missed end.
+    functions: [usize; 2],
     furthest: f64,
     /// Widened beyond the exact ends, as a share of the true width.
     excess: f64,
@@ -241,8 +259,8 @@ fn main() {
     let [problems, seed] = [0, 1].map(|place| *words.get(place).expect("PROBLEMS SEED [SAMPLING_SEEDS]"));
     let sampling_seeds = words.get(2).copied().unwrap_or(4);
     println!(
-        "{:15} {:>8} {:>8} {:>9} {:>14} {:>10}",
-        "curves", "studies", "ends", "missed", "furthest miss", "too wide"
+        "{:15} {:>8} {:>8} {:>9} {:>14} {:>10} {:>16} {:>16}",
+        "curves", "studies", "ends", "missed", "furthest miss", "too wide", "not whole curves", "functions"
     );
     let is_meant = |kind: &Kind| only.as_ref().is_none_or(|only| *only == format!("{kind:?}"));
     assert!(Kind::ALL.iter().any(is_meant), "KIND is one of {:?}", Kind::ALL);
@@ -261,13 +279,15 @@ fn main() {
             }
         }
         println!(
-            "{:15} {:8} {:8} {:8.3}% {:14.2e} {:9.3}%",
+            "{:15} {:8} {:8} {:8.3}% {:14.2e} {:9.3}% {:>16} {:>16}",
             format!("{kind:?}"),
             problems * sampling_seeds,
             all.ends,
             100.0 * all.missed as f64 / all.ends as f64,
             all.furthest,
-            100.0 * all.excess / all.widths
+            100.0 * all.excess / all.widths,
+            format!("{} of {}", all.curves[1], all.curves[0]),
+            format!("{} of {}", all.functions[1], all.functions[0]),
         );
     }
 }
@@ -277,8 +297,12 @@ fn count(response: &Curves, (kind, exact): (Kind, &[[[f64; 2]; 4]]), seed: u64, 
     let [low, high] = PROBABILITIES.map(Statistic::Quantile);
     let statistics = [Statistic::Mean, Statistic::StandardDeviation, low, high];
     let columns = 0..CURVES * POSES;
-    let requests: Vec<Request> =
+    let mut requests: Vec<Request> =
         columns.flat_map(|column| statistics.map(|statistic| Request { column, statistic })).collect();
+    if kind.unknown() == 2 {
+        let first_poses = (0..CURVES).map(|curve| curve * POSES);
+        requests.extend(first_poses.map(|column| Request { column, statistic: Statistic::Cdf }));
+    }
     let normal = RandomVariable::try_new(Distribution::Normal { mean: 0.0, standard_deviation: 1.0 });
     let unit = Interval::try_new(0.0, 1.0).expect("an interval");
     let unknown = vec![unit.into(); kind.unknown()];
@@ -286,15 +310,30 @@ fn count(response: &Curves, (kind, exact): (Kind, &[[[f64; 2]; 4]]), seed: u64, 
     problem.sampling = Sampling { outer: kind.outer(), inner: INNER, seed, ..Sampling::default() };
     let bounds = evaluate(problem, response).expect("bounds");
     assert_eq!(bounds.pairs.len(), exact.len() * statistics.len(), "a pair for each statistic");
-    for (pair, [least, greatest]) in bounds.pairs.iter().zip(exact.iter().flatten()) {
+    let mut is_missed = vec![[false; 2]; CURVES * statistics.len()];
+    for (place, (pair, [least, greatest])) in bounds.pairs.iter().zip(exact.iter().flatten()).enumerate() {
+        let (column, statistic) = (place / statistics.len(), place % statistics.len());
         // Of what hardly depends on u the scale is its scatter.
         let width = greatest - least + 0.1;
-        for beyond in [least - pair.lower.widened, pair.upper.widened - greatest] {
+        for (end, beyond) in [least - pair.lower.widened, pair.upper.widened - greatest].into_iter().enumerate() {
+            let missed = beyond < -ROUND_OFF * width;
             all.ends += 1;
-            all.missed += usize::from(beyond < -ROUND_OFF * width);
+            all.missed += usize::from(missed);
+            is_missed[column / POSES * statistics.len() + statistic][end] |= missed;
             all.furthest = all.furthest.max(-beyond / width);
             all.excess += beyond.max(0.0);
         }
         all.widths += greatest - least;
+    }
+    all.curves[0] += 2 * is_missed.len();
+    all.curves[1] += is_missed.iter().flatten().filter(|&&missed| missed).count();
+    for function in &bounds.boxes {
+        let angle = TAU * (function.column % POSES) as f64 / POSES as f64;
+        let is_short = |index: usize| {
+            let [least, greatest] = response.curves[function.column / POSES].exact_share(angle, function.values[index]);
+            function.lower[index].widened > least + ROUND_OFF || function.upper[index].widened < greatest - ROUND_OFF
+        };
+        all.functions[0] += 1;
+        all.functions[1] += usize::from((0..function.values.len()).into_par_iter().any(is_short));
     }
 }

@@ -17,5 +17,6 @@ pub(crate) mod quantile;
 pub(crate) mod replicates;
 pub(crate) mod sample;
 pub(crate) mod sampled;
+mod stratification;
 pub(crate) mod tail;
 pub(crate) mod unseen;

@@ -11,8 +11,9 @@ use loosepin_uncertainty::clopper_pearson;
 
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.
 const MIN_PER_REPLICATE: usize = 2;
-/// Eight replicates of independent runs seem to be worth this many times their number in one sample of thirty. Were every gain believed, the
-/// narrower of two intervals would always be taken, and miss twice as often as stated.
+/// Eight replicates of independent runs seem to be worth this many times their number at one limit in one sample of thirty, and over the
+/// whole distribution in one of a hundred. Were every gain believed, the narrower of two intervals would always be taken, and miss twice as
+/// often as stated.
 const MIN_GAIN: f64 = 2.0;
 
 /// Limits of shares that were counted, each of which is worked out once: samples of the same size have the same counts again and again.
@@ -45,7 +46,7 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 ///
 /// The error is that of the interval of Clopper and Pearson for n = p(1 - p)/v runs, v the variance of the share that the replicates
 /// show: it is not 0 when nothing was hit, and holds for a single hit. Where there are fewer than two hits or misses a replicate, or where
-/// the replicates are not clearly better than independent runs, or single runs show what the sample does not, n = N.
+/// the replicates are not clearly better than independent runs, here and over the whole distribution, or single runs show what the sample does not, n = N.
 pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
     share_with(sample, confidence, &ShareLimits::default(), is_hit)
 }
@@ -71,7 +72,13 @@ fn share_with(
             return Estimate::symmetric(value, 0.0);
         }
         let [low, high] = limits.of(effective, value * effective, confidence.miss_of_one_side());
-        Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
+        // Of independent runs a smaller share varies less. Of even replicates it does not: there the variance is that which they show.
+        let least = if effective > runs as f64 {
+            confidence.normal * (value * (1.0 - value) / effective).max(0.0).sqrt()
+        } else {
+            0.0
+        };
+        Estimate { value, below: (value - low).max(least), above: (high - value).max(least) }
     };
     EitherWay { low: at(hits), high: at(hits + sample.failed()) }
 }
@@ -101,7 +108,7 @@ pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
     let least_variance = 0.25 / (runs_in_replicate * runs_in_replicate * shares.len() as f64);
     let variance = widened.max(least_variance);
     let effective = share * (1.0 - share) / variance;
-    if effective >= MIN_GAIN * runs { effective } else { runs }
+    if effective >= MIN_GAIN * runs && sample.is_even() { effective } else { runs }
 }
 
 #[cfg(test)]

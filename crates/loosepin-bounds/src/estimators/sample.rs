@@ -8,6 +8,7 @@ use super::in_order::in_order;
 use super::known::Known;
 use super::polynomials::known_fits::KnownFits;
 use super::polynomials::smooth::Smooth;
+use super::stratification;
 use super::unseen::Unseen;
 use crate::data::scratch::{Away, Numbers};
 
@@ -25,6 +26,7 @@ pub(crate) struct Sample {
     fits: KnownFits<Self>,
     ends: OnceLock<Option<(f64, f64)>>,
     sums: OnceLock<PowerSums>,
+    is_even: OnceLock<bool>,
 }
 
 /// A sample whose values are still being put in.
@@ -72,7 +74,6 @@ impl Sample {
     }
 
     fn of(values: Numbers, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
-        let (ends, sums) = (OnceLock::new(), OnceLock::new());
         Self {
             values,
             replicate_ends,
@@ -81,8 +82,9 @@ impl Sample {
             unseen: None,
             known: Known::default(),
             fits: KnownFits::default(),
-            ends,
-            sums,
+            ends: OnceLock::new(),
+            sums: OnceLock::new(),
+            is_even: OnceLock::new(),
         }
     }
 
@@ -193,6 +195,11 @@ impl Sample {
     /// Sums of powers of the finished values.
     pub fn sums(&self) -> &PowerSums {
         self.sums.get_or_init(|| PowerSums::of(&self.values))
+    }
+
+    /// Whether its replicates fill its distribution clearly more evenly than independent runs would.
+    pub fn is_even(&self) -> bool {
+        *self.is_even.get_or_init(|| stratification::is_even(self))
     }
 
     /// The finished values of each replicate that has any.
