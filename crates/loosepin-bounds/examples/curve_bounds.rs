@@ -247,7 +247,9 @@ struct Tally {
     /// Distribution functions, and those with a missed end.
     functions: [usize; 2],
     furthest: f64,
-    /// Widened beyond the exact ends, as a share of the true width.
+    /// Ends at infinity: quantiles beyond the sample.
+    endless: usize,
+    /// Widened beyond the exact ends, as a share of the true width, over all other ends.
     excess: f64,
     widths: f64,
 }
@@ -259,8 +261,8 @@ fn main() {
     let [problems, seed] = [0, 1].map(|place| *words.get(place).expect("PROBLEMS SEED [SAMPLING_SEEDS]"));
     let sampling_seeds = words.get(2).copied().unwrap_or(4);
     println!(
-        "{:15} {:>8} {:>8} {:>9} {:>14} {:>10} {:>16} {:>16}",
-        "curves", "studies", "ends", "missed", "furthest miss", "too wide", "not whole curves", "functions"
+        "{:15} {:>8} {:>8} {:>9} {:>14} {:>10} {:>8} {:>16} {:>16}",
+        "curves", "studies", "ends", "missed", "furthest miss", "too wide", "no end", "not whole curves", "functions"
     );
     let is_meant = |kind: &Kind| only.as_ref().is_none_or(|only| *only == format!("{kind:?}"));
     assert!(Kind::ALL.iter().any(is_meant), "KIND is one of {:?}", Kind::ALL);
@@ -279,13 +281,14 @@ fn main() {
             }
         }
         println!(
-            "{:15} {:8} {:8} {:8.3}% {:14.2e} {:9.3}% {:>16} {:>16}",
+            "{:15} {:8} {:8} {:8.3}% {:14.2e} {:9.3}% {:8} {:>16} {:>16}",
             format!("{kind:?}"),
             problems * sampling_seeds,
             all.ends,
             100.0 * all.missed as f64 / all.ends as f64,
             all.furthest,
             100.0 * all.excess / all.widths,
+            all.endless,
             format!("{} of {}", all.curves[1], all.curves[0]),
             format!("{} of {}", all.functions[1], all.functions[0]),
         );
@@ -321,9 +324,13 @@ fn count(response: &Curves, (kind, exact): (Kind, &[[[f64; 2]; 4]]), seed: u64, 
             all.missed += usize::from(missed);
             is_missed[column / POSES * statistics.len() + statistic][end] |= missed;
             all.furthest = all.furthest.max(-beyond / width);
-            all.excess += beyond.max(0.0);
+            if beyond.is_finite() {
+                all.excess += beyond.max(0.0);
+                all.widths += 0.5 * (greatest - least);
+            } else {
+                all.endless += 1;
+            }
         }
-        all.widths += greatest - least;
     }
     all.curves[0] += 2 * is_missed.len();
     all.curves[1] += is_missed.iter().flatten().filter(|&&missed| missed).count();

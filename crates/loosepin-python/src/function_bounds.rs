@@ -3,10 +3,7 @@
 use std::fmt;
 use std::sync::atomic::AtomicBool;
 
-use loosepin::bounds::{
-    self, BoundPair, EvaluateError, Goal, Problem, Reading, Refinement, Request, SampleTable, Sampling, Standing,
-    Statistic,
-};
+use loosepin::bounds::{self, BoundPair, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic};
 use loosepin::diagnostics::{self, Code};
 use loosepin::uncertainty::Copula;
 use loosepin::units::listed;
@@ -17,6 +14,7 @@ use pyo3::types::{PyDict, PyList};
 
 use crate::column::Column;
 use crate::error::raise_problem;
+use crate::growing_samples::{Accuracy, GrowingSamples};
 use crate::inputs::Inputs;
 use crate::waiting::wait_for;
 
@@ -50,15 +48,6 @@ pub struct Runs {
     extreme: usize,
     seed: u64,
     confidence: f64,
-}
-
-/// By how much bounds may be widened, and how many runs may be made for it, as Python states them.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct Accuracy {
-    /// One number for each request; nothing for those that do not matter.
-    most: Vec<Option<f64>>,
-    budget: Option<usize>,
 }
 
 /// Bounds of the statistics of the columns of `function`, which is given a list of arrays, one for each input, random ones first,
@@ -103,24 +92,12 @@ pub fn evaluate<'py>(
         },
     };
     let fail = |error: EvaluateError| raise_problem(&FunctionProblem(error));
-    let goal = |(request, most): (&Request, &Option<f64>)| Some(Goal { request: *request, most: (*most)? });
-    let goals: Vec<Goal> = problem.requests.iter().zip(&accuracy.most).filter_map(goal).collect();
-    let is_asked = !goals.is_empty();
-    let mut plan = Refinement::try_new(problem, goals).map_err(|error| fail(error.into()))?;
+    let mut plan = GrowingSamples::try_new(problem, &accuracy).map_err(|error| fail(error.into()))?;
     let mut table = SampleTable::new(columns.len());
-    let planned = plan.plan(&table).most_runs();
-    let budget = accuracy.budget.unwrap_or(planned.saturating_mul(bounds::USUAL_GROWTH));
-    let is_budget_spent = loop {
-        let round = unlocked(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
-        let is_too_large = is_asked && table.len() + round.len() > budget;
-        if is_too_large && table.is_empty() {
-            let least = round.len();
-            return Err(PyValueError::new_err(format!(
-                "budget {budget}; the first round takes {least} runs, smaller outer and inner need fewer"
-            )));
-        }
-        if round.is_empty() || is_too_large {
-            break is_too_large;
+    loop {
+        let round = plan.next_round(py, &table, |error| fail(error.into()))?;
+        if round.is_empty() {
+            break;
         }
         let random = (0..inputs.random.len()).map(|k| round.iter().map(|run| run.random[k]).collect());
         let epistemic = (0..inputs.epistemic.len()).map(|k| round.iter().map(|run| run.epistemic[k]).collect());
@@ -130,17 +107,11 @@ pub fn evaluate<'py>(
         for (inputs, row) in round.into_iter().zip(given.as_array().rows()) {
             table.push(inputs, Ok(&row.to_vec())).map_err(|error| fail(error.into()))?;
         }
-    };
+    }
     let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
     let given = answer(py, &answers, &names, &table)?;
-    let stop = match plan.standing() {
-        _ if is_budget_spent => "budget",
-        Standing::Reached => "reached",
-        Standing::Growing | Standing::Exhausted => "exhausted",
-    };
-    let steps = plan.history().iter().map(|step| (step.runs, step.outer, step.inner, step.share));
-    given.set_item("accuracy", is_asked.then(|| (stop, steps.collect::<Vec<_>>())))?;
+    plan.tell(&given)?;
     Ok(given)
 }
 

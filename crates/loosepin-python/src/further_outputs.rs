@@ -12,6 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::error::raise;
 use crate::function_bounds::{Names, answer, requests, unlocked};
+use crate::growing_samples::{Accuracy, GrowingSamples};
 use crate::made_in_python::MadeInPython;
 use crate::waiting::{RunCounts, wait_for};
 
@@ -21,6 +22,8 @@ pub struct Asked<'a> {
     pub columns: &'a [String],
     /// Column, statistic, and its number.
     pub statistics: &'a [(usize, String, Option<f64>)],
+    /// How accurate their bounds are to be.
+    pub accuracy: &'a Accuracy,
 }
 
 /// Who makes the runs.
@@ -41,13 +44,15 @@ pub fn bounds<'py>(
     by: &MadeBy,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Asked { columns, statistics } = *asked;
+    let Asked { columns, statistics, accuracy } = *asked;
     let fail = |error: StudyError| match error {
         StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
         error => raise(error.diagnostic(study)),
     };
     let asked = requests(statistics)?;
-    let further = unlocked(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;
+    let further = unlocked(py, || FurtherOutputs::new(study))?.map_err(fail)?;
+    let plan = GrowingSamples::try_new(further.problem(columns.len(), asked), accuracy);
+    let mut plan = plan.map_err(|error| fail(error.into()))?;
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
@@ -56,11 +61,12 @@ pub fn bounds<'py>(
     let options = RunOptions { maker, ..RunOptions::new(by.threads, &counts, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
-        let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
+        let round = plan.next_round(py, &table, |error| fail(error.into()))?;
         if round.is_empty() {
             break;
         }
-        let work = || further.run(&round, table.len(), &options);
+        let counts_of_runs = [table.len(), plan.most_runs(&table)];
+        let work = || further.run(&round, counts_of_runs, &options);
         let (runs, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), work);
         if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
             return Err(error);
@@ -92,7 +98,9 @@ pub fn bounds<'py>(
             table.push(inputs, outcome).map_err(|error| fail(error.into()))?;
         }
     }
-    let answers = unlocked(py, || further.plan().results(&table))?.map_err(|error| fail(error.into()))?;
+    let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     counts.tell(py, progress)?;
-    answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)
+    let given = answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)?;
+    plan.tell(&given)?;
+    Ok(given)
 }

@@ -5,6 +5,7 @@ mod column;
 mod error;
 mod function_bounds;
 mod further_outputs;
+mod growing_samples;
 mod identification;
 mod inputs;
 mod made_in_python;

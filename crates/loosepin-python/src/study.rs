@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::error::{Diagnostic, raise};
 use crate::further_outputs::{self, Asked, MadeBy};
+use crate::growing_samples::Accuracy;
 use crate::identification::{self, Identification, identified, planned};
 use crate::made_in_python::MadeInPython;
 use crate::model::Model;
@@ -178,25 +179,26 @@ impl Study {
 
     /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
-        let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
+        let recorded = py.detach(|| FurtherOutputs::new(&self.0).map(|further| further.recorded()));
         let recorded = recorded.map_err(|error| raise(error.diagnostic(&self.0)))?.into_iter();
         Ok(recorded.map(|output| (output.name, output.unit.symbol().to_owned(), output.pose_rad)).collect())
     }
 
     /// Bounds of a function of what its runs record.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (function, columns, requests, threads, progress, maker))]
+    #[pyo3(signature = (function, columns, requests, accuracy, threads, progress, maker))]
     fn bounds<'py>(
         &self,
         py: Python<'py>,
         function: Bound<'py, PyAny>,
         columns: Vec<String>,
         requests: Vec<(usize, String, Option<f64>)>,
+        accuracy: Accuracy,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
         maker: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = Asked { columns: &columns, statistics: &requests };
+        let asked = Asked { columns: &columns, statistics: &requests, accuracy: &accuracy };
         let by = MadeBy { threads: count_threads(threads)?, maker: maker.map(MadeInPython::new) };
         further_outputs::bounds(py, &self.0, &function, &asked, &by, progress.as_ref())
     }

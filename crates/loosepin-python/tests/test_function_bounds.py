@@ -227,6 +227,7 @@ def test_a_budget_ends_what_grows():
         ({"accuracy": 0.0}, "accuracy 0.0 of 'y'; must be a number above 0"),
         ({"accuracy": {"z": 0.1}}, "accuracy of 'z'; must be of y, y.mean, y.standard_deviation"),
         ({"budget": 4000}, "budget without accuracy"),
+        ({"accuracy": 0.1, "budget": -1}, "budget -1; must be >= 0"),
         ({"accuracy": 0.1, "budget": 10}, "budget 10; the first round takes"),
     ],
 )

@@ -40,6 +40,22 @@ def test_identity_curves_and_inputs_reach_the_function(study):
     assert [bound.output for bound in found.bounds] == ["at_poses", "located"]
 
 
+def test_samples_grow_until_an_accuracy_is_reached(study):
+    spread = lambda run: np.ptp(run["slider total"], axis=1)
+    plain = study.bounds(spread, ["mean"], progress=False)
+    (bound,) = plain.bounds
+    error = bound.upper.widened - bound.upper.value
+    assert plain.accuracy is None and error > 0
+    closer = study.bounds(spread, ["mean"], accuracy=0.5 * error, progress=False)
+    (bound,) = closer.bounds
+    assert closer.accuracy.stop == "reached" and closer.runs > plain.runs
+    assert bound.upper.widened - bound.upper.value <= 0.5 * error
+    short = study.bounds(spread, ["mean"], accuracy={"y.mean": 1e-15}, budget=plain.runs + 100, progress=False)
+    assert short.accuracy.stop == "budget" and short.runs <= plain.runs + 100
+    with pytest.raises(ValueError, match="budget without accuracy"):
+        study.bounds(spread, ["mean"], budget=100, progress=False)
+
+
 def test_what_the_function_raises_comes_out_unchanged(study):
     class Broken(Exception):
         pass

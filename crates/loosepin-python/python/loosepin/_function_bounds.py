@@ -192,10 +192,22 @@ def bounds(
     for name, number in runs.items():
         if number < 0:
             raise ValueError(f"{name} {number}; must be >= 0")
+    limits = growth(accuracy, budget, asked, names)
+    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names)
+
+
+def growth(
+    accuracy: float | Mapping[str, float] | None,
+    budget: int | None,
+    asked: list[tuple[int, str, float | None]],
+    outputs: list[str],
+) -> dict[str, Any]:
+    """How far the samples may grow: the largest numerical error of each statistic, and the largest number of runs."""
     if budget is not None and accuracy is None:
         raise ValueError("budget without accuracy; samples grow towards an accuracy only")
-    limits = {"most": _errors_allowed(accuracy, asked, names), "budget": budget}
-    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names)
+    if budget is not None and budget < 0:
+        raise ValueError(f"budget {budget}; must be >= 0")
+    return {"most": _errors_allowed(accuracy, asked, outputs), "budget": budget}
 
 
 def _errors_allowed(

@@ -161,6 +161,7 @@ class Study:
         function: Callable[[dict[str, NDArray[np.float64]], int], NDArray[np.float64]],
         columns: list[str],
         requests: list[tuple[int, str, float | None]],
+        accuracy: dict[str, Any],
         threads: int | None,
         progress: Callable[[int, int], object] | None,
         maker: _Maker | None,

@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _loosepin
 from ._cluster import maker
-from ._function_bounds import FunctionBounds, Statistic, requests, table
+from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
 from ._progress import Listener, listener
@@ -165,6 +165,8 @@ class Study:
         statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
         *,
         outputs: Sequence[str] = ("y",),
+        accuracy: float | Mapping[str, float] | None = None,
+        budget: int | None = None,
         threads: int | None = None,
         progress: bool | Listener = True,
         client: Any = None,
@@ -176,17 +178,20 @@ class Study:
         function: is called with a dict that holds a NumPy array for each uncertain input under its path, and for each name of
         `recorded`: of a number one entry for each run, of a curve a row for each run and a column for each pose; SI, and not-a-number
         for runs that failed. It returns an array with an entry for each run, or a row, with a column for each of `outputs`;
-        not-a-number is a run that failed. statistics: as for `loosepin.bounds`. The numbers of samples are those that the study states;
-        runs are made anew and not kept, by the workers of a Dask cluster where there is a `client`; the function is called here.
+        not-a-number is a run that failed. statistics, accuracy, budget: as for `loosepin.bounds`. The numbers of samples are those that the
+        study states, and grow where there is an accuracy; runs are made anew and not kept, by the workers of a Dask cluster where there is a `client`; the function is called here.
         """
-        names, told = list(outputs), listener(progress)
+        names = list(outputs)
+        asked = requests(statistics, len(names))
+        limits = growth(accuracy, budget, asked, names)
+        told = listener(progress)
 
         def evaluate(run: dict[str, Array], rows: int) -> Array:
             return table(function(run), rows, names)
 
         try:
             made = None if client is None else maker(client, self._native, (), None)
-            record = self._native.bounds(evaluate, names, requests(statistics, len(names)), threads, told, made)
+            record = self._native.bounds(evaluate, names, asked, limits, threads, told, made)
         finally:
             if told is not None:
                 told.close()

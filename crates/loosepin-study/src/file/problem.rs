@@ -151,7 +151,7 @@ problems! {
         QuantileBeyondSamples { percent: f64, inner: usize, none_percent: f64, needed: u64 } => Code::AskNotPossible,
             says(
                 "the {} % quantile needs more samples: with a probability of {:.0} %, none of inner = {inner} samples lies beyond it, and its \
-                 bound will be too narrow",
+                 bound will have no end",
                 format_number(*percent),
                 none_percent
             ),

@@ -10,19 +10,17 @@ use crate::runs::all_runs::Runs;
 use crate::runs::part::Part;
 use crate::runs::table::{curve_name, scalar_name};
 use crate::study_run::all_failed;
-use loosepin_bounds::{DoubleLoop, Problem, Request, RunInputs, SampleTable};
+use loosepin_bounds::{Problem, Request, RunInputs, SampleTable};
 use loosepin_text::units::SiUnit;
 
-/// The double loop of a study over other columns than those that it asks for: Z = h(Y), Y what a run records, h a function of
-/// whoever calls, over the same inputs with the same random numbers.
+/// What the runs of a study record, for statistics of further columns Z = h(Y): Y is what a run records, h a function of the caller, over
+/// the same inputs with the same random numbers.
 ///
-/// Rounds come from [`FurtherOutputs::plan`]. [`FurtherOutputs::run`] makes their runs; the caller turns each row into the further
-/// columns and adds it to the table that the plan is asked with. Sizes of the samples are those stated: accuracy, budget,
-/// surrogates, contributors and small probabilities of the study play no part.
+/// The caller plans [`FurtherOutputs::problem`], makes each round by [`FurtherOutputs::run`], and adds the further columns of its runs to
+/// the table of its plan. Surrogates, contributors and small probabilities of the study play no part.
 pub struct FurtherOutputs<'s> {
     study: &'s Study,
     response: StudyResponse,
-    plan: DoubleLoop,
 }
 
 /// A number or a curve that every run records.
@@ -39,21 +37,19 @@ pub struct RecordedOutput {
 }
 
 impl<'s> FurtherOutputs<'s> {
-    /// Plans the statistics `requests` of so many further `columns`.
+    /// Prepares the mechanism of `study`.
     ///
     /// # Errors
-    /// The study cannot begin, or its sampling or a request is not possible.
-    pub fn new(study: &'s Study, columns: usize, requests: Vec<Request>) -> Result<Self, StudyError> {
-        let response = StudyResponse::new(study)?;
-        let compared_columns = (0..columns).collect();
-        let asked = problem(study, &response);
-        let asked = Problem { columns, requests, compared_columns, readings_beside: Vec::new(), ..asked };
-        Ok(Self { study, response, plan: DoubleLoop::try_new(asked)? })
+    /// The study cannot begin.
+    pub fn new(study: &'s Study) -> Result<Self, StudyError> {
+        Ok(Self { study, response: StudyResponse::new(study)? })
     }
 
-    /// Which runs are made, and what they say in the end.
-    pub fn plan(&self) -> &DoubleLoop {
-        &self.plan
+    /// The statistics `requests` of so many further `columns`, over the inputs of the study and with its samples.
+    pub fn problem(&self, columns: usize, requests: Vec<Request>) -> Problem {
+        let compared_columns = (0..columns).collect();
+        let asked = problem(self.study, &self.response);
+        Problem { columns, requests, compared_columns, readings_beside: Vec::new(), ..asked }
     }
 
     /// What every run records, in the order in which the study asks for it.
@@ -87,14 +83,19 @@ impl<'s> FurtherOutputs<'s> {
         recorded
     }
 
-    /// Makes the runs of a round, `before` of which were made in the rounds before it: what they record, in their order. The store
-    /// and the part of `options` are not used.
+    /// Makes the runs of a round: what they record, in their order. `before` runs were made in earlier rounds, and at most `most_runs` are
+    /// planned, as progress tells. The store and the part of `options` are not used.
     ///
     /// # Errors
     /// It was interrupted, all runs of the first round failed, or their maker stopped.
-    pub fn run(&self, round: &[RunInputs], before: usize, options: &RunOptions<'_>) -> Result<SampleTable, StudyError> {
+    pub fn run(
+        &self,
+        round: &[RunInputs],
+        [before, most_runs]: [usize; 2],
+        options: &RunOptions<'_>,
+    ) -> Result<SampleTable, StudyError> {
         let options = RunOptions { store: None, part: Part::Whole, ..*options };
-        let most_runs = self.plan.most_runs().max(before + round.len());
+        let most_runs = most_runs.max(before + round.len());
         let table = SampleTable::new(self.response.row_length());
         let mut runs = Runs::new(&options, (self.study, &self.response), table, (before, most_runs))?;
         runs.make(round)?;
