@@ -186,7 +186,8 @@ pub struct QuasiStaticShare {
     pub worst_case_si: f64,
     /// Whether a sample lies beyond its worst case by more than tolerance and round-off: then the run is wrong.
     pub is_exceeded: bool,
-    /// Samples without a worst case: a dead point lies within the clearances, or a slider overhangs an end of its guide.
+    /// Samples that could not be compared: a dead point lies within the clearances, or a slider overhangs an end of its guide, so that there is
+    /// no worst case.
     pub samples_without_worst_case: usize,
 }
 

@@ -21,8 +21,8 @@ const RELATIVE_TOLERANCE: f64 = 1e-9;
 /// `values` are those that the run was made with. A position counts as exceeded where it lies beyond by more than the
 /// tolerance of the run and round-off. Where the loops cannot be closed everywhere within the clearances (a dead point lies
 /// among them), or a slider overhangs an end of its guide, which lets it tilt further, there is no worst case: such samples are
-/// counted. With a slider that can turn over in its
-/// guide, or a follower that may lift off its cam, there is none at all, and no output is compared.
+/// counted, unless one position of the joints within their clearances shows that the share is no larger than that of another sample. With a
+/// slider that can turn over in its guide, or a follower that may lift off its cam, there is none at all, and no output is compared.
 ///
 /// # Errors
 /// The ideal mechanism of the run cannot be built or moved.
@@ -43,30 +43,61 @@ pub fn quasi_static_check(
     }
     let penetrations_m = record.joints.iter().map(|joint| joint.largest_penetration_m);
     let Ok(reaches) = PlayReach::of_sample(mechanism, &sample, penetrations_m) else { return Ok(Vec::new()) };
-    let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-    let mut loops = DisplacedLoops::new(mechanism, values);
-    let mut compared: Vec<Compared<'_>> = position_outputs(mechanism)
-        .into_iter()
-        .filter_map(|output| {
-            // Positions that only stand for a velocity or an acceleration were not recorded.
-            let history = record.outputs.iter().find(|h| h.name == output.name && h.words == output.words)?;
-            Some(Compared::new(output, &history.deviation_si))
-        })
-        .collect();
-    for (row, time_s) in record.time_s.iter().enumerate() {
-        ideal.move_to(*time_s)?;
-        loops.set_position(ideal.coordinates());
-        if overhanging(mechanism, &sample, &reaches, ideal.kinematics()).next().is_some() {
-            compared.iter_mut().for_each(Compared::leave_out);
-            continue;
+    let run = Checked { mechanism, values, record, sample, reaches };
+    let shares = run.shares(Rows::ThatMatter)?;
+    // What beside it has no worst case tells whether the run is wrong or a dead point is near.
+    if shares.iter().any(|share| share.is_exceeded) { run.shares(Rows::All) } else { Ok(shares) }
+}
+
+/// The samples at which the worst case is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rows {
+    /// Those at which it may change the largest share or be exceeded.
+    ThatMatter,
+    All,
+}
+
+/// A run whose joints have play and whose drives move every freedom.
+struct Checked<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    record: &'a SimulationRecord,
+    sample: Sample<f64>,
+    reaches: Vec<PlayReach>,
+}
+
+impl Checked<'_> {
+    /// The share of each output.
+    fn shares(&self, rows: Rows) -> Result<Vec<QuasiStaticShare>, AccuracyError> {
+        let Self { mechanism, values, record, sample, reaches } = self;
+        let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+        let mut loops = DisplacedLoops::new(mechanism, values);
+        let mut compared: Vec<Compared<'_>> = position_outputs(mechanism)
+            .into_iter()
+            .filter_map(|output| {
+                // Positions that only stand for a velocity or an acceleration were not recorded.
+                let history = record.outputs.iter().find(|h| h.name == output.name && h.words == output.words)?;
+                Some(Compared::new(output, &history.deviation_si))
+            })
+            .collect();
+        for (row, time_s) in record.time_s.iter().enumerate() {
+            ideal.move_to(*time_s)?;
+            loops.set_position(ideal.coordinates());
+            if overhanging(mechanism, sample, reaches, ideal.kinematics()).next().is_some() {
+                compared.iter_mut().for_each(Compared::leave_out);
+                continue;
+            }
+            for output in &mut compared {
+                if rows == Rows::ThatMatter && output.is_within_known(&mut loops, row) {
+                    continue;
+                }
+                // An angle errs by what its length errs over the size of the mechanism.
+                let scale_m = if output.output.unit == SiUnit::ANGLE { mechanism.size_m } else { 1.0 };
+                output.compare(&mut loops, reaches, row, *time_s, record.settings.tolerance_m / scale_m);
+            }
         }
-        for output in &mut compared {
-            // An angle errs by what its length errs over the size of the mechanism.
-            let scale_m = if output.output.unit == SiUnit::ANGLE { mechanism.size_m } else { 1.0 };
-            output.compare(&mut loops, &reaches, row, *time_s, record.settings.tolerance_m / scale_m);
-        }
+        Ok(compared.into_iter().map(|output| output.share).collect())
     }
-    Ok(compared.into_iter().map(|output| output.share).collect())
 }
 
 /// Puts the result of [`quasi_static_check`] into the record of the run.
@@ -110,6 +141,24 @@ impl<'r> Compared<'r> {
     fn leave_out(&mut self) {
         self.share.samples_without_worst_case += 1;
         self.starts.clear();
+    }
+
+    /// Whether the deviation at `row` is a share of what one admissible position of the joints reaches, the extreme of an earlier sample,
+    /// that is no larger than the largest share so far. The worst case is at least as far: neither the largest share nor what is exceeded
+    /// can change.
+    fn is_within_known(&self, loops: &mut DisplacedLoops<'_>, row: usize) -> bool {
+        let deviation_si = self.deviation_si[row];
+        if deviation_si == 0.0 {
+            return !self.starts.is_empty();
+        }
+        let Some(displacements) = self.starts.get(usize::from(deviation_si > 0.0)) else { return false };
+        let centred = loops.value(self.output.reading);
+        let reached_si = match loops.displace(displacements) {
+            Ok(()) => loops.value(self.output.reading) - centred,
+            Err(_) => 0.0,
+        };
+        loops.centre();
+        deviation_si / reached_si > 0.0 && deviation_si / reached_si <= self.share.largest_share.min(1.0)
     }
 
     fn compare(
