@@ -12,7 +12,7 @@ use loosepin::trace::{Traced, record};
 
 /// Programs and what they compute together.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub struct ProgramGroup {
     /// In words.
     pub name: &'static str,
     /// In the order in which they run.
@@ -25,7 +25,7 @@ pub struct Part {
 ///
 /// # Panics
 /// For a case whose joints with play have friction or a law without a root of the penetration.
-pub fn parts(case: &Case) -> Vec<Part> {
+pub fn parts(case: &Case) -> Vec<ProgramGroup> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);
     let numbers = sample.numbers();
@@ -86,17 +86,20 @@ pub fn parts(case: &Case) -> Vec<Part> {
     });
     // As in a batch: what depends on the numbers of a run alone is computed before.
     let mut hoisted = Hoisted::new(Block::Numbers as u8, numbers.len() + arms.numbers().len());
-    let mut parts: Vec<Part> = outputs
+    let mut parts: Vec<ProgramGroup> = outputs
         .into_iter()
         .map(|(name, values)| {
             let slots = values.iter().enumerate().map(|(k, value)| (slot(Block::Stages, k), value.value()));
             let outputs: Vec<_> = slots.collect();
-            Part { name, programs: vec![hoisted.program(&graph, &outputs).expect("each output has its own slot")] }
+            ProgramGroup {
+                name,
+                programs: vec![hoisted.program(&graph, &outputs).expect("each output has its own slot")],
+            }
         })
         .collect();
     let whole =
         PassPrograms::new(mechanism, &sample, &arms, &Follow::readings(&[case.reading]), &Settings::for_study());
-    let mut push = |name, programs| parts.push(Part { name, programs });
+    let mut push = |name, programs| parts.push(ProgramGroup { name, programs });
     push("energy account, pace of the time", vec![whole.slope]);
     push("reading at the end of a step", vec![whole.end]);
     push("an evaluation without penetrations off positions", whole.slope_by_roots.into_iter().collect());

@@ -5,7 +5,7 @@ use loosepin::uncertainty::{Distribution, EpistemicVariable, normal_cdf};
 use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
-use super::known_case::{KnownCase, USUAL_EXCESS, interval};
+use super::known_case::{DEFAULT_MAX_EXCESS, KnownCase, interval};
 use super::known_pairings::pairings;
 
 /// Between two points on either side of a jump the search concedes all of it; the median of a thousand seeds is 1.3.
@@ -126,7 +126,7 @@ fn ridge() -> KnownCase {
 /// Y = X + 2 where u1 + u2 > 1.2, else X.
 fn jump() -> KnownCase {
     KnownCase {
-        most_excess: EXCESS_AT_A_JUMP,
+        max_excess: EXCESS_AT_A_JUMP,
         ..KnownCase::new(
             "a jump",
             &[(0.0, 1.0); 2],
@@ -211,7 +211,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         levels: Vec::new(),
         sampling: [110, 128],
         compared_columns: Vec::new(),
-        most_excess: USUAL_EXCESS,
+        max_excess: DEFAULT_MAX_EXCESS,
     }
 }
 

@@ -28,12 +28,12 @@ pub struct KnownCase {
     /// Columns for which treatments are compared: runs at random u are made for them too.
     pub compared_columns: Vec<usize>,
     /// By this share of their true width bounds may be too wide.
-    pub most_excess: f64,
+    pub max_excess: f64,
 }
 
 /// Share of the true width by which bounds of smooth responses may be too wide: the median of a thousand seeds is below 0.006
 /// (`docs/known-bounds.md`).
-pub(crate) const USUAL_EXCESS: f64 = 0.03;
+pub(crate) const DEFAULT_MAX_EXCESS: f64 = 0.03;
 
 /// An interval of a known case.
 pub(crate) fn interval((lower, upper): (f64, f64)) -> Interval {
@@ -58,7 +58,7 @@ impl KnownCase {
             function: Arc::new(function),
             sampling: [64, 256],
             compared_columns: Vec::new(),
-            most_excess: USUAL_EXCESS,
+            max_excess: DEFAULT_MAX_EXCESS,
         }
     }
 

@@ -14,7 +14,7 @@ use loosepin::uncertainty::{
 };
 use std::sync::Arc;
 
-use super::known_case::{KnownCase, USUAL_EXCESS, interval};
+use super::known_case::{DEFAULT_MAX_EXCESS, KnownCase, interval};
 
 /// A range: both ends.
 type Range = (f64, f64);
@@ -154,7 +154,7 @@ fn pairing(a: Kind, b: Kind) -> KnownCase {
         function: Arc::new(function),
         sampling: [128, 128],
         compared_columns: Vec::new(),
-        most_excess: USUAL_EXCESS,
+        max_excess: DEFAULT_MAX_EXCESS,
     }
 }
 

@@ -21,7 +21,7 @@ pub fn study() -> Study {
 ///
 /// # Panics
 /// Where too many inputs are unknown for such a set.
-pub fn inside_the_box(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
+pub fn low_discrepancy_fractions(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
     let sobol = ScrambledSobol::try_new(seed, study.epistemic.len()).expect("few dimensions");
     let point = |index| {
         let mut fractions = vec![0.0; study.epistemic.len()];

@@ -59,7 +59,7 @@ fn check_model(model: &Model) -> Result<Article, Diagnostics> {
     }
     // A study has a cycle of its own, with limits of its own.
     trial::check_run(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
-    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
+    let tried = trial::run_trial(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
     Ok(mechanism::article(&mechanism, &values, &tried))
 }
 
@@ -70,7 +70,7 @@ fn check_study(study: &Study) -> Result<Article, Diagnostics> {
     if study.needs_runs() || !mechanism.is_driven() {
         model.demand_dynamics()?;
     }
-    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
+    let tried = trial::run_trial(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
     study::article(study, &values, &tried)
 }
 

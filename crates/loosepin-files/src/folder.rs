@@ -40,8 +40,8 @@ impl Folder {
     ///
     /// # Errors
     /// An error of the file system.
-    pub fn own_info(&self) -> io::Result<FileInfo> {
-        self.directory.own_info()
+    pub fn metadata(&self) -> io::Result<FileInfo> {
+        self.directory.metadata()
     }
 
     /// The folder at `relative`, names below this one. No link is followed.

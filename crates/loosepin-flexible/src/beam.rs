@@ -50,7 +50,7 @@ pub struct Inertia<T> {
 }
 
 /// The shapes of one kind.
-struct Part<'s, T> {
+struct ShapeGroup<'s, T> {
     /// Their coordinates.
     range: Range<usize>,
     /// K without dimension, row by row.
@@ -243,11 +243,15 @@ impl<T: Real> Beam<T> {
     }
 
     /// The axial shapes, then the lateral ones.
-    fn parts<'s>(&self, shapes: &'s Shapes) -> [Part<'s, T>; 2] {
+    fn parts<'s>(&self, shapes: &'s Shapes) -> [ShapeGroup<'s, T>; 2] {
         let (axial, count) = (shapes.axial(), shapes.count());
         [
-            Part { range: 0..axial, stiffness: &shapes.axial_stiffness, stiffness_unit: self.axial_stiffness_n_m },
-            Part {
+            ShapeGroup {
+                range: 0..axial,
+                stiffness: &shapes.axial_stiffness,
+                stiffness_unit: self.axial_stiffness_n_m,
+            },
+            ShapeGroup {
                 range: axial..count,
                 stiffness: &shapes.bending_stiffness,
                 stiffness_unit: self.bending_stiffness_n_m,

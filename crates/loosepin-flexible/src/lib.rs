@@ -22,7 +22,7 @@ pub use beam::{Beam, Inertia};
 pub use cuts::Cuts;
 pub use functions::Frame;
 pub use held::{HeldBeam, Lump};
-pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, Nodal, NodalBeam, NotBalanced, Rule, TipLoad};
+pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, NoStableEquilibrium, Nodal, NodalBeam, Rule, TipLoad};
 pub use shapes::{MassPoint, Shapes};
 pub use station::{AxialFunction, LateralFunction, Station, even_shares};
 

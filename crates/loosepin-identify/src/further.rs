@@ -5,7 +5,7 @@
 //! with the error of the ones that were made would shrink the plays if all were normal (aᵀ M⁻¹ a/e², M the information so far); the
 //! best of each place and output are then computed in full, as if the reading came out in the middle of what is possible.
 
-use super::consistent::{ConsistentSet, End, Row};
+use super::consistent::{ConsistentSet, End, ReadingRow};
 use super::influence::Influence;
 use super::locked::{Test, locked_at, pushed};
 use super::nominal::Nominal;
@@ -89,7 +89,7 @@ pub(crate) fn further(
         let error_si = usual.error_si(&candidate.read.unit);
         // An instrument of its own: nothing is known of what it has in common with the others.
         let mut with = set.clone();
-        let mut row = Row::new(rig, &influence, [0.0; 2], error_si, with.instruments);
+        let mut row = ReadingRow::new(rig, &influence, [0.0; 2], error_si, with.instruments);
         with.instruments += 1;
         let at = |which: usize| -> f64 {
             row.constant_si[which / 2] + row.factors.iter().zip(&middle).map(|(f, play)| f[which] * play).sum::<f64>()

@@ -1,7 +1,7 @@
 //! From the readings of a study to its answer.
 
 use super::combinations::{IdentifiableSums, identifiable_sums};
-use super::consistent::{ConsistentSet, End, Row};
+use super::consistent::{ConsistentSet, End, ReadingRow};
 use super::error::{Failure, IdentifyProblem, MAX_CONFIDENCE};
 use super::further::further;
 use super::influence::Influence;
@@ -220,7 +220,7 @@ fn of_readings(
             let reading = readings[index];
             let interval_si = [-1.0, 1.0].map(|sign| reading.dead_travel_si + sign * independent[index]);
             let instrument = instruments.iter().position(|known| *known == reading.instrument).unwrap_or(0);
-            Row::new(rig, influence, interval_si, reading.error_si, instrument)
+            ReadingRow::new(rig, influence, interval_si, reading.error_si, instrument)
         };
         ConsistentSet {
             intervals_si: rig.plays.iter().map(|play| play.interval_si).collect(),

@@ -42,16 +42,17 @@ impl Influence {
         let radii_m: Vec<[f64; 2]> =
             (0..yields_m.len()).map(|k| [0, 1].map(|end| (clearances_m[k][end] + yields_m[k][end]).max(0.0))).collect();
         let together = |state: &State| {
-            let least = state.nominal.least_together(&state.friction, &radii_m);
+            let least = state.nominal.uniformly_reduced_factors(&state.friction, &radii_m);
             least.unwrap_or_else(|| alone(state, 0))
         };
         // Either holds; the one that says more in the middle of the box is kept.
         let sum = |factors: &[f64]| -> f64 {
             factors.iter().zip(&radii_m).map(|(factor, [low, high])| factor * 0.5 * (low + high)).sum()
         };
-        let [least_alone, least_together] =
+        let [least_alone, uniformly_reduced_factors] =
             [states.furthest(-1.0, |state| alone(state, 0)), states.furthest(-1.0, together)];
-        let least = if sum(&least_together) > sum(&least_alone) { least_together } else { least_alone };
+        let least =
+            if sum(&uniformly_reduced_factors) > sum(&least_alone) { uniformly_reduced_factors } else { least_alone };
         let largest = states.furthest(1.0, |state| alone(state, 2));
         let nominal = &states.middle.nominal;
         let factors = (0..least.len()).map(|k| [least[k], nominal.factors[k], largest[k]]).collect();

@@ -9,11 +9,11 @@ const PIVOTS: usize = 200;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LinearProgram {
     variables: usize,
-    rows: Vec<Row>,
+    rows: Vec<Inequality>,
 }
 
 #[derive(Debug, Clone)]
-struct Row {
+struct Inequality {
     coefficients: Vec<f64>,
     limit: f64,
 }
@@ -40,7 +40,7 @@ impl LinearProgram {
         let size = coefficients.iter().fold(limit.abs(), |size, entry| size.max(entry.abs()));
         let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         let coefficients = coefficients.into_iter().map(|entry| entry * scale).collect();
-        self.rows.push(Row { coefficients, limit: limit * scale });
+        self.rows.push(Inequality { coefficients, limit: limit * scale });
     }
 
     /// The largest `objective`·y over the set; nothing where the set is empty.

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{Failure, SampleTable};
-use loosepin::study::{FurtherOutputs, RunMaker, RunOptions, Study, StudyError};
+use loosepin::study::{FurtherOutputs, RunOptions, RunProvider, Study, StudyError};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::error::raise;
 use crate::function_bounds::{Names, answer, requests, unlocked};
-use crate::made_in_python::MadeInPython;
+use crate::python_run_provider::PythonRunProvider;
 use crate::waiting::{RunCounts, wait_for};
 
 /// Questions about a function.
@@ -24,11 +24,11 @@ pub struct Asked<'a> {
 }
 
 /// Who makes the runs.
-pub struct MadeBy {
+pub struct RunBackend {
     /// Threads of this process.
     pub threads: usize,
     /// Others in their place.
-    pub maker: Option<MadeInPython>,
+    pub provider: Option<PythonRunProvider>,
 }
 
 /// Bounds of the statistics of the columns of `function`, which is given a dict with an array for each input and each recorded
@@ -38,7 +38,7 @@ pub fn bounds<'py>(
     study: &Study,
     function: &Bound<'py, PyAny>,
     asked: &Asked<'_>,
-    by: &MadeBy,
+    by: &RunBackend,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let Asked { columns, statistics } = *asked;
@@ -52,8 +52,8 @@ pub fn bounds<'py>(
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
     let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
-    let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
-    let options = RunOptions { maker, ..RunOptions::new(by.threads, &counts, &stop) };
+    let provider = by.provider.as_ref().map(|provider| provider as &dyn RunProvider);
+    let options = RunOptions { provider, ..RunOptions::new(by.threads, &counts, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
         let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
@@ -62,7 +62,7 @@ pub fn bounds<'py>(
         }
         let work = || further.run(&round, table.len(), &options);
         let (runs, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), work);
-        if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
+        if let Some(error) = by.provider.as_ref().and_then(PythonRunProvider::take_exception).or(raised) {
             return Err(error);
         }
         let runs = runs.map_err(fail)?;

@@ -5,13 +5,13 @@ use std::time::SystemTime;
 
 use loosepin::diagnostics::{Diagnostics, Problem};
 use loosepin::report::study_page;
-use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
+use loosepin::results::{Claim, Destination, InputsHash, ResultKind, ResultsFolder};
 use loosepin::store::{Beginning, RunStore};
 use loosepin::study::RunsTable;
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::{
-    Begun, Concluded, RunOptions, SavedSurrogates, Study, StudyError, StudyRun, begin_in_folder, conclude, run_study,
-    store_identity,
+    ClaimOutcome, RunOptions, SavedSurrogates, Study, StudyError, StudyOutcome, StudyRun, begin_in_folder, conclude,
+    run_study, store_identity,
 };
 
 /// How a folder that holds something is met.
@@ -55,7 +55,7 @@ pub fn run_in_folder(
         kind: ResultKind::Study,
         name: study.name.clone(),
         inputs,
-        place: Place::Folder(folder),
+        destination: Destination::Folder(folder),
         with_force: meeting.with_force,
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
@@ -65,14 +65,14 @@ pub fn run_in_folder(
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
-        Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
+        ClaimOutcome::Open(folder, store) => (folder, store),
+        ClaimOutcome::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
     };
     let started = SystemTime::now();
     let outcome = run_study(study, &claim.inputs.to_string(), &RunOptions { store: Some(&store), ..*options });
     match conclude(study, folder, store, outcome, &study_page, (started, options.threads))? {
-        Concluded::Finished { run, .. } => Ok(Ended::Finished(run)),
-        Concluded::Interrupted { finished, most_runs, folder } => {
+        StudyOutcome::Finished { run, .. } => Ok(Ended::Finished(run)),
+        StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
             Ok(Ended::Interrupted(format!(
                 "{words}; they are kept in {path}: the same call with resume=True continues"

@@ -56,8 +56,8 @@ impl Repeat {
     ) -> Self {
         let sources: Vec<(InputRole, &Source)> = sources.into_iter().collect();
         let folder = sources.first().and_then(|(_, first)| Path::new(first.name()).parent()).unwrap_or(Path::new(""));
-        let places: Vec<Place> =
-            sources.iter().map(|(_, source)| Place::of(Path::new(source.name()), folder)).collect();
+        let places: Vec<RelativePath> =
+            sources.iter().map(|(_, source)| RelativePath::of(Path::new(source.name()), folder)).collect();
         // So far above the folder of the first file the files reach.
         let above = places.iter().map(|place| place.above).max().unwrap_or(0);
         let mut repeat = Self::default();
@@ -101,24 +101,26 @@ impl Repeat {
 }
 
 /// Where a file stands against the folder of the first one.
-struct Place {
+struct RelativePath {
     /// Steps up from that folder.
     above: usize,
     /// Names from there.
     names: Vec<String>,
 }
 
-impl Place {
+impl RelativePath {
     /// The names by which `path` is reached from `folder`. A file that is named without it, by a path of its own, counts as beside the first.
     fn of(path: &Path, folder: &Path) -> Self {
-        let mut place = Place { above: 0, names: Vec::new() };
-        let Ok(rest) = path.strip_prefix(folder) else { return Place { names: vec![file_name(path)], ..place } };
+        let mut place = RelativePath { above: 0, names: Vec::new() };
+        let Ok(rest) = path.strip_prefix(folder) else { return RelativePath { names: vec![file_name(path)], ..place } };
         for component in rest.components() {
             match component {
                 Component::Normal(name) => place.names.push(name.to_string_lossy().into_owned()),
                 Component::ParentDir if place.names.pop().is_none() => place.above += 1,
                 Component::ParentDir | Component::CurDir => {}
-                Component::RootDir | Component::Prefix(_) => return Place { above: 0, names: vec![file_name(path)] },
+                Component::RootDir | Component::Prefix(_) => {
+                    return RelativePath { above: 0, names: vec![file_name(path)] };
+                }
             }
         }
         place

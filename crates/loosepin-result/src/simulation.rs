@@ -14,7 +14,7 @@ use crate::contact_basis::{ContactBasis, LongPinForce};
 use crate::repeat::Repeat;
 use crate::study::Deviation;
 use crate::study::accuracy::is_zero_count;
-pub use control::{ControlHistory, Swing, SwingCourse};
+pub use control::{ControlHistory, ErrorOscillation, OscillationTrend};
 pub use drawing::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
     PointReference, PoseTable,

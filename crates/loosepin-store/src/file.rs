@@ -63,7 +63,7 @@ pub(super) struct StoreFile {
 fn checked_path(folder: &Folder, name: &str) -> io::Result<PathBuf> {
     let named = if folder.path().as_os_str().is_empty() { Path::new(".") } else { folder.path() };
     let path = if cfg!(unix) { named.canonicalize()? } else { named.to_owned() };
-    if Folder::open(&path)?.own_info()?.identity != folder.own_info()?.identity {
+    if Folder::open(&path)?.metadata()?.identity != folder.metadata()?.identity {
         return Err(Refused::LockLost.into());
     }
     for name in STORE_COMPANIONS.into_iter().chain([name]) {

@@ -38,9 +38,9 @@ pub(super) fn join(
         let mut waiting: Vec<(u32, u64, StoredRun)> = Vec::new();
         part.for_each(|list, place, run| {
             if !shard.makes(place) {
-                let maker = Shard::maker(place, shard.of());
+                let owner = Shard::index_for_run(place, shard.of());
                 return Err(damaged(format!(
-                    "run {place} of list {list} is one of shard {maker}/{}, not of {shard}",
+                    "run {place} of list {list} is one of shard {owner}/{}, not of {shard}",
                     shard.of()
                 )));
             }

@@ -48,7 +48,7 @@ impl Shard {
     }
 
     /// The number of the shard, of `of`, that makes the run at `place`.
-    pub fn maker(place: u64, of: u32) -> u32 {
+    pub fn index_for_run(place: u64, of: u32) -> u32 {
         // Below `of`, which is 32 bits wide.
         (place % u64::from(of)) as u32 + 1
     }
@@ -93,11 +93,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn identity_every_run_has_one_maker() {
+    fn identity_every_run_has_one_shard() {
         for of in [1, 2, 7, 11] {
             for place in 0..40 {
-                let makers: Vec<u32> = (1..=of).filter(|&index| Shard::new(index, of).unwrap().makes(place)).collect();
-                assert_eq!(makers, [Shard::maker(place, of)]);
+                let shards: Vec<u32> = (1..=of).filter(|&index| Shard::new(index, of).unwrap().makes(place)).collect();
+                assert_eq!(shards, [Shard::index_for_run(place, of)]);
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::file::MAX_RUNS;
 use crate::response::study_response::PrepareError;
 use crate::runs::memory_at_hand::MemoryKind;
-use crate::runs::part::OpenRound;
+use crate::runs::run_subset::OpenRound;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{PlanError, PromiseError, SurrogatePlanError, TableError};
 use loosepin_result::study::FailureGroup;

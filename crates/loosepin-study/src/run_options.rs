@@ -1,8 +1,8 @@
 //! With what a study is run.
 
 use crate::drafts::progress::Progress;
-use crate::runs::elsewhere::RunMaker;
-use crate::runs::part::Part;
+use crate::runs::external_runs::RunProvider;
+use crate::runs::run_subset::RunSubset;
 use loosepin_store::RunStore;
 use std::sync::atomic::AtomicBool;
 
@@ -18,14 +18,14 @@ pub struct RunOptions<'a> {
     /// Where finished runs are kept and found again; nowhere if omitted.
     pub store: Option<&'a RunStore>,
     /// Which of the runs are made here. A part that is not the whole needs a store.
-    pub part: Part,
+    pub run_subset: RunSubset,
     /// Makes the runs in place of the threads.
-    pub maker: Option<&'a dyn RunMaker>,
+    pub provider: Option<&'a dyn RunProvider>,
 }
 
 impl<'a> RunOptions<'a> {
     /// All runs made here, on so many threads, and kept nowhere.
     pub fn new(threads: usize, progress: &'a dyn Progress, stop: &'a AtomicBool) -> Self {
-        Self { threads, progress, stop, store: None, part: Part::Whole, maker: None }
+        Self { threads, progress, stop, store: None, run_subset: RunSubset::Whole, provider: None }
     }
 }

@@ -9,7 +9,7 @@
 
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
-use loosepin_terms::{Estimation, MovedBy, Statistic};
+use loosepin_terms::{ErrorEffect, Estimation, Statistic};
 
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
@@ -45,9 +45,9 @@ impl SharesOfReach {
 
     /// That of `statistic`.
     pub fn of(&self, statistic: Statistic) -> f64 {
-        match (statistic.estimation(), statistic.moved_by_errors()) {
+        match (statistic.estimation(), statistic.effect_of_errors()) {
             (Some(Estimation::Mean), _) => self.of_mean,
-            (_, MovedBy::RootMeanSquare) => self.of_deviation,
+            (_, ErrorEffect::RootMeanSquare) => self.of_deviation,
             _ => 1.0,
         }
     }

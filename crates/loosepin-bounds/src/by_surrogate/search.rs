@@ -11,7 +11,7 @@ use crate::plan::evaluate::{EvaluateError, evaluate, execute};
 use crate::plan::refinement::{Goal, Refinement};
 use crate::readings::bounds::Bounds;
 use loosepin_surrogate::Surrogate;
-use loosepin_terms::{MovedBy, Statistic};
+use loosepin_terms::{ErrorEffect, Statistic};
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MAX_PLACES: usize = 64;
@@ -101,11 +101,11 @@ fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> R
 
 /// Questions to a surrogate for a statistic: on its value first, then on the ends of its error.
 fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
-    let error = match statistic.moved_by_errors() {
+    let error = match statistic.effect_of_errors() {
         _ if !statistic.is_single() => Vec::new(),
-        MovedBy::Shifts => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
-        MovedBy::RootMeanSquare => vec![(Aspect::Square, Statistic::of_squared_error())],
-        MovedBy::Unknown => Vec::new(),
+        ErrorEffect::Shifts => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
+        ErrorEffect::RootMeanSquare => vec![(Aspect::Square, Statistic::of_squared_error())],
+        ErrorEffect::Unknown => Vec::new(),
     };
     [(Aspect::Value, statistic)].into_iter().chain(error).collect()
 }
@@ -126,7 +126,7 @@ impl Searched {
     /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0. Without
     /// end for a statistic of which it is not known what errors do to it.
     pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
-        if request.statistic.moved_by_errors() == MovedBy::Unknown {
+        if request.statistic.effect_of_errors() == ErrorEffect::Unknown {
             return direction.sign() * f64::INFINITY;
         }
         let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);

@@ -32,12 +32,12 @@ pub struct Scratch {
 #[derive(Default)]
 struct Read {
     /// They do not hold the parts, which hold them.
-    parts: Vec<Weak<Part>>,
+    parts: Vec<Weak<MappedChunk>>,
     bytes: usize,
 }
 
 /// Numbers that were written together.
-struct Part {
+struct MappedChunk {
     map: Mmap,
     /// Whether it stands among those that were read.
     is_read: AtomicBool,
@@ -56,7 +56,7 @@ pub(crate) enum Numbers {
 /// A range of a part.
 #[derive(Clone)]
 pub(crate) struct Away {
-    part: Arc<Part>,
+    part: Arc<MappedChunk>,
     range: Range<usize>,
 }
 
@@ -82,7 +82,7 @@ impl Scratch {
             // What was written in part would fill the disk for the results. It is mapped nowhere.
             let _ = file.set_len(begin);
         })?;
-        let part = Part { map, is_read: AtomicBool::new(false), read: Arc::clone(&self.read) };
+        let part = MappedChunk { map, is_read: AtomicBool::new(false), read: Arc::clone(&self.read) };
         Ok(Away { part: Arc::new(part), range: 0..numbers.len() })
     }
 }
@@ -98,7 +98,7 @@ fn map_written(file: &mut File, begin: u64, numbers: &[f64]) -> io::Result<Mmap>
     unsafe { MmapOptions::new().offset(begin).len(bytes.len()).map(&*file) }
 }
 
-impl Part {
+impl MappedChunk {
     /// All of its numbers. Where too much has been read, what was read before goes out of memory first.
     fn numbers(self: &Arc<Self>) -> &[f64] {
         if !self.is_read.load(Ordering::Relaxed) {

@@ -19,7 +19,7 @@
 use super::estimate::{Confidence, EitherWay, Estimate, mean_of, skewness, variance_of_mean};
 use super::in_order::in_order;
 use super::known::{Asked, Found};
-use super::mean_error::{one_beyond, tail_length};
+use super::mean_error::{extrapolated_extreme, tail_length};
 use super::ordered::Ordered;
 use super::sample::Sample;
 use super::tail::index_for_mean_square;
@@ -101,7 +101,7 @@ fn changes_beyond(
     // A statistic of any kind may be as a mean square.
     let index = index_for_mean_square([&negated, sorted], tail_length(sorted, replicates), confidence);
     let further = |sorted: &[f64]| -> Option<Vec<f64>> {
-        let (outermost, beyond) = one_beyond(sorted, replicates, index)?;
+        let (outermost, beyond) = extrapolated_extreme(sorted, replicates, index)?;
         let kept = sorted.len() - outermost.len();
         let moved = outermost.iter().map(|value| value.max(beyond));
         Some(sorted[..kept].iter().copied().chain(moved).collect())

@@ -9,7 +9,7 @@ use crate::estimators::pool::{Pool, PoolPoint};
 use crate::readings::setup::Setup;
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::parts::{Element, Structure};
-use crate::search::search_box::{Place, Region, SearchBox};
+use crate::search::search_box::{BoxPoint, Region, SearchBox};
 use loosepin_uncertainty::{EpistemicVariable, SobolError};
 
 /// Runs in each replicate of a pilot, at least.
@@ -28,8 +28,8 @@ pub struct DoubleLoop {
     /// Elements of all cuts.
     pub(super) searched_elements: Vec<Element>,
     pub(super) whole_joint_box: [Element; 1],
-    pub(super) first_outer: Vec<Place>,
-    pub(super) first_extreme: Vec<Place>,
+    pub(super) first_outer: Vec<BoxPoint>,
+    pub(super) first_extreme: Vec<BoxPoint>,
 }
 
 impl DoubleLoop {
@@ -56,12 +56,12 @@ impl DoubleLoop {
         let (epistemic_box, structure) = (&setup.epistemic_box, &setup.structure);
         // Every combination of the members of lists of the problem has a box of its own.
         let combinations = epistemic_box.combinations();
-        let everywhere = |search_box: &SearchBox, points: Vec<Vec<f64>>| -> Vec<Place> {
+        let everywhere = |search_box: &SearchBox, points: Vec<Vec<f64>>| -> Vec<BoxPoint> {
             let points: Vec<Vec<f64>> = points.into_iter().map(|at| search_box.axes().vertex(at)).collect();
-            let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
+            let places = |combination| points.iter().map(move |at| BoxPoint { combination, at: at.clone() });
             (0..combinations).flat_map(places).collect()
         };
-        let first = |search_box: &SearchBox, count: usize| -> Result<Vec<Place>, SobolError> {
+        let first = |search_box: &SearchBox, count: usize| -> Result<Vec<BoxPoint>, SobolError> {
             let dimensions = search_box.dimensions();
             let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
             Ok(everywhere(search_box, points))
@@ -178,7 +178,7 @@ impl DoubleLoop {
 
     /// Values of the epistemic inputs at a place of the unit box, in one of the combinations.
     pub fn box_values(&self, combination: usize, at: &[f64]) -> Vec<f64> {
-        self.setup.epistemic_box.values_at(&Place { combination, at: at.to_vec() })
+        self.setup.epistemic_box.values_at(&BoxPoint { combination, at: at.to_vec() })
     }
 
     /// The most runs that the plan may come to.

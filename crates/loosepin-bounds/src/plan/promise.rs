@@ -13,7 +13,7 @@ use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::readings::promise::{InnerRuns, OneSidedLimit, least_runs};
 use crate::readings::simultaneous::SimultaneousBand;
 use crate::search::parts::{Element, Structure};
-use crate::search::search_box::{Place, SearchBox};
+use crate::search::search_box::{BoxPoint, SearchBox};
 use loosepin_terms::{Side, Statistic};
 use loosepin_uncertainty::{EpistemicVariable, hash, uniform};
 
@@ -243,7 +243,7 @@ impl PromisePlan {
         let key = hash(hash(self.problem.sampling.seed, VALUES), point as u64);
         let fractions: Vec<f64> = (0..self.search_box.dimensions() as u64).map(|axis| uniform(key, axis)).collect();
         let at = self.elements[own_box % self.elements.len()].region.at(&fractions);
-        self.search_box.values_at(&Place { combination: own_box / self.elements.len(), at })
+        self.search_box.values_at(&BoxPoint { combination: own_box / self.elements.len(), at })
     }
 
     /// What the runs in `table` promise, end by end in the order in which they were asked for.

@@ -8,7 +8,7 @@ use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::readings::bounds::Bounds;
 use crate::search::design::{first_points, structural_point_count};
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 
 /// Inner runs, at most.
 const MAX_INNER: usize = 1 << 24;
@@ -264,13 +264,13 @@ fn filling_round(plan: &DoubleLoop, table: &SampleTable, count: usize) -> Result
     // As many as are there already may be the same.
     let points = first_points(seed, search_box.dimensions(), structural + known.len() + count)?;
     let places = points.into_iter().skip(structural).flat_map(|at| {
-        let of = move |combination| Place { combination, at: at.clone() };
-        (0..plan.box_combinations()).map(of).collect::<Vec<Place>>()
+        let of = move |combination| BoxPoint { combination, at: at.clone() };
+        (0..plan.box_combinations()).map(of).collect::<Vec<BoxPoint>>()
     });
-    let is_new = |place: &Place| known.iter().all(|point| search_box.axes().distance(point, place) > MIN_DISTANCE);
+    let is_new = |place: &BoxPoint| known.iter().all(|point| search_box.axes().distance(point, place) > MIN_DISTANCE);
     let rest = outer.saturating_sub(known.len());
     let chosen = places.filter(is_new).take(count.min(rest)).enumerate();
-    let runs = |(place, at): (usize, Place)| {
+    let runs = |(place, at): (usize, BoxPoint)| {
         plan.runs_at(round, (known.len() + place) as u32, search_box.values_at(&at)).collect::<Vec<_>>()
     };
     Ok(chosen.flat_map(runs).collect())

@@ -18,7 +18,7 @@ use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
 use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
 use crate::search::models::shared_grids::SharedGrids;
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
 
 /// After the first round, the remaining points are spent in this many rounds.
@@ -101,7 +101,7 @@ impl DoubleLoop {
     }
 
     /// At most `count` outer points of `round`.
-    fn next_outer(&self, table: &SampleTable, round: u32, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, round: u32, count: usize) -> Vec<BoxPoint> {
         let searched = &in_turn(self.setup.searched(), round)[..];
         // A row is read once for all of its columns.
         let pool = Pool::gather(table, Purpose::DoubleLoop, self.setup.needed_columns());
@@ -177,7 +177,7 @@ impl DoubleLoop {
         columns.into_iter().flat_map(of_column).collect()
     }
 
-    fn next_extremes(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_extremes(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<BoxPoint> {
         let points = self.setup.extreme_places(pool);
         let targets: Vec<(Target, Vec<Direction>)> = self
             .problem()
@@ -215,6 +215,6 @@ impl DoubleLoop {
 }
 
 /// Points of a round after the first one.
-fn points_per_round(budget: usize, first: &[Place]) -> usize {
+fn points_per_round(budget: usize, first: &[BoxPoint]) -> usize {
     (budget - first.len()).div_ceil(REFINING_ROUNDS)
 }

@@ -90,7 +90,7 @@ impl Experiment<'_> {
                 let ends = set.bounds(self, request.statistic);
                 // The ends of a sample that failed somewhere are not known.
                 let seen = match request.statistic.event() {
-                    Some(event) if failed_runs == 0 => set.seen(self, event),
+                    Some(event) if failed_runs == 0 => set.attained_lower_limits(self, event),
                     _ => Vec::new(),
                 };
                 let central = at_centre.as_ref().map(|set| set.bounds(self, request.statistic).map(|end| end.value));
@@ -181,7 +181,7 @@ impl RandomSet {
     }
 
     /// The lower ends of the confidence intervals of belief and plausibility, from the attained ends.
-    fn seen(&self, experiment: &Experiment<'_>, event: Event) -> Vec<f64> {
+    fn attained_lower_limits(&self, experiment: &Experiment<'_>, event: Event) -> Vec<f64> {
         let of = |direction| {
             let of_element = |ends: &Ends| {
                 let share = share_of(&ends.attained, event, direction, &experiment.setup.confidence);

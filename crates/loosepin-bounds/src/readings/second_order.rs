@@ -29,7 +29,7 @@ use crate::search::models::noise::Noise;
 use crate::search::models::of_points::{Branch, Search};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
-use crate::search::search_box::{Axes, Place, Region};
+use crate::search::search_box::{Axes, BoxPoint, Region};
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
@@ -190,7 +190,7 @@ impl Experiment<'_> {
         let sign = direction.sign();
         let drawn = (SCRAMBLINGS * grid.points) as usize;
         // For every combination and every value of the other inputs: the percentile, with the model's error, with its spread.
-        let mut points: Vec<Place> = Vec::new();
+        let mut points: Vec<BoxPoint> = Vec::new();
         let mut found: Vec<Found> = Vec::new();
         for (combination, seen) in seen.iter().enumerate() {
             let Some(seen) = seen else { return self.unknown(direction) };
@@ -198,7 +198,7 @@ impl Experiment<'_> {
             for (other, places) in grid.others.iter().zip(grid.places.chunks(drawn)) {
                 let values: Vec<Option<Forecast>> =
                     places.iter().map(|place| place.as_ref().and_then(|_| rest.next().copied())).collect();
-                points.push(Place { combination, at: other.clone() });
+                points.push(BoxPoint { combination, at: other.clone() });
                 found.push(Found::new(&values, grid.points as usize, probability, direction, confidence));
             }
         }
@@ -218,7 +218,7 @@ impl Experiment<'_> {
             at[*axis] = *fraction;
         }
         let epistemic =
-            self.setup.epistemic_box.values_at(&Place { combination: points[best].combination, at: at.clone() });
+            self.setup.epistemic_box.values_at(&BoxPoint { combination: points[best].combination, at: at.clone() });
         let epistemic = epistemic.iter().enumerate().map(|(input, &value)| {
             let is_unknown = self.setup.epistemic_box.axis_of(input).is_some_and(|axis| at[axis].is_nan());
             if is_unknown { f64::NAN } else { value }
@@ -230,7 +230,7 @@ impl Experiment<'_> {
     }
 
     /// How far the percentile, with what its model concedes, may go between the values of the other inputs.
-    fn further_over_others(&self, grid: &Grid, points: &[Place], values: Vec<f64>, direction: Direction) -> f64 {
+    fn further_over_others(&self, grid: &Grid, points: &[BoxPoint], values: Vec<f64>, direction: Direction) -> f64 {
         let attained = extreme(&values, direction);
         if grid.other_inputs.is_empty() || values.iter().any(|value| !value.is_finite()) {
             return attained;

@@ -15,7 +15,7 @@ use crate::estimators::tail::index_of_distribution;
 use crate::measures::targets::target;
 use crate::search::design::candidates;
 use crate::search::parts::Structure;
-use crate::search::search_box::{Place, SearchBox};
+use crate::search::search_box::{BoxPoint, SearchBox};
 use crate::search::target::Target;
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{Copula, Distribution, EpistemicVariable, RandomVariable, ScrambledSobol, SobolError, hash};
@@ -195,12 +195,12 @@ impl Setup {
     }
 
     /// Places of the outer points.
-    pub fn outer_places(&self, pool: &Pool) -> Vec<Place> {
+    pub fn outer_places(&self, pool: &Pool) -> Vec<BoxPoint> {
         pool.points.iter().map(|point| self.epistemic_box.place_of(&point.epistemic)).collect()
     }
 
     /// Places of single runs in the box of all inputs.
-    pub fn extreme_places(&self, pool: &Pool) -> Vec<Place> {
+    pub fn extreme_places(&self, pool: &Pool) -> Vec<BoxPoint> {
         let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();
         pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
     }

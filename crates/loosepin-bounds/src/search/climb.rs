@@ -94,7 +94,7 @@ mod tests {
     use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
     use crate::search::models::prediction::Allowance;
     use crate::search::models::target_model::TargetModel;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
     use crate::search::target::{Target, TargetKind};
 
     fn target(values: Vec<f64>, kind: TargetKind) -> Target {
@@ -104,8 +104,8 @@ mod tests {
     /// By how much the reach of each of many targets exceeds 1, the greatest value of `function` of a place and of where its summit is.
     fn beyond_summits(axes: &Axes, function: impl Fn(&[f64], &[f64]) -> f64) -> Vec<f64> {
         let summits = first_points(17, 2, 5 + MAX_LOCATED_TARGETS + 1).unwrap().split_off(5);
-        let points: Vec<Place> =
-            first_points(5, 2, 40).unwrap().into_iter().map(|at| Place { combination: 0, at }).collect();
+        let points: Vec<BoxPoint> =
+            first_points(5, 2, 40).unwrap().into_iter().map(|at| BoxPoint { combination: 0, at }).collect();
         let of = |summit: &Vec<f64>| {
             target(points.iter().map(|point| function(&point.at, summit)).collect(), TargetKind::Plain)
         };

@@ -2,7 +2,7 @@
 
 use super::extremes::Extreme;
 use super::parts::Element;
-use super::search_box::Place;
+use super::search_box::BoxPoint;
 use crate::search::models::of_points::{Modelled, Search};
 use crate::search::models::prediction::Allowance;
 use loosepin_uncertainty::{hash, normal};
@@ -27,7 +27,7 @@ impl Search<'_> {
     /// At most `count` places near the extremes of targets in each of `elements`, where their models promise nothing more than has
     /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
     /// are many targets: the poses of a curve.
-    pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<Place> {
+    pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<BoxPoint> {
         if self.is_of_curves() {
             return Vec::new();
         }
@@ -40,11 +40,11 @@ impl Search<'_> {
     ///
     /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
     /// above the resolution, and the way down a slope from a face.
-    fn confirming_points(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<Place> {
+    fn confirming_points(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
         let along_axes = CONFIRMING_DISTANCES.map(|distance| (distance, false));
         let turned = TURNED_DISTANCES.map(|distance| (distance, true));
         for (distance, is_turned) in along_axes.into_iter().chain(turned) {
-            let mut chosen: Vec<Place> = Vec::new();
+            let mut chosen: Vec<BoxPoint> = Vec::new();
             for extreme in extremes {
                 self.confirm(extreme, distance, is_turned, &mut chosen);
             }
@@ -57,9 +57,9 @@ impl Search<'_> {
     }
 
     /// Adds the places at `distance` around one extreme that tell something.
-    fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
+    fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<BoxPoint>) {
         let &Extreme { point, value, region, resolution, model, .. } = extreme;
-        let Place { combination, at } = &self.points[point];
+        let BoxPoint { combination, at } = &self.points[point];
         // What a model takes for noise does not end however near it looks.
         if is_turned && model.is_regressing() {
             return;
@@ -74,8 +74,8 @@ impl Search<'_> {
                     let shifted = at.iter().zip(direction).enumerate();
                     shifted.map(|(axis, (x, share))| self.axes.inside(axis, x + by * share, ends(axis))).collect()
                 };
-                let place = Place { combination: *combination, at: moved(signed) };
-                let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
+                let place = BoxPoint { combination: *combination, at: moved(signed) };
+                let is_taken = |point: &BoxPoint| self.axes.distance(point, &place) < 0.5 * distance;
                 let falls_by = fall(&place.at);
                 let is_slope = on_face.contains(&axis) && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed));
                 let shows_nothing = falls_by <= resolution || is_slope;

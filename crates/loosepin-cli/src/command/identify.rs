@@ -8,7 +8,7 @@ use loosepin::report::{identification_gain, identification_page, identification_
 use loosepin::result::json::to_json;
 use loosepin::result::repeat::Repeat;
 use loosepin::result::study::StudyResult;
-use loosepin::results::{Claim, InputsHash, InputsHasher, Place, ResultKind};
+use loosepin::results::{Claim, Destination, InputsHash, InputsHasher, ResultKind};
 use loosepin::study::{Progress, RunOptions, Study, run_study, study_inputs};
 use loosepin::units::{DisplayUnits, counted_or_no};
 
@@ -46,7 +46,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
         kind: ResultKind::Identification,
         name: study.name.clone(),
         inputs: inputs(&study, arguments),
-        place: Place::Folder(folder.clone()),
+        destination: Destination::Folder(folder.clone()),
         with_force: arguments.force,
     };
     let folder = claim.take()?;

@@ -19,11 +19,11 @@ use crate::ending::{Done, Ending, Failure};
 
 /// Runs the model, or shows the stored run.
 pub fn run(arguments: &SimulateArguments) -> Ending {
-    run_shown::<SimulationRecord>(arguments)
+    simulate_and_show::<SimulationRecord>(arguments)
 }
 
 /// Runs the model or reads the stored run, and shows it as an `R`.
-pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
+pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;

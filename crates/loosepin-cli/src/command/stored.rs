@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::result::json::Stored;
-use loosepin::results::{Claim, InputsHash, Place, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::results::{Claim, Destination, InputsHash, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::store::RunStore;
 use loosepin::units::counted_or_no;
 
@@ -16,13 +16,13 @@ const RESULTS_ROOT: &str = "results";
 
 /// The folder for the results of `inputs`.
 pub fn claim(kind: ResultKind, name: &str, inputs: InputsHash, output: &OutputArguments) -> Claim {
-    let below = || Place::Below(PathBuf::from(RESULTS_ROOT));
-    let place = output.folder.clone().map_or_else(below, Place::Folder);
-    Claim { kind, name: name.to_owned(), inputs, place, with_force: output.force }
+    let below = || Destination::Below(PathBuf::from(RESULTS_ROOT));
+    let destination = output.folder.clone().map_or_else(below, Destination::Folder);
+    Claim { kind, name: name.to_owned(), inputs, destination, with_force: output.force }
 }
 
 /// Shows how many finished runs are reused.
-pub fn tell_going_on(store: &RunStore) {
+pub fn show_reused_runs(store: &RunStore) {
     if store.runs_at_start() > 0 {
         let runs = counted_or_no(store.runs_at_start() as usize, "finished run", "finished runs");
         console::message(&format!("continuing with {runs}"));

@@ -60,7 +60,7 @@ impl Directory {
     }
 
     /// What is known of the directory itself.
-    pub fn own_info(&self) -> io::Result<FileInfo> {
+    pub fn metadata(&self) -> io::Result<FileInfo> {
         Ok(info(&fs::metadata(&self.0)?))
     }
 

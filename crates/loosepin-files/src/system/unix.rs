@@ -58,7 +58,7 @@ impl Directory {
     }
 
     /// What is known of the directory itself.
-    pub fn own_info(&self) -> io::Result<FileInfo> {
+    pub fn metadata(&self) -> io::Result<FileInfo> {
         Ok(info(&retry_on_intr(|| fs::fstat(&self.0))?))
     }
 

@@ -38,7 +38,8 @@ pub(super) struct Distribution {
 impl Distribution {
     /// Nothing where no tested value has a likelihood.
     pub fn new(grid: &Grid, values: &[Weighed]) -> Option<Self> {
-        let pieces: Vec<Option<Piece>> = values.iter().map(|value| Piece::new(grid, values, value)).collect();
+        let pieces: Vec<Option<LocalQuadratic>> =
+            values.iter().map(|value| LocalQuadratic::new(grid, values, value)).collect();
         let counts = fine_counts(&grid.axes, &grid.counts);
         let cells: usize = counts.iter().product();
         let mut marginals: Vec<Vec<f64>> = counts.iter().map(|count| vec![0.0; *count]).collect();
@@ -115,14 +116,14 @@ fn fine_counts(axes: &[Axis], grid: &[usize]) -> Vec<usize> {
 }
 
 /// ln p(y | u) about a tested value: slope and half the curvature along each unknown.
-struct Piece {
+struct LocalQuadratic {
     slopes: Vec<f64>,
     curvatures: Vec<f64>,
     /// Largest value that it may take.
     most: f64,
 }
 
-impl Piece {
+impl LocalQuadratic {
     /// Nothing where the likelihood is below the smallest number.
     fn new(grid: &Grid, values: &[Weighed], value: &Weighed) -> Option<Self> {
         if value.log_likelihood == f64::NEG_INFINITY {

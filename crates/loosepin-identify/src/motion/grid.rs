@@ -31,7 +31,7 @@ pub(crate) struct TestedCell {
 
 impl TestedCell {
     /// Whether its halves are not too many along the unknown.
-    pub fn can_be_halved(&self, unknown: usize) -> bool {
+    pub fn can_be_split_along(&self, unknown: usize) -> bool {
         self.widths[unknown] * MAX_CELLS as f64 > 1.0
     }
 

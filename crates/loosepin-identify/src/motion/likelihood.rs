@@ -137,7 +137,7 @@ impl NearestNormal {
         let found = seen.without_error(&shares);
         let off: Vec<f64> =
             scatter.scaled(&found).iter().zip(&scatter.form.mean).map(|(value, mean)| value - mean).collect();
-        let z = scatter.form.solved(&off);
+        let z = scatter.form.whiten(&off);
         // Columns of dz/ds.
         let column = |instrument: &usize| {
             let slope = |place: usize| {
@@ -152,7 +152,7 @@ impl NearestNormal {
                 };
                 if scatter.is_log[place] { slope / found[place] } else { slope }
             };
-            scatter.form.solved(&(0..found.len()).map(slope).collect::<Vec<f64>>())
+            scatter.form.whiten(&(0..found.len()).map(slope).collect::<Vec<f64>>())
         };
         let columns: Vec<Vec<f64>> = movable.iter().map(column).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

@@ -135,9 +135,9 @@ fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution
 fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usize) -> Vec<usize> {
     let mut is_kept = vec![false; values.len()];
     grid.consistent().for_each(|cell| is_kept[grid.tests[cell]] = true);
-    let can_be_halved = |value: usize| is_kept[value] && values[value].cell.can_be_halved(unknown);
+    let can_be_split_along = |value: usize| is_kept[value] && values[value].cell.can_be_split_along(unknown);
     let rest = |slice: &Vec<usize>| -> f64 {
-        slice.iter().filter(|value| !can_be_halved(**value)).map(|value| found.weights[*value]).sum()
+        slice.iter().filter(|value| !can_be_split_along(**value)).map(|value| found.weights[*value]).sum()
     };
     if found.slices(unknown, values).iter().map(|slice| rest(slice).powi(2)).sum::<f64>() * MIN_VALUES > 1.0 {
         return Vec::new();
@@ -148,7 +148,7 @@ fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usiz
     order.retain(|value| {
         let is_carrying = sum < HALVED;
         sum += found.weights[*value];
-        is_carrying && can_be_halved(*value)
+        is_carrying && can_be_split_along(*value)
     });
     order
 }

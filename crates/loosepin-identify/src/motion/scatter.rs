@@ -161,12 +161,12 @@ impl Form {
     /// Mahalanobis distance.
     pub fn distance(&self, values: &[f64]) -> f64 {
         let off: Vec<f64> = values.iter().zip(&self.mean).map(|(value, mean)| value - mean).collect();
-        self.solved(&off).iter().map(|value| value * value).sum::<f64>().sqrt()
+        self.whiten(&off).iter().map(|value| value * value).sum::<f64>().sqrt()
     }
 
     /// L⁻¹ of a difference of values.
-    pub fn solved(&self, off: &[f64]) -> Vec<f64> {
-        solved(&self.factor, off)
+    pub fn whiten(&self, off: &[f64]) -> Vec<f64> {
+        forward_substitution(&self.factor, off)
     }
 }
 
@@ -195,7 +195,7 @@ pub(crate) fn cholesky(
 }
 
 /// L⁻¹ of values.
-pub(crate) fn solved(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
+pub(crate) fn forward_substitution(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
     let mut solved: Vec<f64> = Vec::with_capacity(values.len());
     for (i, row) in factor.iter().enumerate() {
         let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::error::{DxfError, DxfProblem, Place};
+use super::error::{DxfError, DxfProblem, FilePosition};
 
 /// A group: a code and a value.
 #[derive(Debug)]
@@ -10,7 +10,7 @@ pub(super) struct Group<'a> {
     pub code: i32,
     pub value: Value<'a>,
     /// Where the value stands.
-    pub place: Place,
+    pub place: FilePosition,
 }
 
 /// The value of a group.

@@ -1,7 +1,7 @@
 //! The groups of a file, text or binary, one after the other.
 
 use super::binary::{self, BinaryGroups};
-use super::error::{DxfError, DxfProblem, Place};
+use super::error::{DxfError, DxfProblem, FilePosition};
 use super::group::Group;
 use super::text::TextGroups;
 
@@ -43,7 +43,7 @@ impl<'a> Groups<'a> {
         }
     }
 
-    fn place(&self) -> Place {
+    fn place(&self) -> FilePosition {
         match self {
             Groups::Text(groups) => groups.place(),
             Groups::Binary(groups) => groups.place(),

@@ -21,7 +21,7 @@ Rows = tuple[NDArray[np.float64], NDArray[np.int32]]
 """A row for each run, and the number of the reason why it failed, -1 for none."""
 Part = tuple[int, NDArray[np.float64], NDArray[np.int32]]
 """Index of the first run, then rows and reasons as in `Rows`."""
-Maker = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[Part | None]]
+RunProvider = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[Part | None]]
 """Makes runs from what is loosened and from their inputs, part by part; nothing while there is none."""
 
 # Runs of a task: enough to keep the lanes of a processor busy, few enough that a lost worker costs little.
@@ -34,7 +34,7 @@ _RETRIES = 2
 _TICK_S = 0.1
 
 
-def maker(client: Any, study: _loosepin.Study, accuracy: tuple[str, ...], budget: str | None) -> Maker:
+def run_provider(client: Any, study: _loosepin.Study, accuracy: tuple[str, ...], budget: str | None) -> RunProvider:
     """Function that makes the runs of `study` on the cluster of `client`."""
     distributed = need("distributed", "client=...")
     if not isinstance(client, distributed.Client):

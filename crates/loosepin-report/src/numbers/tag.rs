@@ -31,7 +31,7 @@ pub enum Tag {
     /// The number of something, by what is counted.
     Count(&'static str),
     /// No tag yet: what the bounds that follow are among, such as those of a degree of possibility.
-    Among(String),
+    Group(String),
 }
 
 /// A number of a result.
@@ -161,9 +161,9 @@ impl Tag {
 
     /// The same among other bounds than those of the study.
     #[must_use]
-    pub fn among(&self, which: Option<&Tag>) -> Self {
+    pub fn within(&self, which: Option<&Tag>) -> Self {
         match which {
-            Some(Self::Among(which)) => self.changed(|tag| tag.inputs = format!("{which} {}", tag.inputs)),
+            Some(Self::Group(which)) => self.changed(|tag| tag.inputs = format!("{which} {}", tag.inputs)),
             _ => self.clone(),
         }
     }
@@ -178,13 +178,13 @@ impl Tag {
 }
 
 /// What bounds of a degree of possibility are among.
-pub fn among_cut(alpha: f64) -> Tag {
-    Tag::Among(format!("degree {alpha}"))
+pub fn degree_group(alpha: f64) -> Tag {
+    Tag::Group(format!("degree {alpha}"))
 }
 
 /// What percentiles of statistics are among.
-pub fn among_percentile(percentile: f64) -> Tag {
-    Tag::Among(format!("percentile {percentile}"))
+pub fn percentile_group(percentile: f64) -> Tag {
+    Tag::Group(format!("percentile {percentile}"))
 }
 
 fn response(output: &str, of: Deviation, at: ResponsePoint) -> String {

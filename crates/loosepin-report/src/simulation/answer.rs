@@ -7,7 +7,7 @@ use crate::words::force::run_sentences;
 use crate::words::trust::TrustedRun;
 use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, ExtremePoint, QuasiStaticShare, SimulationRecord, SimulationSettings, SwingCourse,
+    ControlHistory, ExtremePoint, OscillationTrend, QuasiStaticShare, SimulationRecord, SimulationSettings,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
@@ -181,14 +181,14 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
         let amplitude = writer.about(&tag("amplitude")).value(swing.amplitude_si, &control.unit);
         let period = writer.about(&tag("period")).value(swing.period_s, &SiUnit::TIME);
         sentences.push(match swing.course {
-            SwingCourse::Steady => format!(
+            OscillationTrend::Steady => format!(
                 "Control {}: {} does not come to rest although its reference does. It oscillates with amplitude {amplitude} and period \
                  {period} (a limit cycle, {} oscillations).",
                 control.name,
                 control.measured,
                 count(swing.swings as u64, &writer.about(&tag("oscillations")))
             ),
-            SwingCourse::Grows => format!(
+            OscillationTrend::Grows => format!(
                 "Control {}: {} is unstable although its reference rests. It oscillates with period {period}, at the end with amplitude \
                  {amplitude}.",
                 control.name, control.measured

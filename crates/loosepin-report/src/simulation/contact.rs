@@ -7,7 +7,7 @@ use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::turn_word;
-use crate::words::force::{ForcesOf, floored_words};
+use crate::words::force::{ForcesOf, min_impact_speed_words};
 use crate::words::wording::{count, head, remark};
 use loosepin_result::simulation::{ImpactRecord, JointSummary, SimulationRecord};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
@@ -110,7 +110,7 @@ fn turn_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
 /// The law with what it rests on; in records of older versions its name.
 fn law_fact(joint: &JointSummary, writer: &NumberWriter) -> Fact {
     let law = ForcesOf::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone());
-    let slow = floored_words(&joint.joint, joint.floored_contacts, writer);
+    let slow = min_impact_speed_words(&joint.joint, joint.floored_contacts, writer);
     Fact::new(
         format!("Contact law in {}", joint.joint),
         [law].into_iter().chain(slow.map(|words| format!("Very slow contacts: {words}"))),

@@ -17,7 +17,7 @@ use loosepin_result::study::{
 use loosepin_text::units::SiUnit;
 
 /// The answer, for pages and terminals alike.
-pub(crate) struct Answer {
+pub(crate) struct StudyAnswer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
     /// What may overturn the verdict: it stands beside it.
@@ -34,7 +34,7 @@ pub(crate) struct Answer {
 
 /// Builds the answer from the bounds that the study has: the largest deviation over the cycle where it was asked for,
 /// the band over the cycle otherwise.
-pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
+pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer {
     let curve = main_curve(result);
     let answers = output_summaries(result);
     let mut sentences = answers.iter().map(|summary| summary.sentence(result, writer));
@@ -62,7 +62,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     details.extend(gaps_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    Answer { requirements, caveats, headline, further, details, verdict }
+    StudyAnswer { requirements, caveats, headline, further, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep

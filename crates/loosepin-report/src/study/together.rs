@@ -23,7 +23,11 @@ pub(crate) fn subject(result: &StudyResult, path: &str, what: Loosened) -> Strin
 }
 
 /// What the studies say, in sentences.
-pub(crate) fn together_sentences(result: &StudyResult, one: &TogetherRecord, writer: &NumberWriter) -> Vec<String> {
+pub(crate) fn joint_loosening_sentences(
+    result: &StudyResult,
+    one: &TogetherRecord,
+    writer: &NumberWriter,
+) -> Vec<String> {
     let spent = format!(
         "{ALL_ELSE}, {}, {}.",
         counted_as(one.checks.len() as u64, "direct study", "direct studies", writer),

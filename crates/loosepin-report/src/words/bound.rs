@@ -11,7 +11,7 @@ pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Roundin
         Rounding::Up => "upper",
         Rounding::Nearest => "value",
     };
-    let tag = Tag::bound(bound, part).among(writer.tag());
+    let tag = Tag::bound(bound, part).within(writer.tag());
     let writer = writer.about(&tag);
     if bound.statistic.is_probability() {
         writer.percent(end.widened_si, rounding)
@@ -33,7 +33,7 @@ pub(crate) fn found_value(end: &BoundEnd, bound: &BoundRecord, writer: &NumberWr
 
 /// The larger error of both ends.
 pub(crate) fn bound_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let tag = Tag::bound(bound, "error").among(writer.tag());
+    let tag = Tag::bound(bound, "error").within(writer.tag());
     part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, &writer.about(&tag))
 }
 

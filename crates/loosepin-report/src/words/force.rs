@@ -192,7 +192,7 @@ impl<'a> ForcesOf<'a> {
 }
 
 /// How many contacts began slower than the law can be computed with; `None` if none did.
-pub(crate) fn floored_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
+pub(crate) fn min_impact_speed_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
     let number = || count(contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")));
     (contacts > 0).then(|| format!("{} computed with the smallest impact speed of the law", number()))
 }

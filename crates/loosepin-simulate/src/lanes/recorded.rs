@@ -5,7 +5,7 @@ use crate::lanes::memory::{BLOCKS, Block, Memory};
 use crate::lanes::pass::Pass;
 use crate::lanes::programs::{PassPrograms, Tracing, fixed, numbers};
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
-use loosepin_tape::native::{Level, Place, Routine, Sequence};
+use loosepin_tape::native::{BlockStart, Level, Routine, Sequence};
 use std::ops::Range;
 
 /// What is done with all lanes.
@@ -35,18 +35,18 @@ impl Sequences {
             all.len() - 1
         });
         let routines = Routine::all(all, level, lanes);
-        let sequence = |calls: &[(usize, [Place; BLOCKS])]| {
+        let sequence = |calls: &[(usize, [BlockStart; BLOCKS])]| {
             let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
             match Sequence::new(&calls) {
                 Ok(sequence) => sequence,
                 Err(error) => unreachable!("programs and places are of one layout: {error}"),
             }
         };
-        let as_written = |program: usize| (program, Place::ALL);
+        let as_written = |program: usize| (program, BlockStart::ALL);
         // A program that gives a slope, with the point and the row of the slope that are meant.
         let slope = |program: usize, point: Block, row: usize| {
-            let mut places = Place::ALL;
-            places[Block::Point as usize] = Place { block: point as usize, first: 0 };
+            let mut places = BlockStart::ALL;
+            places[Block::Point as usize] = BlockStart { block: point as usize, first: 0 };
             places[Block::Stages as usize].first = row * pass.layout.length();
             (program, places)
         };
@@ -75,8 +75,8 @@ impl Sequences {
         if let Some(own) = &programs.inside {
             // The values at the state in a block, put down behind those of the points before.
             let values = |state: Block, point: usize| {
-                let mut places = Place::ALL;
-                places[Block::Point as usize] = Place { block: state as usize, first: 0 };
+                let mut places = BlockStart::ALL;
+                places[Block::Point as usize] = BlockStart { block: state as usize, first: 0 };
                 places[Block::Stages as usize].first = pass.first_inside() + pass.follow.inside().value(point, 0);
                 (own.values, places)
             };

@@ -677,7 +677,7 @@ export interface LookAnswer {
   /** The mechanism; nothing where the model cannot be read, or does not move. */
   view: View | null;
   /** What a drag did: `diagnostics` and `view` are of the texts with its changes. */
-  reshaped: Reshaped | null;
+  reshaped: DragResult | null;
   /** How long it took. */
   cost_ms: number;
   /** It took too long and was stopped: nothing is known of these texts. */
@@ -685,7 +685,7 @@ export interface LookAnswer {
 }
 
 /** What a drag does to the texts that were sent. */
-export interface Reshaped {
+export interface DragResult {
   /** The changes, all in units of the texts that were sent, in their order. */
   changes: Change[];
   /** The new values, in words. */

@@ -14,7 +14,7 @@ use loosepin::result::simulation::Drawing;
 use super::grip::{Gripped, gripped_closing, number};
 use super::nearest::{Nearest, nearest};
 use super::reshape::{length, minus};
-use super::toml::pieces::Pieces;
+use super::toml::pieces::Replacements;
 use crate::files::folder::Folder;
 use crate::messages::Grip;
 use crate::view::places::unquoted;
@@ -53,7 +53,7 @@ pub fn kept_closure(
     let new = before.with(folder, drag.model.as_deref(), drag.study.as_deref());
     let new_model = Model::from_source(Arc::clone(&new.model)).ok()?;
     // Begun at the shown position.
-    let mut begun = Pieces::new(new.model.text());
+    let mut begun = Replacements::new(new.model.text());
     let mut set = |quantity: QuantityId, angle_rad: f64| {
         let span = new_model.quantities[quantity].span?;
         begun.replace(unquoted(&new.model, span), &format!("{} deg", angle_rad.to_degrees())).ok()

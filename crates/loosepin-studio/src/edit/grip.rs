@@ -13,10 +13,10 @@ use super::behind::{Setting, behind};
 use super::guide::turned;
 use super::reshape::Posed;
 use super::structure::Locks;
-use super::toml::pieces::Pieces;
+use super::toml::pieces::Replacements;
 use super::written::Written;
 use crate::drawing::still::Pose;
-use crate::messages::{Document, Grip, Held, Reshaped};
+use crate::messages::{Document, DragResult, Grip, Held};
 use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
@@ -38,7 +38,7 @@ const TOLERANCE: &str = "tolerance";
 #[derive(Default)]
 pub struct Gripped {
     /// The same for the page.
-    pub reshaped: Reshaped,
+    pub reshaped: DragResult,
     /// The model as it is to be; nothing where it stays.
     pub model: Option<String>,
     /// The study as it is to be; nothing where it stays.
@@ -63,7 +63,7 @@ impl Gripped {
 
 /// A drag that changes nothing, with the reason.
 pub fn refused_drag(words: String) -> Gripped {
-    Gripped { reshaped: Reshaped { refusal: Some(words), ..Reshaped::default() }, ..Gripped::default() }
+    Gripped { reshaped: DragResult { refusal: Some(words), ..DragResult::default() }, ..Gripped::default() }
 }
 
 /// What a drag moves.
@@ -177,7 +177,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
         return refused(format!("{} is locked: unlock it in the list of numbers", describe_path(path)));
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
-    let mut text = Pieces::new(texts.model.text());
+    let mut text = Replacements::new(texts.model.text());
     let mut shifts: BTreeMap<String, f64> = BTreeMap::new();
     let mut words = Vec::new();
     for Setting { quantity, value_si } in settings {
@@ -227,7 +227,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
     let named = model.bodies.iter().zip(&poses).skip(1).map(|(body, pose)| (body.name.clone(), pose.for_page()));
     let poses_of_page = named.collect();
     Gripped {
-        reshaped: Reshaped { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
+        reshaped: DragResult { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
         model: text.text(),
         study: study.and_then(|shifted| shifted.text()),
         expected_m,
@@ -248,10 +248,13 @@ pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Ran
 
 /// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay. A
 /// distribution without a nominal value of its own follows the model as it is.
-fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Result<(Pieces<'a>, Vec<String>), Refusal> {
+fn shifted<'a>(
+    study: &'a Arc<Source>,
+    moved: &BTreeMap<String, f64>,
+) -> Result<(Replacements<'a>, Vec<String>), Refusal> {
     let unreadable = |_| Refusal::bad("the study cannot be read: correct its problems first");
     let toml = parse_toml(study).map_err(unreadable)?;
-    let mut text = Pieces::new(study.text());
+    let mut text = Replacements::new(study.text());
     let mut stays = Vec::new();
     let random = toml.get_ref().get("random").and_then(|random| random.get_ref().as_table());
     for (path, entry) in random.into_iter().flatten() {

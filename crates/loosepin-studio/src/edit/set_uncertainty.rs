@@ -15,7 +15,7 @@ use loosepin::units::{Dimension, format_number, format_value};
 
 use super::toml::change::changes;
 use super::toml::lines::{Lines, owned};
-use super::uncertainty_spec::{Piece, UncertaintySpec, piece, uncertainty_spec};
+use super::uncertainty_spec::{UncertaintySpec, WrittenQuantity, piece, uncertainty_spec};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
@@ -67,13 +67,15 @@ pub fn known_texts(
     let known = uncertainty_spec(text, number.dimension, &number.unit)?;
     let mut in_model = Lines::new(texts.model.text());
     match (&number.place, &known) {
-        (Place::There(range), UncertaintySpec::Exact(value)) => in_model.replace([(range.clone(), value.quoted())])?,
+        (NumberLocation::There(range), UncertaintySpec::Exact(value)) => {
+            in_model.replace([(range.clone(), value.quoted())])?
+        }
         // The model keeps its value: the drawn one.
-        (Place::There(_), _) => {}
-        (Place::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {
+        (NumberLocation::There(_), _) => {}
+        (NumberLocation::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {
             give_play(&mut in_model, &model, joint, &value.quoted())?;
         }
-        (Place::NewPlay(joint), _) => {
+        (NumberLocation::NewPlay(joint), _) => {
             return Err(Refusal::bad(format!("the joint '{joint}' has no play yet"))
                 .with_hint("write its play first, for example 0.1 mm or 0.1..0.5 mm"));
         }
@@ -134,7 +136,7 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
 }
 
 /// Where a number of the model stands.
-enum Place {
+enum NumberLocation {
     /// These bytes of the model, quotes and all.
     There(Range<usize>),
     /// Nowhere yet: the play of this joint.
@@ -142,12 +144,12 @@ enum Place {
 }
 
 struct Number {
-    place: Place,
+    place: NumberLocation,
     dimension: Dimension,
     /// The unit in which it is written; empty for a plain number.
     unit: String,
     /// Its value; none of a play that is not there yet.
-    nominal: Option<Piece>,
+    nominal: Option<WrittenQuantity>,
 }
 
 impl Number {
@@ -171,7 +173,7 @@ impl Number {
                 .with_hint("change it in the text")
         })?;
         Ok(Self {
-            place: Place::There(source.clamp(span)),
+            place: NumberLocation::There(source.clamp(span)),
             dimension: quantity.dimension,
             unit: nominal.unit.clone(),
             nominal: Some(nominal),
@@ -185,7 +187,12 @@ impl Number {
             found.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none())
         });
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
-        Ok(Self { place: Place::NewPlay(name), dimension: Dimension::LENGTH, unit: "mm".to_owned(), nominal: None })
+        Ok(Self {
+            place: NumberLocation::NewPlay(name),
+            dimension: Dimension::LENGTH,
+            unit: "mm".to_owned(),
+            nominal: None,
+        })
     }
 }
 
@@ -217,7 +224,7 @@ fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) ->
             Some((EPISTEMIC, format!("{{ interval = [{}, {}] }}", lower.quoted(), upper.quoted())))
         }
         UncertaintySpec::OneOf(values) => {
-            let values: Vec<String> = values.iter().map(Piece::quoted).collect();
+            let values: Vec<String> = values.iter().map(WrittenQuantity::quoted).collect();
             Some((EPISTEMIC, format!("{{ any_of = [{}] }}", values.join(", "))))
         }
         UncertaintySpec::Fit(fit) => {
@@ -233,7 +240,7 @@ fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) ->
 }
 
 /// The ends that lie as far to both sides of a value, in its unit.
-fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
+fn around(value: &WrittenQuantity, half: &WrittenQuantity) -> [WrittenQuantity; 2] {
     let number: f64 = value.number.parse().unwrap_or(0.0);
     // Of a value of 0 the unit is told by the other number.
     let (unit, unit_si) = match number {
@@ -244,7 +251,7 @@ fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
         let value_si = value.value_si + side * half.value_si;
         // Digits that are round-off go.
         let number = format_number((value_si / unit_si * ROUND).round() / ROUND);
-        Piece { number, unit: unit.clone(), value_si }
+        WrittenQuantity { number, unit: unit.clone(), value_si }
     })
 }
 

@@ -147,7 +147,7 @@ pub enum ToPage<'a> {
 
 /// What a drag does to the texts that were sent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct Reshaped {
+pub struct DragResult {
     /// The changes, all in units of the texts that were sent, in their order.
     pub changes: Vec<Change>,
     /// The new values, in words.
@@ -170,7 +170,7 @@ pub struct LookAnswer {
     /// The mechanism; nothing where the model cannot be read, or does not move.
     pub view: Option<View>,
     /// What a drag did: `diagnostics` and `view` are of the texts with its changes.
-    pub reshaped: Option<Reshaped>,
+    pub reshaped: Option<DragResult>,
     /// How long it took.
     pub cost_ms: f64,
     /// It took too long and was stopped: nothing is known of these texts.

@@ -12,7 +12,7 @@ use tokio::sync::oneshot;
 use tokio::time::{Sleep, sleep};
 
 use crate::network::times::Times;
-use crate::network::visitors::Place;
+use crate::network::visitors::ConnectionSlot;
 
 /// Most bytes of a connection that has not shown the token: heads of requests, and a first message. Nobody else makes the studio
 /// keep more than that.
@@ -21,7 +21,7 @@ const MAX_WITHOUT_TOKEN: usize = 64 << 10;
 /// A connection with its place, which it has until it is dropped.
 pub struct Stream {
     tcp: TcpStream,
-    place: Place,
+    place: ConnectionSlot,
     /// Comes when it has to make room.
     end: oneshot::Receiver<()>,
     has_ended: bool,
@@ -35,7 +35,7 @@ pub struct Stream {
 
 impl Stream {
     /// A connection at a place, until `end` comes.
-    pub fn new(tcp: TcpStream, place: Place, end: oneshot::Receiver<()>, times: &Times) -> Self {
+    pub fn new(tcp: TcpStream, place: ConnectionSlot, end: oneshot::Receiver<()>, times: &Times) -> Self {
         let total = Box::pin(sleep(times.connection + times.last_request));
         Self { tcp, place, end, has_ended: false, total, stalled: None, write: times.write, received: 0 }
     }

@@ -64,7 +64,7 @@ struct Inside {
 }
 
 /// A place among the connections; free again when this is dropped.
-pub struct Place {
+pub struct ConnectionSlot {
     number: u64,
     /// Who has it.
     pub visitor: Visitor,
@@ -73,7 +73,7 @@ pub struct Place {
 
 /// What happens to somebody who wants in.
 enum Admission {
-    Admitted(Place, oneshot::Receiver<()>),
+    Admitted(ConnectionSlot, oneshot::Receiver<()>),
     /// Try again then, or when a place is free.
     Wait(Option<Instant>),
 }
@@ -90,7 +90,7 @@ impl Visitors {
 
     /// A place, and what comes to an end when its connection has to. Where all are taken, the oldest connection that has not shown the
     /// token makes room; where all have shown it, the next place that is free is taken.
-    pub async fn admit(self: &Arc<Self>) -> (Place, oneshot::Receiver<()>) {
+    pub async fn admit(self: &Arc<Self>) -> (ConnectionSlot, oneshot::Receiver<()>) {
         loop {
             let changed = self.changed.notified();
             match self.try_admit() {
@@ -120,11 +120,11 @@ impl Visitors {
         let (end, ended) = oneshot::channel();
         state.next += 1;
         state.inside.insert(number, Inside { visitor: visitor.clone(), since: Instant::now(), _end: end });
-        Admission::Admitted(Place { number, visitor, visitors: Arc::clone(self) }, ended)
+        Admission::Admitted(ConnectionSlot { number, visitor, visitors: Arc::clone(self) }, ended)
     }
 }
 
-impl Drop for Place {
+impl Drop for ConnectionSlot {
     fn drop(&mut self) {
         self.visitors.state().inside.remove(&self.number);
         self.visitors.changed.notify_one();
@@ -135,7 +135,7 @@ impl Drop for Place {
 mod tests {
     use super::*;
 
-    fn admitted(visitors: &Arc<Visitors>) -> Option<(Place, oneshot::Receiver<()>)> {
+    fn admitted(visitors: &Arc<Visitors>) -> Option<(ConnectionSlot, oneshot::Receiver<()>)> {
         match visitors.try_admit() {
             Admission::Admitted(place, end) => Some((place, end)),
             Admission::Wait(_) => None,

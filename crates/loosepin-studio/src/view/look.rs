@@ -20,7 +20,7 @@ use crate::files::folder::Folder;
 use crate::messages::{
     BodyView, JointView, LimitView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
 };
-use crate::view::diagnostics::seen;
+use crate::view::diagnostics::diagnostic_views;
 use crate::view::limits::limits;
 use crate::view::quantities::quantities;
 use crate::view::texts::Texts;
@@ -35,7 +35,7 @@ const POSITIONS: [usize; 2] = [12, 720];
 
 /// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
 /// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
-pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
+pub fn answer_look(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
     let began = Instant::now();
     let before = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
@@ -107,14 +107,14 @@ fn seen_after(
                 }),
         }
     });
-    let diagnostics = seen(&diagnostics, &texts);
+    let diagnostics = diagnostic_views(&diagnostics, &texts);
     (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
 }
 
-/// As [`look_until`], to its end.
+/// As [`answer_look`], to its end.
 #[cfg(test)]
 pub fn look(folder: &Folder, look: &Look) -> LookAnswer {
-    look_until(folder, look, &AtomicBool::new(false))
+    answer_look(folder, look, &AtomicBool::new(false))
 }
 
 /// The answer to a look that took longer than it may.

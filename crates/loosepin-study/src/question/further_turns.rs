@@ -69,10 +69,10 @@ struct FurtherTurnsQuestion {
     /// Runs of the bounds at most, among which those are that go on.
     most_of_bounds: usize,
     /// What they change, or why there is nothing to look at; `None` before the runs.
-    answer: Option<Answer>,
+    answer: Option<FurtherTurnsResult>,
 }
 
-type Answer = Result<FurtherTurns, &'static str>;
+type FurtherTurnsResult = Result<FurtherTurns, &'static str>;
 
 const IS_TIME: &str = "The study covers a duration, not turns: no turns follow those that are recorded.";
 const IS_LIFE: &str = "Joints wear: the life is extrapolated from its cycles, not from further turns.";
@@ -135,7 +135,7 @@ impl Question for FurtherTurnsQuestion {
 ///
 /// # Errors
 /// The study was interrupted.
-fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyError> {
+fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResult, StudyError> {
     let (study, table, plan) = (runs.study, &runs.table, &runs.response.shared.plan);
     if matches!(study.cycle.span, CycleSpan::Duration(_)) {
         return Ok(Err(IS_TIME));

@@ -7,7 +7,7 @@ use crate::response::columns::Location;
 use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
 use crate::runs::all_runs::Runs;
-use crate::runs::part::Part;
+use crate::runs::run_subset::RunSubset;
 use crate::runs::table::{curve_name, scalar_name};
 use crate::study_run::all_failed;
 use loosepin_bounds::{DoubleLoop, Problem, Request, RunInputs, SampleTable};
@@ -88,12 +88,12 @@ impl<'s> FurtherOutputs<'s> {
     }
 
     /// Makes the runs of a round, `before` of which were made in the rounds before it: what they record, in their order. The store
-    /// and the part of `options` are not used.
+    /// and the subset of runs of `options` are not used.
     ///
     /// # Errors
-    /// It was interrupted, all runs of the first round failed, or their maker stopped.
+    /// It was interrupted, all runs of the first round failed, or their provider stopped.
     pub fn run(&self, round: &[RunInputs], before: usize, options: &RunOptions<'_>) -> Result<SampleTable, StudyError> {
-        let options = RunOptions { store: None, part: Part::Whole, ..*options };
+        let options = RunOptions { store: None, run_subset: RunSubset::Whole, ..*options };
         let most_runs = self.plan.most_runs().max(before + round.len());
         let table = SampleTable::new(self.response.row_length());
         let mut runs = Runs::new(&options, (self.study, &self.response), table, (before, most_runs))?;

@@ -34,14 +34,14 @@ impl IdealKey {
 
 /// What is known of the ideal motion of a mechanism whose loops close.
 #[derive(Debug, Clone, Default)]
-pub struct KnownIdeal {
+pub struct CachedIdealMotion {
     /// Its table, where deviations from it are asked for.
     pub curve: Option<Arc<IdealCurve>>,
     /// Itself, where forces decide it and outputs without a table are asked for.
     pub motion: Option<Arc<FreeMotion>>,
 }
 
-impl KnownIdeal {
+impl CachedIdealMotion {
     /// Numbers that it is kept in.
     fn numbers(&self) -> usize {
         let of_curve = self.curve.as_ref().map_or(0, |curve| curve.numbers());
@@ -52,23 +52,23 @@ impl KnownIdeal {
 /// The ideal motions that are known. Each has the same bits whoever finds it.
 #[derive(Debug, Default)]
 pub struct IdealTables {
-    known: Mutex<Known>,
+    known: Mutex<Cache>,
 }
 
 #[derive(Debug, Default)]
-struct Known {
-    motions: HashMap<IdealKey, KnownIdeal>,
+struct Cache {
+    motions: HashMap<IdealKey, CachedIdealMotion>,
     numbers: usize,
 }
 
 impl IdealTables {
     /// What is known of a mechanism.
-    pub fn find(&self, key: &IdealKey) -> Option<KnownIdeal> {
+    pub fn find(&self, key: &IdealKey) -> Option<CachedIdealMotion> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).motions.get(key).cloned()
     }
 
     /// Keeps what has been found, while there is room.
-    pub fn keep(&self, key: IdealKey, ideal: KnownIdeal) {
+    pub fn keep(&self, key: IdealKey, ideal: CachedIdealMotion) {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let numbers = key.0.len() + ideal.numbers();
         if known.numbers + numbers <= MAX_NUMBERS {

@@ -16,7 +16,7 @@ use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreId
 use loosepin_text::diagnostics::{Diagnostics, Problem};
 
 /// What became of a study in a folder.
-pub enum Concluded {
+pub enum StudyOutcome {
     /// Its results stand in the folder.
     Finished {
         /// The results.
@@ -41,7 +41,7 @@ pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
 }
 
 /// The outcome of claiming the folder of a study.
-pub enum Begun {
+pub enum ClaimOutcome {
     /// Its results are there already.
     Finished(ResultsFolder),
     /// The folder is taken, and the store is open.
@@ -56,12 +56,12 @@ pub enum Begun {
 pub fn begin_in_folder(
     claim: &Claim,
     open: impl Fn(&Arc<FolderLock>) -> Result<RunStore, StoreError>,
-) -> Result<Begun, Diagnostics> {
+) -> Result<ClaimOutcome, Diagnostics> {
     let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
     let folder = claim.lock(&store_files).map_err(report)?;
     if folder.is_finished() {
         remove_store(folder.lock()).map_err(report)?;
-        return Ok(Begun::Finished(folder.begin().map_err(report)?));
+        return Ok(ClaimOutcome::Finished(folder.begin().map_err(report)?));
     }
     // A store that cannot be looked at is one that is there.
     let was_there = folder.lock().folder().find(Path::new(STORE_FILE)).map_or(true, |found| found.is_some());
@@ -73,7 +73,7 @@ pub fn begin_in_folder(
         report(error)
     })?;
     match folder.begin() {
-        Ok(folder) => Ok(Begun::Open(folder, store)),
+        Ok(folder) => Ok(ClaimOutcome::Open(folder, store)),
         Err(error) => {
             if !was_there {
                 let _ = store.remove();
@@ -94,18 +94,18 @@ pub fn conclude(
     outcome: Result<StudyRun, StudyError>,
     page: &dyn Fn(&StudyResult) -> String,
     (started, threads): (SystemTime, usize),
-) -> Result<Concluded, Diagnostics> {
+) -> Result<StudyOutcome, Diagnostics> {
     match outcome {
         Ok(run) => {
             let made = store.flush().map_err(report)?.saturating_sub(store.runs_at_start());
             let timing = Timing::since(started, made as usize, threads);
             write(&mut folder, &run, page, &timing)?;
             store.remove().map_err(report)?;
-            Ok(Concluded::Finished { run: run.into(), folder })
+            Ok(StudyOutcome::Finished { run: run.into(), folder })
         }
         Err(StudyError::Interrupted { finished, most_runs }) => {
             keep(&mut folder, &finished)?;
-            Ok(Concluded::Interrupted { finished, most_runs, folder: folder.path().to_owned() })
+            Ok(StudyOutcome::Interrupted { finished, most_runs, folder: folder.path().to_owned() })
         }
         Err(StudyError::TooManyFailed(failed)) => {
             keep(&mut folder, &failed.runs)?;

@@ -157,12 +157,12 @@ pub(super) fn check_blocks(blocks: &[&mut [f64]], values: &[usize], lanes: usize
 }
 
 /// A row: the result of an operation in `C` vectors of `W` lanes.
-type Row<const W: usize, const C: usize> = [Cell<[f64; W]>; C];
+type LaneValues<const W: usize, const C: usize> = [Cell<[f64; W]>; C];
 
 /// Writes the result of a node that is no input from the rows of its operands; a mask is 1 where it holds, else 0. Every arm is a
 /// loop of its own over the lanes, which the compiler turns into vector instructions.
 #[inline(always)]
-fn operate<const W: usize, const C: usize>(node: Node, rows: &[Row<W, C>], result: &Row<W, C>) {
+fn operate<const W: usize, const C: usize>(node: Node, rows: &[LaneValues<W, C>], result: &LaneValues<W, C>) {
     let value = |row: NodeIndex| &rows[row as usize];
     match node {
         Node::Input(_) => {}
@@ -218,14 +218,18 @@ fn operate<const W: usize, const C: usize>(node: Node, rows: &[Row<W, C>], resul
 }
 
 #[inline(always)]
-fn fill<const W: usize, const C: usize>(result: &Row<W, C>, number: f64) {
+fn fill<const W: usize, const C: usize>(result: &LaneValues<W, C>, number: f64) {
     for result in result {
         result.set([number; W]);
     }
 }
 
 #[inline(always)]
-fn one<const W: usize, const C: usize>(result: &Row<W, C>, operand: &Row<W, C>, operation: impl Fn(f64) -> f64) {
+fn one<const W: usize, const C: usize>(
+    result: &LaneValues<W, C>,
+    operand: &LaneValues<W, C>,
+    operation: impl Fn(f64) -> f64,
+) {
     for vector in 0..C {
         let mut numbers = operand[vector].get();
         for number in &mut numbers {
@@ -237,8 +241,8 @@ fn one<const W: usize, const C: usize>(result: &Row<W, C>, operand: &Row<W, C>, 
 
 #[inline(always)]
 fn two<const W: usize, const C: usize>(
-    result: &Row<W, C>,
-    [left, right]: [&Row<W, C>; 2],
+    result: &LaneValues<W, C>,
+    [left, right]: [&LaneValues<W, C>; 2],
     operation: impl Fn(f64, f64) -> f64,
 ) {
     for vector in 0..C {
@@ -253,8 +257,8 @@ fn two<const W: usize, const C: usize>(
 
 #[inline(always)]
 fn three<const W: usize, const C: usize>(
-    result: &Row<W, C>,
-    [first, second, third]: [&Row<W, C>; 3],
+    result: &LaneValues<W, C>,
+    [first, second, third]: [&LaneValues<W, C>; 3],
     operation: impl Fn(f64, f64, f64) -> f64,
 ) {
     for vector in 0..C {

@@ -10,9 +10,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::assemble::Code;
+use super::block_start::BlockStart;
 use super::error::NativeError;
 use super::evaluate::check_blocks;
-use super::place::Place;
 use super::program::Program;
 use super::translate::{KernelSize, translate};
 use super::{Level, MAX_BLOCKS};
@@ -131,12 +131,12 @@ impl Kernel {
 pub(super) struct PlacedKernel {
     kernel: Kernel,
     /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
-    parts: [Part; MAX_BLOCKS],
+    parts: [BlockRange; MAX_BLOCKS],
 }
 
 /// Numbers of a block, from the first to behind the last.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Part {
+pub(super) struct BlockRange {
     block: usize,
     first: usize,
     end: usize,
@@ -148,7 +148,7 @@ impl PlacedKernel {
     /// # Errors
     ///
     /// Those of [`parts`].
-    pub fn new(kernel: &Kernel, places: &[Place]) -> Result<Self, NativeError> {
+    pub fn new(kernel: &Kernel, places: &[BlockStart]) -> Result<Self, NativeError> {
         Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
     }
 
@@ -282,13 +282,17 @@ impl PlacedKernels {
 ///
 /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], and [`NativeError::PlacesOverlap`] where two blocks have numbers in
 /// common.
-pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<[Part; MAX_BLOCKS], NativeError> {
+pub(super) fn parts(
+    values: &[usize],
+    places: &[BlockStart],
+    lanes: usize,
+) -> Result<[BlockRange; MAX_BLOCKS], NativeError> {
     if places.len() < values.len() {
         return Err(NativeError::TooFewBlocks { given: places.len(), needed: values.len() });
     }
-    let mut parts = [Part::default(); MAX_BLOCKS];
+    let mut parts = [BlockRange::default(); MAX_BLOCKS];
     for (index, (place, &values)) in places.iter().zip(values).enumerate() {
-        let Place { block, first } = *place;
+        let BlockStart { block, first } = *place;
         if block >= MAX_BLOCKS || index >= MAX_BLOCKS {
             return Err(NativeError::TooManyBlocks { given: block.max(index) + 1 });
         }
@@ -296,7 +300,7 @@ pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<
             continue;
         }
         let end = first.saturating_add(values).saturating_mul(lanes);
-        let part = Part { block, first: first.saturating_mul(lanes), end };
+        let part = BlockRange { block, first: first.saturating_mul(lanes), end };
         if parts.iter().any(|other| other.block == block && other.first < part.end && part.first < other.end) {
             return Err(NativeError::PlacesOverlap { block });
         }

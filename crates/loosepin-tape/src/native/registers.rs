@@ -11,7 +11,7 @@ use super::lower::{Lowered, ValueIndex};
 
 /// Where a value is now.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct ValueLocation {
     register: Option<u8>,
     pub memory: Option<Memory>,
 }
@@ -45,7 +45,7 @@ pub(super) struct Allocator<'a> {
     level: Level,
     /// Vectors, and masks where they have registers of their own.
     files: [RegisterFile; 2],
-    pub places: Vec<Place>,
+    pub places: Vec<ValueLocation>,
     /// Positions of the units to come that read a value, last first, so that the next one is at the end.
     pub uses: Vec<Vec<usize>>,
     /// The unit at hand.
@@ -75,7 +75,7 @@ impl<'a> Allocator<'a> {
             level,
             // k0 cannot choose lanes.
             files: [RegisterFile::new(0, level.vector_registers()), RegisterFile::new(1, 7)],
-            places: lowered.values.iter().map(|value| Place { register: None, memory: value.memory }).collect(),
+            places: lowered.values.iter().map(|value| ValueLocation { register: None, memory: value.memory }).collect(),
             uses,
             position: 0,
             free_frame_vectors: Vec::new(),
@@ -163,7 +163,7 @@ impl<'a> Allocator<'a> {
     }
 
     /// The register of `value`, which is loaded if it is in none, and stays there for the present unit.
-    pub fn loaded(&mut self, value: ValueIndex) -> u8 {
+    pub fn ensure_in_register(&mut self, value: ValueIndex) -> u8 {
         let file = self.file_of(value);
         let register = match (self.register_of(value), self.places[value as usize].memory) {
             (None, Some(from)) => {

@@ -95,7 +95,7 @@ pub enum Mirrored {
 
 /// What errors e of the values do to a statistic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MovedBy {
+pub enum ErrorEffect {
     /// For |e| <= h it lies between its values for Y - h and Y + h, that for Y itself among them.
     Shifts,
     /// By √E(e²) at most.
@@ -145,8 +145,8 @@ pub trait StatisticKind: Any {
     }
 
     /// What errors of the values do to it.
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Unknown
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Unknown
     }
 }
 

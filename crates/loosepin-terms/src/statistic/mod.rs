@@ -15,7 +15,7 @@ mod standard_deviation;
 mod tests;
 
 pub use event::Event;
-pub use kind::{Description, Estimation, Form, Mirrored, MovedBy, Number, NumberKind, StatisticKind};
+pub use kind::{Description, ErrorEffect, Estimation, Form, Mirrored, Number, NumberKind, StatisticKind};
 pub use quantile::between_order_statistics;
 
 /// The enum of all statistics, their lists, and what each hands on to its own file.
@@ -116,7 +116,7 @@ impl Statistic {
         Self::Cdf
     }
 
-    /// What of an error of every value tells how far a statistic goes that is [moved by its root mean square](MovedBy::RootMeanSquare): of its
+    /// What of an error of every value tells how far a statistic goes that is [moved by its root mean square](ErrorEffect::RootMeanSquare): of its
     /// square this one.
     pub const fn of_squared_error() -> Self {
         Self::Mean
@@ -228,7 +228,7 @@ impl Statistic {
     }
 
     /// What errors of the values do to it.
-    pub fn moved_by_errors(self) -> MovedBy {
-        self.with_kind(StatisticKind::moved_by_errors)
+    pub fn effect_of_errors(self) -> ErrorEffect {
+        self.with_kind(StatisticKind::effect_of_errors)
     }
 }

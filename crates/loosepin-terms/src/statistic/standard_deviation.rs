@@ -1,6 +1,6 @@
 //! The standard deviation, √E((Y - E Y)²).
 
-use super::kind::{Description, Estimation, Form, MovedBy, StatisticKind};
+use super::kind::{Description, ErrorEffect, Estimation, Form, StatisticKind};
 use super::mean::Mean;
 
 pub(super) struct StandardDeviation;
@@ -33,7 +33,7 @@ impl StatisticKind for StandardDeviation {
     }
 
     /// It is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::RootMeanSquare
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::RootMeanSquare
     }
 }

@@ -83,7 +83,7 @@ pub fn design_points<E>(
     let sign = if at_origin <= 0.0 { -1.0 } else { 1.0 };
     let mut found: Vec<DesignPoint> = Vec::new();
     for start in std::iter::once(origin).chain(further_starts(&mut counted, dimensions, search)?) {
-        let Some(mut design) = descend(&mut counted, start, search.iterations)? else { continue };
+        let Some(mut design) = search_design_point(&mut counted, start, search.iterations)? else { continue };
         design.index *= sign;
         let apart = |other: &DesignPoint| {
             let squares = other.point.iter().zip(&design.point).map(|(a, b)| (a - b) * (a - b));
@@ -104,7 +104,7 @@ pub fn design_points<E>(
 }
 
 /// One design point from `start`; nothing where g has no numbers or no slope there.
-pub(super) fn descend<E>(
+pub(super) fn search_design_point<E>(
     limit_state: &mut impl FnMut(&[Vec<f64>]) -> Result<Vec<f64>, E>,
     start: Vec<f64>,
     iterations: usize,

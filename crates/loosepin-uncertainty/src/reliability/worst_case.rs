@@ -1,6 +1,6 @@
 //! Where in a box of unknown inputs an event is likeliest and least likely: by the reliability index, which is not flat.
 
-use super::design_point::{DesignPoint, DesignSearch, descend, design_points};
+use super::design_point::{DesignPoint, DesignSearch, design_points, search_design_point};
 
 /// First and last step of the search, in shares of the box.
 const FIRST_STEP: f64 = 0.25;
@@ -144,7 +144,7 @@ fn follow<E>(
     let at_origin = limit_state(&[vec![0.0; dimensions]])?[0];
     let sign = if at_origin <= 0.0 { -1.0 } else { 1.0 };
     for design in known {
-        if let Some(next) = descend(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
+        if let Some(next) = search_design_point(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
             found.push(DesignPoint { index: sign * next.index, ..next });
         }
     }

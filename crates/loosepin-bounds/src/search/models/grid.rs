@@ -50,7 +50,7 @@ impl Grid {
     /// Prepares the models for `points` of the unit box; those that pass beside the values take part where it `may_pass_beside`. Nothing where
     /// there are too few points for any model. The factors of an `earlier` grid are taken over where the points begin with its own.
     pub fn try_new(points: &[Vec<f64>], may_pass_beside: bool, axes: &Axes, earlier: &[Arc<Self>]) -> Option<Self> {
-        let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
+        let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.embed(point)).collect();
         let begins_so = |earlier: &&Arc<Self>| seen.starts_with(&earlier.seen);
         let longest = earlier.iter().filter(begins_so).max_by_key(|earlier| earlier.seen.len());
         let known = longest.map_or_else(BTreeMap::new, |earlier| earlier.factors());

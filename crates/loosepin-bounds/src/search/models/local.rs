@@ -27,31 +27,31 @@ const MAX_SEEN: usize = 384;
 /// The models of one set of points, shared by all statistics that are known there.
 pub(crate) struct LocalSmoothers {
     axes: Axes,
-    parts: Vec<Part>,
+    parts: Vec<SmoothedRegion>,
     /// Candidates, then points, and by which part each is predicted; empty where there is one part alone.
     places: Vec<Vec<f64>>,
     owners: Vec<Owner>,
 }
 
 /// A part of the box with its smoother.
-struct Part {
+struct SmoothedRegion {
     region: Region,
     /// The points that its smoother sees.
     seen: Vec<usize>,
     smoother: Smoother,
 }
 
-impl Part {
+impl SmoothedRegion {
     /// Fits those of `values` that its smoother sees.
     fn fit(&self, values: &[f64], noise: &Noise) -> Fit<'_> {
         let seen: Vec<f64> = self.seen.iter().map(|&point| values[point]).collect();
-        self.smoother.fit(&seen, &noise.among(&self.seen))
+        self.smoother.fit(&seen, &noise.at_points(&self.seen))
     }
 
     /// [`Self::fit`] of each of several lists of values.
     fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<Fit<'_>> {
         let among = |&(values, noise): &(&[f64], &Noise)| -> (Vec<f64>, Noise) {
-            (self.seen.iter().map(|&point| values[point]).collect(), noise.among(&self.seen))
+            (self.seen.iter().map(|&point| values[point]).collect(), noise.at_points(&self.seen))
         };
         let seen: Vec<(Vec<f64>, Noise)> = all.iter().map(among).collect();
         self.smoother.fit_all(&seen.iter().map(|(values, noise)| (&values[..], noise)).collect::<Vec<_>>())
@@ -92,7 +92,7 @@ impl LocalSmoothers {
             let (region, seen) = (Region::whole(points.first()?.len()), (0..points.len()).collect());
             let grid = grid(0, &points)?;
             let smoother = Smoother::new(grid, points, candidates, axes);
-            let parts = vec![Part { region, seen, smoother }];
+            let parts = vec![SmoothedRegion { region, seen, smoother }];
             return Some(Self { axes: axes.clone(), parts, places: Vec::new(), owners: Vec::new() });
         }
         let mut divided = Vec::new();
@@ -122,7 +122,7 @@ impl LocalSmoothers {
             let known: Vec<Vec<f64>> = seen.iter().map(|&point| points[point].clone()).collect();
             let grid = grid(part, &known)?;
             let smoother = Smoother::new(grid, known, &own_candidates[part], axes);
-            parts.push(Part { region, seen, smoother });
+            parts.push(SmoothedRegion { region, seen, smoother });
         }
         Some(Self { axes: axes.clone(), parts, places, owners })
     }
@@ -256,7 +256,7 @@ impl<'a> LocalFits<'a> {
         let own = match &self.smoothers.parts[..] {
             [_] => 0,
             parts => {
-                let distance = |part: &Part| part.region.distance(&self.smoothers.axes, place);
+                let distance = |part: &SmoothedRegion| part.region.distance(&self.smoothers.axes, place);
                 (1..parts.len()).fold(
                     0,
                     |best, part| {

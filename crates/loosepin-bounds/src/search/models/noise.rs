@@ -16,7 +16,7 @@ impl Noise {
     pub const NONE: Self = Self { variance: 0.0, replicates: Vec::new() };
 
     /// That at some of the points.
-    pub fn among(&self, points: &[usize]) -> Self {
+    pub fn at_points(&self, points: &[usize]) -> Self {
         let of = |replicate: &Vec<f64>| points.iter().map(|&point| replicate[point]).collect();
         Self { variance: self.variance, replicates: self.replicates.iter().map(of).collect() }
     }

@@ -10,7 +10,7 @@ use crate::search::models::local::LocalSmoothers;
 use crate::search::models::prediction::Allowance;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::models::target_model::{Forecast, TargetModel};
-use crate::search::search_box::{Axes, Place};
+use crate::search::search_box::{Axes, BoxPoint};
 use crate::search::target::Target;
 
 /// So many targets are modelled together.
@@ -41,7 +41,7 @@ const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
 /// over all of them.
 pub(crate) struct Search<'a> {
     pub(in crate::search) axes: &'a Axes,
-    pub(in crate::search) points: &'a [Place],
+    pub(in crate::search) points: &'a [BoxPoint],
     /// The points of each combination.
     pub(in crate::search) groups: Vec<Vec<usize>>,
     smoothers: BTreeMap<Vec<usize>, Option<LocalSmoothers>>,
@@ -98,7 +98,7 @@ impl<'a> Search<'a> {
     /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
     pub fn new<'t>(
         axes: &'a Axes,
-        points: &'a [Place],
+        points: &'a [BoxPoint],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
@@ -109,7 +109,7 @@ impl<'a> Search<'a> {
     pub fn sharing<'t>(
         grids: &SharedGrids,
         axes: &'a Axes,
-        points: &'a [Place],
+        points: &'a [BoxPoint],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
@@ -201,8 +201,8 @@ impl<'a> Search<'a> {
     }
 
     /// The first `count` of `places` that keep their distances.
-    pub fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
-        let mut chosen: Vec<Place> = Vec::new();
+    pub fn new_places(&self, places: impl IntoIterator<Item = BoxPoint>, count: usize) -> Vec<BoxPoint> {
+        let mut chosen: Vec<BoxPoint> = Vec::new();
         for place in places {
             let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE)
                 && chosen.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE_IN_ROUND);

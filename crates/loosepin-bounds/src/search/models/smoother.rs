@@ -79,7 +79,7 @@ impl Smoother {
     /// The models of `grid`, which is that of `points` of the unit box; predictions are wanted at `candidates` and at the points themselves.
     pub fn new(grid: Arc<Grid>, points: Vec<Vec<f64>>, candidates: &[Vec<f64>], axes: &Axes) -> Self {
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
-        let seen = places.iter().map(|place| axes.seen(place)).collect();
+        let seen = places.iter().map(|place| axes.embed(place)).collect();
         let seen_places = ObservedPoints::new(seen, &grid.seen, grid.trend);
         let whole = Region::whole(places[0].len());
         let are_inside = places.iter().all(|place| whole.holds(place));
@@ -433,7 +433,7 @@ impl Fit<'_> {
 
     /// Prediction of S at `place`, with what an allowance asks for.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
-        let seen = self.smoother.axes.seen(place);
+        let seen = self.smoother.axes.embed(place);
         let found = self.model.mean_and_deviation(&seen, (&self.whitened.0, &self.whitened.1));
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(&seen));
@@ -442,7 +442,7 @@ impl Fit<'_> {
 
     /// [`Self::at`] each of `places`.
     pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Prediction> {
-        let seen: Vec<Vec<f64>> = places.iter().map(|place| self.smoother.axes.seen(place)).collect();
+        let seen: Vec<Vec<f64>> = places.iter().map(|place| self.smoother.axes.embed(place)).collect();
         let found = self.model.means_and_deviations(&seen, (&self.whitened.0, &self.whitened.1));
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let of = |(seen, found): (&Vec<f64>, (f64, f64))| {
@@ -457,7 +457,7 @@ impl Fit<'_> {
         let axes = &self.smoother.axes;
         let many = sign * allowance.deviations() * self.deviation;
         let whitened = (&self.whitened.0[..], &self.whitened.1[..]);
-        let (moved, seen_slopes) = self.model.moved_and_slopes(&axes.seen(place), whitened, many);
+        let (moved, seen_slopes) = self.model.moved_and_slopes(&axes.embed(place), whitened, many);
         (self.centre + moved, axes.slopes(place, &seen_slopes))
     }
 }

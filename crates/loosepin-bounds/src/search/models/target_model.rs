@@ -62,7 +62,7 @@ impl<'a> TargetModel<'a> {
     pub fn new(smoother: &'a LocalSmoothers, target: &Target, defined: &[usize]) -> Self {
         let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
         match &target.kind {
-            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.among(defined))),
+            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.at_points(defined))),
             TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
             TargetKind::Either([a, b]) => {
                 Self::Either(Box::new([a, b].map(|own| IndexModel::new(smoother, &among(own)))))
@@ -79,7 +79,7 @@ impl<'a> TargetModel<'a> {
                 return (Cow::Borrowed(&target.values), Cow::Borrowed(&target.noise));
             }
             let values = defined.iter().map(|&point| target.values[point]).collect();
-            (Cow::Owned(values), Cow::Owned(target.noise.among(defined)))
+            (Cow::Owned(values), Cow::Owned(target.noise.at_points(defined)))
         };
         let seen: Vec<(Cow<'_, [f64]>, Cow<'_, Noise>)> = plain.map(among).collect();
         let seen: Vec<(&[f64], &Noise)> = seen.iter().map(|(values, noise)| (&**values, &**noise)).collect();

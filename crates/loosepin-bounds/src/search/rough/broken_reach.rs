@@ -8,7 +8,7 @@
 //! steeply as it does on this side, and as steeply again.
 
 use crate::data::direction::{Direction, extreme_among};
-use crate::search::search_box::{Axes, Place, Region};
+use crate::search::search_box::{Axes, BoxPoint, Region};
 use loosepin_math::dense::dot;
 
 /// Where slopes meet, only points so near to the extreme are its neighbours, in units of the box: a rounded extreme changes by a few resolutions of the
@@ -58,7 +58,7 @@ struct Neighbour {
 /// extreme are rounded or not known, or it lies at a vertex. Of an extreme on a face only the points on this face count.
 pub(crate) fn reach_of_break(
     axes: &Axes,
-    points: &[Place],
+    points: &[BoxPoint],
     values: &[f64],
     members: &[usize],
     direction: Direction,
@@ -136,7 +136,7 @@ impl Neighbour {
 mod tests {
     use super::{MARGIN, reach_of_break};
     use crate::data::direction::Direction;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
 
     /// Reach beyond the greatest value of `function` at `centre`, 1e-4 to the sides of it, and further away.
     fn reach(function: impl Fn(f64, f64) -> f64, centre: [f64; 2], distances: [f64; 3]) -> Option<f64> {
@@ -150,7 +150,7 @@ mod tests {
             }
         }
         let values: Vec<f64> = points.iter().map(|&[x, y]| function(x - centre[0], y - centre[1])).collect();
-        let points: Vec<Place> = points.into_iter().map(|at| Place { combination: 0, at: at.to_vec() }).collect();
+        let points: Vec<BoxPoint> = points.into_iter().map(|at| BoxPoint { combination: 0, at: at.to_vec() }).collect();
         let members: Vec<usize> = (0..points.len()).collect();
         let (axes, region) = (Axes::open(2), Region::whole(2));
         let most = reach_of_break(&axes, &points, &values, &members, Direction::Maximum, &region);

@@ -46,20 +46,20 @@ impl<T: Real> Dynamics<'_, T> {
         };
         let (pose, twist) = (&self.kinematics.poses[slot], &self.kinematics.twists[slot]);
         let Push { arm_m, force_n, torque_n_m } =
-            load.kind.push(&numbers.own, size, &Place { pose, twist, arm_m: numbers.arm_m });
+            load.kind.push(&numbers.own, size, &LoadAtState { pose, twist, arm_m: numbers.arm_m });
         LoadForce { slot, arm_m, force_n, torque_n_m }
     }
 }
 
 /// The place of a load at the state at hand.
-struct Place<'s, T> {
+struct LoadAtState<'s, T> {
     pose: &'s Pose<T>,
     twist: &'s Twist<T>,
     /// The point that it acts on, in the frame of the body, m.
     arm_m: Vec2<T>,
 }
 
-impl<T: Real> LoadPlace<T> for Place<'_, T> {
+impl<T: Real> LoadPlace<T> for LoadAtState<'_, T> {
     #[inline(always)]
     fn turned(&self, vector: Vec2<T>) -> Vec2<T> {
         self.pose.turn(vector)

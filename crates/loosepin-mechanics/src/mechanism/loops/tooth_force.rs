@@ -42,7 +42,7 @@ impl<T: Real> ToothForce<T> {
             || joints[1].line_of_action(&places[1], kinematics).1,
             || centres_m(joints, places, kinematics),
         );
-        let is_rack = self.mesh.is_along_line() && side == 1;
+        let is_rack = self.mesh.is_rack() && side == 1;
         let on_second_wheel_n = if is_rack { across_n } else { along_n + across_n };
         // The joint holds its wheel against the teeth; the body that carries it gets the force itself.
         if (side == 1) == self.is_second[side] { -on_second_wheel_n } else { on_second_wheel_n }

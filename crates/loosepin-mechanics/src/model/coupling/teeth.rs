@@ -38,7 +38,7 @@ pub enum Mesh {
 
 impl Mesh {
     /// Whether the second one moves along a line: along it the coupling acts already.
-    pub fn is_along_line(self) -> bool {
+    pub fn is_rack(self) -> bool {
         matches!(self, Self::Rack { .. })
     }
 

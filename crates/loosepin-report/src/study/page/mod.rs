@@ -16,7 +16,7 @@ use crate::medium::article_page::{blocks, page_section};
 use crate::medium::page::{Page, Section};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::study::answer::{Answer, answer, requirement_words, verdict_headline};
+use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
 use crate::study::repeat_section::study_repeat_section;
 use crate::study::sections::{
     accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, degrees_section,
@@ -97,7 +97,7 @@ fn short_hash(hash: &str) -> String {
     hash.chars().take(8).collect()
 }
 
-fn answer_markup(answer: &Answer) -> Markup {
+fn answer_markup(answer: &StudyAnswer) -> Markup {
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {

@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, read_the_same};
 use crate::study::answer::turn_word;
-use crate::words::force::{ForcesOf, floored_words};
+use crate::words::force::{ForcesOf, min_impact_speed_words};
 use crate::words::trust::nominal_sentences;
 use crate::words::turn::share_of_runs;
 use crate::words::wording::{count, counted, has_unknown, is_by_surrogate, listed, unknown_words};
@@ -111,7 +111,10 @@ fn impact_facts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Vec<
         ("Largest normal contact force".to_owned(), Some(force.into())),
         ("Restitution".to_owned(), restitution),
         ("Outside the law's validity".to_owned(), outside.map(Text::from)),
-        ("Very slow contacts".to_owned(), floored_words(&joint.joint, joint.floored_contacts, writer).map(Text::from)),
+        (
+            "Very slow contacts".to_owned(),
+            min_impact_speed_words(&joint.joint, joint.floored_contacts, writer).map(Text::from),
+        ),
     ];
     rows.into_iter().filter_map(|(name, words)| Some(Fact::new(name, [words?]))).collect()
 }

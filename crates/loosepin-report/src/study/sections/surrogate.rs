@@ -63,7 +63,7 @@ fn bounds_table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWri
         Column::numbers("± surrogate"),
     ];
     let row = |bound: &&BoundRecord| {
-        let among = Tag::Among("surrogate".to_owned());
+        let among = Tag::Group("surrogate".to_owned());
         vec![
             statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
             direct_bound(result, bound).map(|direct| range_words(direct, writer)).into(),

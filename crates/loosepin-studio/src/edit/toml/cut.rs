@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::lines::{Lines, is_blank_line};
-use super::pieces::Piece;
+use super::pieces::Replacement;
 use super::scan::{Item, Value, ValueKind, element};
 use crate::network::refusal::Refusal;
 
@@ -18,7 +18,7 @@ impl Lines {
         let stems = Stems::of(paths);
         let which = |path: &[String]| stems.first_of(path);
         let goes = |path: &[String]| which(path).is_some();
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<Replacement> = Vec::new();
         let mut first: Option<usize> = None;
         for (index, statement) in scanned.statements.iter().enumerate() {
             if let Some(gone) = which(&statement.path) {
@@ -79,7 +79,13 @@ impl<'p> Stems<'p> {
 }
 
 /// Cuts out of a value what goes.
-fn cut(text: &str, path: &mut Vec<String>, value: &Value, goes: &impl Fn(&[String]) -> bool, pieces: &mut Vec<Piece>) {
+fn cut(
+    text: &str,
+    path: &mut Vec<String>,
+    value: &Value,
+    goes: &impl Fn(&[String]) -> bool,
+    pieces: &mut Vec<Replacement>,
+) {
     let (spans, steps, values): (Vec<Range<usize>>, Vec<Vec<String>>, Vec<&Value>) = match &value.kind {
         ValueKind::Table(items) => {
             let steps = |item: &Item| item.keys.iter().map(|key| key.name.clone()).collect();

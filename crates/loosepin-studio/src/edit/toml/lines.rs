@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::pieces::{Piece, Pieces};
+use super::pieces::{Replacement, Replacements};
 use super::scan::{Scanned, Statement, Value, ValueKind, scan};
 use crate::network::refusal::Refusal;
 
@@ -55,8 +55,8 @@ impl Lines {
     ///
     /// # Errors
     /// Two of them would stand at the same place.
-    pub fn replace(&mut self, pieces: impl IntoIterator<Item = Piece>) -> Result<(), Refusal> {
-        let mut all = Pieces::new(&self.text);
+    pub fn replace(&mut self, pieces: impl IntoIterator<Item = Replacement>) -> Result<(), Refusal> {
+        let mut all = Replacements::new(&self.text);
         for (range, new) in pieces {
             all.replace(range, &new)?;
         }
@@ -229,7 +229,7 @@ fn above_comments(text: &str, mut start: usize) -> usize {
 }
 
 /// An entry more in a table in braces.
-fn into_braces(braces: &Value, key: &str, value: &str) -> Option<Piece> {
+fn into_braces(braces: &Value, key: &str, value: &str) -> Option<Replacement> {
     let ValueKind::Table(items) = &braces.kind else { return None };
     Some(match items.last() {
         Some(last) => (last.value.span.end..last.value.span.end, format!(", {key} = {value}")),

@@ -10,7 +10,7 @@ use loosepin_store::Shard;
 /// A study asks for its runs in rounds, each of which depends on the rounds before it alone. Whoever makes a part of them keeps his
 /// runs in a store, and comes no further than the first round of which a run is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum RunSubset {
     /// All of it.
     Whole,
     /// The runs of a shard.
@@ -24,7 +24,7 @@ pub enum Part {
     },
 }
 
-impl Part {
+impl RunSubset {
     /// Whether a missing run at `place` of a list, in a round of `round_runs` runs, is made here.
     pub(crate) fn makes(self, place: u64, round_runs: usize) -> bool {
         match self {
