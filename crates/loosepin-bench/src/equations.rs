@@ -43,7 +43,7 @@ pub fn parts(case: &Case) -> Vec<ProgramGroup> {
         // As in a batch: angles are near those at the start of the step.
         for (turning, slot) in mechanism.real.turning_slots().enumerate() {
             let [angle_rad, sine, cosine] = [0, 1, 2].map(|k| input(Block::StartReads, 3 * turning + k));
-            dynamics.kinematics.know(slot, KnownAngle { angle_rad, sine, cosine });
+            dynamics.kinematics.set_known_angle(slot, KnownAngle { angle_rad, sine, cosine });
         }
         dynamics.kinematics.set_near(true);
         let n = mechanism.real.free;

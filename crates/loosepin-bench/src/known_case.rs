@@ -91,7 +91,7 @@ impl KnownCase {
 
     /// The same for programs that know of no angles: those that go round are intervals.
     #[must_use]
-    pub fn cut_open(self) -> Self {
+    pub fn without_periodic_inputs(self) -> Self {
         let open = |variable: EpistemicVariable| match variable {
             EpistemicVariable::Periodic(turn) => EpistemicVariable::Interval(turn),
             other => other,

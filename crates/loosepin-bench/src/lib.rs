@@ -69,7 +69,7 @@ pub fn named_cases(otherwise: &[&str]) -> Vec<String> {
 }
 
 /// The kinds of surrogates that a word asks for.
-pub fn choice(word: &str) -> Option<Choice> {
+pub fn surrogate_choice(word: &str) -> Option<Choice> {
     match word {
         "auto" => Some(Choice::Auto),
         "chaos" => Some(Choice::Only(Kind::Chaos)),

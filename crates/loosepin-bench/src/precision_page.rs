@@ -1,6 +1,6 @@
 //! Tables and pictures of work against error.
 
-use crate::diagram::{Line, Panel, thousands};
+use crate::diagram::{Line, Panel, with_thousands_separators};
 use crate::precision::{Case, Method, Point, Samples, work_at};
 use loosepin::integrate::{DOP853, TSITOURAS_5};
 use loosepin::simulate::{Integrator, Settings};
@@ -123,7 +123,7 @@ impl Measured {
             Line {
                 label: method.name.trim_end_matches(" 5(4)").to_owned(),
                 points: drawn().map(|point| (point.quantile_m, point.evaluations as f64)).collect(),
-                ringed: drawn().position(|point| point.tolerance_m == PROMISED_M),
+                highlighted: drawn().position(|point| point.tolerance_m == PROMISED_M),
             }
         };
         Panel {
@@ -136,8 +136,12 @@ impl Measured {
 
 /// Evaluations, and factorizations where there are any.
 fn work(evaluations: f64, factorizations: f64) -> String {
-    let evaluations = thousands(evaluations);
-    if factorizations == 0.0 { evaluations } else { format!("{evaluations} and {}", thousands(factorizations)) }
+    let evaluations = with_thousands_separators(evaluations);
+    if factorizations == 0.0 {
+        evaluations
+    } else {
+        format!("{evaluations} and {}", with_thousands_separators(factorizations))
+    }
 }
 
 fn capitalised(text: &str) -> String {

@@ -47,11 +47,11 @@ impl Pace {
 impl Bar {
     /// A bar that is empty until the first report.
     pub fn new() -> Bar {
-        Bar::going_on(0)
+        Bar::resumed(0)
     }
 
     /// A bar of a study that continues with `kept` finished runs.
-    pub fn going_on(kept: usize) -> Bar {
+    pub fn resumed(kept: usize) -> Bar {
         Bar::of("runs", kept)
     }
 

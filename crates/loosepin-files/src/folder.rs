@@ -129,7 +129,7 @@ impl Folder {
     /// There is none, it is a link or no plain file; the path leads elsewhere.
     pub fn open_file(&self, relative: &Path) -> io::Result<(File, FileInfo)> {
         let (folder, name) = self.parent_of(relative)?;
-        let file = folder.directory.open_to_read(name).map_err(|error| folder.link_or(name, error))?;
+        let file = folder.directory.open_to_read(name).map_err(|error| folder.open_error(name, error))?;
         let info = file_info(&file)?;
         info.require_file()?;
         Ok((file, info))
@@ -153,7 +153,7 @@ impl Folder {
     }
 
     /// The reason why `name` could not be opened: that it is a link, or no file, where the system has only a number for it.
-    pub(crate) fn link_or(&self, name: &OsStr, error: io::Error) -> io::Error {
+    pub(crate) fn open_error(&self, name: &OsStr, error: io::Error) -> io::Error {
         match self.directory.info(name).map(|found| found.kind) {
             Ok(FileKind::Link) => Refused::Link.into(),
             Ok(FileKind::Other) if error.kind() != io::ErrorKind::PermissionDenied => Refused::NotAFile.into(),

@@ -319,7 +319,7 @@ impl LockFile {
     /// Opens it, or makes it.
     fn open(folder: &Folder, kind: LockKind) -> io::Result<Self> {
         let name = OsStr::new(kind.file_name());
-        let of_kind = |error| folder.link_or(name, error);
+        let of_kind = |error| folder.open_error(name, error);
         let old = |file: File, is_read_only| {
             file_info(&file)?.require_file()?;
             Ok(Self { file, is_new: false, is_read_only })

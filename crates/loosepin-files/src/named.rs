@@ -122,7 +122,7 @@ pub fn may_write(path: &Path) -> bool {
 ///
 /// # Errors
 /// An error of the file system, or one that does not remove files that are open.
-pub fn unnamed_file(folder: &Path) -> io::Result<File> {
+pub fn anonymous_file(folder: &Path) -> io::Result<File> {
     let directory = Directory::at(folder)?;
     let name = TemporaryKind::Unnamed.new_name()?;
     let file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;

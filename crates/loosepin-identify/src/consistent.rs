@@ -70,7 +70,7 @@ impl ConsistentSet {
         let mut program = LinearProgram::new(self.variables());
         for (_, row) in self.rows.iter().enumerate().filter(|(index, _)| !leaves_out(*index)) {
             for (coefficients, limit) in self.two_rows(row, 1.0) {
-                program.demand(coefficients, limit);
+                program.add_constraint(coefficients, limit);
             }
         }
         program
@@ -126,7 +126,8 @@ impl ConsistentSet {
                         let direction = if is_down { -1.0 } else { 1.0 };
                         side * direction * factor * (high - low)
                     };
-                    program.demand(row.factors.iter().zip(&self.intervals_si).enumerate().map(of).collect(), 0.0);
+                    program
+                        .add_constraint(row.factors.iter().zip(&self.intervals_si).enumerate().map(of).collect(), 0.0);
                 }
             }
             let mut objective = vec![0.0; self.intervals_si.len()];
@@ -140,7 +141,7 @@ impl ConsistentSet {
         let mut program = LinearProgram::new(self.variables());
         for row in &self.rows {
             for (coefficients, limit) in self.two_rows(row, errors) {
-                program.demand(coefficients, limit);
+                program.add_constraint(coefficients, limit);
             }
         }
         program.is_empty()

@@ -13,7 +13,7 @@ use super::rig::Rig;
 use super::states::States;
 use loosepin_math::solve_square;
 use loosepin_mechanics::model::{Axis, BodyId, Motion, PointId, Position, Relative};
-use loosepin_result::identification::{FurtherReading, Searched};
+use loosepin_result::identification::{FurtherReading, ReadingSearch};
 use loosepin_simulate::accuracy::{PositionOutput, position_outputs};
 use loosepin_simulate::{Reading, relative_words};
 use loosepin_study::{Measured, Push};
@@ -67,11 +67,11 @@ pub(crate) fn further(
     set: &ConsistentSet,
     bounds: &[[End; 2]],
     readings: &[&Measured],
-) -> (Searched, Option<FurtherReading>) {
+) -> (ReadingSearch, Option<FurtherReading>) {
     let usual = Usual::of(rig, set, readings);
     let information = information(set);
     let (candidates, tried) = candidates(rig, &usual, &information);
-    let searched = Searched { candidates: tried, in_full: candidates.len() };
+    let searched = ReadingSearch { candidates: tried, in_full: candidates.len() };
     let middle = middle(bounds);
     let now: Vec<f64> = bounds[..rig.plays.len()].iter().map(|[low, high]| high.value_si - low.value_si).collect();
     let mut best: Option<(f64, FurtherReading)> = None;

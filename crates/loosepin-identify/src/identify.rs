@@ -11,7 +11,7 @@ use super::motion::{MotionValues, ProgressCallback, identify_motion};
 use super::rig::Rig;
 use super::states::States;
 use loosepin_result::identification::{
-    Combination, Consistent, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
+    Combination, ConsistentPlays, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
 };
 use loosepin_result::repeat::Repeat;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
@@ -303,7 +303,7 @@ fn of_readings(
             let further = looks_further.then(|| further(rig, &set, &bounds, readings));
             let searched = further.as_ref().map(|(searched, _)| *searched);
             let further = further.and_then(|(_, further)| further);
-            Outcome::Consistent(Consistent {
+            Outcome::ConsistentPlays(ConsistentPlays {
                 plays,
                 combinations,
                 alike: sums_of_plays.alike.clone(),

@@ -1,7 +1,7 @@
 //! Which reading no plays explain, and by how much.
 
 use super::consistent::ConsistentSet;
-use loosepin_result::identification::{Culprit, Misfit};
+use loosepin_result::identification::{InconsistentReading, Misfit};
 
 /// Largest factor of the errors that is looked for.
 const MAX_FACTOR: f64 = 1e9;
@@ -25,7 +25,13 @@ pub(crate) fn misfit(set: &ConsistentSet) -> Misfit {
         let Some(expected_si) = expected else { continue };
         let apart_si = apart(expected_si, found_si(reading));
         if apart_si > 0.0 {
-            culprits.push(Culprit { reading, is_alone, expected_si, found_si: found_si(reading), apart_si });
+            culprits.push(InconsistentReading {
+                reading,
+                is_alone,
+                expected_si,
+                found_si: found_si(reading),
+                apart_si,
+            });
         }
     }
     if culprits.iter().any(|culprit| culprit.is_alone) {

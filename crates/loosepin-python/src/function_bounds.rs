@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{
-    self, BoundPair, EvaluateError, Goal, Problem, Reading, Refinement, Request, SampleTable, Sampling, Standing,
-    Statistic,
+    self, BoundPair, EvaluateError, Goal, Problem, Reading, Refinement, RefinementStatus, Request, SampleTable,
+    Sampling, Statistic,
 };
 use loosepin::diagnostics::{self, Code};
 use loosepin::uncertainty::Copula;
@@ -111,7 +111,7 @@ pub fn evaluate<'py>(
     let planned = plan.plan(&table).most_runs();
     let budget = accuracy.budget.unwrap_or(planned.saturating_mul(bounds::USUAL_GROWTH));
     let is_budget_spent = loop {
-        let round = unlocked(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
+        let round = without_gil(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
         let is_too_large = is_asked && table.len() + round.len() > budget;
         if is_too_large && table.is_empty() {
             let least = round.len();
@@ -131,13 +131,13 @@ pub fn evaluate<'py>(
             table.push(inputs, Ok(&row.to_vec())).map_err(|error| fail(error.into()))?;
         }
     };
-    let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
+    let answers = without_gil(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
     let given = answer(py, &answers, &names, &table)?;
-    let stop = match plan.standing() {
+    let stop = match plan.status() {
         _ if is_budget_spent => "budget",
-        Standing::Reached => "reached",
-        Standing::Growing | Standing::Exhausted => "exhausted",
+        RefinementStatus::Reached => "reached",
+        RefinementStatus::Growing | RefinementStatus::Exhausted => "exhausted",
     };
     let steps = plan.history().iter().map(|step| (step.runs, step.outer, step.inner, step.share));
     given.set_item("accuracy", is_asked.then(|| (stop, steps.collect::<Vec<_>>())))?;
@@ -171,7 +171,7 @@ pub fn input_names(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<(Vec<Str
 }
 
 /// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
-pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+pub fn without_gil<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
     raised.map_or(Ok(result), Err)
 }

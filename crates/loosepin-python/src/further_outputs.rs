@@ -11,12 +11,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::raise;
-use crate::function_bounds::{Names, answer, requests, unlocked};
+use crate::function_bounds::{Names, answer, requests, without_gil};
 use crate::python_run_provider::PythonRunProvider;
 use crate::waiting::{RunCounts, wait_for};
 
 /// Questions about a function.
-pub struct Asked<'a> {
+pub struct FunctionRequests<'a> {
     /// Its columns.
     pub columns: &'a [String],
     /// Column, statistic, and its number.
@@ -37,17 +37,17 @@ pub fn bounds<'py>(
     py: Python<'py>,
     study: &Study,
     function: &Bound<'py, PyAny>,
-    asked: &Asked<'_>,
+    asked: &FunctionRequests<'_>,
     by: &RunBackend,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Asked { columns, statistics } = *asked;
+    let FunctionRequests { columns, statistics } = *asked;
     let fail = |error: StudyError| match error {
         StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
         error => raise(error.diagnostic(study)),
     };
     let asked = requests(statistics)?;
-    let further = unlocked(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;
+    let further = without_gil(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
@@ -56,7 +56,7 @@ pub fn bounds<'py>(
     let options = RunOptions { provider, ..RunOptions::new(by.threads, &counts, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
-        let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
+        let round = without_gil(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
         if round.is_empty() {
             break;
         }
@@ -92,7 +92,7 @@ pub fn bounds<'py>(
             table.push(inputs, outcome).map_err(|error| fail(error.into()))?;
         }
     }
-    let answers = unlocked(py, || further.plan().results(&table))?.map_err(|error| fail(error.into()))?;
+    let answers = without_gil(py, || further.plan().results(&table))?.map_err(|error| fail(error.into()))?;
     counts.tell(py, progress)?;
     answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)
 }

@@ -48,7 +48,7 @@ impl Identification {
 }
 
 /// What is asked of readings and motion.
-pub struct Asked {
+pub struct IdentificationRequest {
     /// Values that are tested, confidence, threads.
     pub values: MotionValues,
     /// Specimen, or all.
@@ -59,10 +59,10 @@ pub struct Asked {
 pub fn identified(
     py: Python<'_>,
     study: &study::Study,
-    asked: &Asked,
+    asked: &IdentificationRequest,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Identification> {
-    let Asked { values, specimen } = asked;
+    let IdentificationRequest { values, specimen } = asked;
     let MotionValues { confidence, points, threads, with_posterior, with_lengths } = *values;
     let specimen = specimen.clone();
     let options = Options { confidence, points, threads, with_posterior, with_lengths, specimen, ..Options::default() };
@@ -74,7 +74,7 @@ pub fn identified(
 pub fn planned(
     py: Python<'_>,
     study: &study::Study,
-    asked: &Asked,
+    asked: &IdentificationRequest,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<(String, String)> {
     let plan = with_progress(py, progress, |heard| {

@@ -6,7 +6,7 @@ use std::time::SystemTime;
 use loosepin::diagnostics::{Diagnostics, Problem};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, Destination, InputsHash, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, RunStore};
+use loosepin::store::{ExistingRuns, RunStore};
 use loosepin::study::RunsTable;
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::{
@@ -16,7 +16,7 @@ use loosepin::study::{
 
 /// How a folder that holds something is met.
 #[derive(Clone, Copy)]
-pub struct Meeting {
+pub struct ExistingFolderOptions {
     /// Finished runs of the same study are taken over.
     pub with_resume: bool,
     /// Whether existing results are replaced.
@@ -24,7 +24,7 @@ pub struct Meeting {
 }
 
 /// How a study ended.
-pub enum Ended {
+pub enum StudyEnd {
     /// It is finished.
     Finished(Box<StudyRun>),
     /// It was interrupted; the words say what is kept.
@@ -32,12 +32,12 @@ pub enum Ended {
 }
 
 /// Runs `study` without leaving anything on disk.
-pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Diagnostics> {
+pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<StudyEnd, Diagnostics> {
     match run_study(study, &inputs.to_string(), options) {
-        Ok(run) => Ok(Ended::Finished(run.into())),
+        Ok(run) => Ok(StudyEnd::Finished(run.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
-            Ok(Ended::Interrupted(format!("{words}; nothing is kept without a folder")))
+            Ok(StudyEnd::Interrupted(format!("{words}; nothing is kept without a folder")))
         }
         Err(error) => Err(error.diagnostic(study).into()),
     }
@@ -48,9 +48,9 @@ pub fn run_in_folder(
     study: &Study,
     inputs: InputsHash,
     folder: PathBuf,
-    meeting: Meeting,
+    meeting: ExistingFolderOptions,
     options: &RunOptions<'_>,
-) -> Result<Ended, Diagnostics> {
+) -> Result<StudyEnd, Diagnostics> {
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
@@ -62,19 +62,19 @@ pub fn run_in_folder(
     if !claim.is_finished().map_err(report)? {
         loosepin::study::plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
-    let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
+    let beginning = ExistingRuns::from_options(meeting.with_force, meeting.with_resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         ClaimOutcome::Open(folder, store) => (folder, store),
-        ClaimOutcome::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
+        ClaimOutcome::Finished(folder) => return Ok(StudyEnd::Finished(read(&folder)?.into())),
     };
     let started = SystemTime::now();
     let outcome = run_study(study, &claim.inputs.to_string(), &RunOptions { store: Some(&store), ..*options });
     match conclude(study, folder, store, outcome, &study_page, (started, options.threads))? {
-        StudyOutcome::Finished { run, .. } => Ok(Ended::Finished(run)),
+        StudyOutcome::Finished { run, .. } => Ok(StudyEnd::Finished(run)),
         StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
-            Ok(Ended::Interrupted(format!(
+            Ok(StudyEnd::Interrupted(format!(
                 "{words}; they are kept in {path}: the same call with resume=True continues"
             )))
         }

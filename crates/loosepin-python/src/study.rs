@@ -10,12 +10,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{Diagnostic, raise};
-use crate::further_outputs::{self, Asked, RunBackend};
+use crate::further_outputs::{self, FunctionRequests, RunBackend};
 use crate::identification::{self, Identification, identified, planned};
 use crate::model::Model;
 use crate::python_run_provider::PythonRunProvider;
 use crate::result::StudyResult;
-use crate::results_folder::{Ended, Meeting, run_in_folder, run_in_memory};
+use crate::results_folder::{ExistingFolderOptions, StudyEnd, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
 use crate::waiting::{RunCounts, wait_for};
 
@@ -103,7 +103,7 @@ impl Study {
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         let options = RunOptions { provider: made, ..RunOptions::new(threads, &counts, &stop) };
-        let meeting = Meeting { with_resume: resume, with_force: force };
+        let meeting = ExistingFolderOptions { with_resume: resume, with_force: force };
         let work = || match folder {
             Some(folder) => run_in_folder(&study, inputs, folder, meeting, &options),
             None => run_in_memory(&study, &inputs, &options),
@@ -113,14 +113,14 @@ impl Study {
             return Err(error);
         }
         match (outcome, raised) {
-            (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+            (Ok(StudyEnd::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
                 Err(PyKeyboardInterrupt::new_err(words))
             }
             // What went wrong is told even where a signal came as well.
             (Err(diagnostics), _) => Err(raise(diagnostics)),
             (_, Some(error)) => Err(error),
-            (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
-            (Ok(Ended::Finished(run)), None) => {
+            (Ok(StudyEnd::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
+            (Ok(StudyEnd::Finished(run)), None) => {
                 counts.tell(py, progress.as_ref())?;
                 StudyResult::new(py, *run)
             }
@@ -158,7 +158,7 @@ impl Study {
             with_lengths: lengths,
             ..motion_values(points, confidence, threads)?
         };
-        let asked = identification::Asked { values, specimen };
+        let asked = identification::IdentificationRequest { values, specimen };
         identified(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -172,7 +172,8 @@ impl Study {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(String, String)> {
-        let asked = identification::Asked { values: motion_values(MIN_POINTS, confidence, threads)?, specimen };
+        let asked =
+            identification::IdentificationRequest { values: motion_values(MIN_POINTS, confidence, threads)?, specimen };
         planned(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -196,7 +197,7 @@ impl Study {
         progress: Option<Py<PyAny>>,
         provider: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = Asked { columns: &columns, statistics: &requests };
+        let asked = FunctionRequests { columns: &columns, statistics: &requests };
         let by = RunBackend { threads: count_threads(threads)?, provider: provider.map(PythonRunProvider::new) };
         further_outputs::bounds(py, &self.0, &function, &asked, &by, progress.as_ref())
     }

@@ -66,7 +66,7 @@ pub struct Specimen {
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// Some values of the plays.
-    Consistent(Consistent),
+    ConsistentPlays(ConsistentPlays),
     /// No value of the plays.
     Misfit(Misfit),
 }
@@ -104,7 +104,7 @@ pub struct TestReading {
 
 /// What is known of the plays.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Consistent {
+pub struct ConsistentPlays {
     /// Each play by itself.
     pub plays: Vec<PlayBounds>,
     /// The combinations of plays that the readings fix.
@@ -115,12 +115,12 @@ pub struct Consistent {
     pub further: Option<FurtherReading>,
     /// The readings that were looked at for it; nothing where it was not looked for.
     #[serde(default)]
-    pub searched: Option<Searched>,
+    pub searched: Option<ReadingSearch>,
 }
 
 /// Readings among which the best further one was looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Searched {
+pub struct ReadingSearch {
     /// Number that was ranked by nominal factors.
     pub candidates: usize,
     /// Number that looked best there and was computed in full.
@@ -170,7 +170,7 @@ pub struct FurtherReading {
 pub struct Misfit {
     /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. None where the
     /// others contradict one another whichever is left out.
-    pub culprits: Vec<Culprit>,
+    pub culprits: Vec<InconsistentReading>,
     /// Pairs that contradict each other without any other reading, by their places; looked for where there are no culprits.
     #[serde(default)]
     pub pairs: Vec<[usize; 2]>,
@@ -182,7 +182,7 @@ pub struct Misfit {
 
 /// A reading that is at odds with the others, or with the intervals of the study alone.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Culprit {
+pub struct InconsistentReading {
     /// Its place among the readings.
     pub reading: usize,
     /// Whether the study's own intervals exclude it, without any other reading.

@@ -71,7 +71,7 @@ pub struct MechanismRows {
     pub tied: Vec<TiedLength>,
     /// Unknowns that trade off against lengths together, though none of these by itself is told.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub tied_together: Vec<TiedTogether>,
+    pub tied_together: Vec<TiedToLengths>,
 }
 
 /// A random input of the series, and of the specimen.
@@ -102,7 +102,7 @@ pub struct TiedLength {
 
 /// An unknown that the measurement knows only with all lengths together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TiedTogether {
+pub struct TiedToLengths {
     /// Place of the unknown.
     pub unknown: usize,
     /// Multiple correlation of its rank with those of all lengths, over the mechanisms.
@@ -303,12 +303,12 @@ pub struct MotionMisfit {
     /// The least distance of all tested values, in distances of the run at the confidence: > 1.
     pub least_distance: f64,
     /// Features that lie outside all predictions by themselves.
-    pub culprits: Vec<MotionCulprit>,
+    pub culprits: Vec<InconsistentFeature>,
 }
 
 /// A feature that lies outside the predictions at all tested values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MotionCulprit {
+pub struct InconsistentFeature {
     /// Its place among the features.
     pub feature: usize,
     /// How far the measurement, with its common error, lies from the nearest prediction, SI: below it where negative.
@@ -327,7 +327,7 @@ pub struct MotionPlan {
     /// What all features together would leave.
     pub together: PlannedFeature,
     /// Pairs of members of a list that the features do not tell apart.
-    pub not_distinguishable: Vec<AlikeMembers>,
+    pub not_distinguishable: Vec<IndistinguishableMembers>,
     /// Values that were tried.
     pub points: usize,
     /// Measurements that were to be imagined at all of them together.
@@ -362,7 +362,7 @@ pub struct PlannedFeature {
 
 /// Two members of a list that imitate each other.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct AlikeMembers {
+pub struct IndistinguishableMembers {
     /// Place of the unknown.
     pub unknown: usize,
     /// The true member and the one that is taken for it, as the file writes them: laws by their names.

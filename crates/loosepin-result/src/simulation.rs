@@ -201,7 +201,7 @@ pub struct Override {
 
 impl Override {
     /// Those of settings `path=value`.
-    pub fn of_settings(settings: &[String]) -> Vec<Override> {
+    pub fn from_settings(settings: &[String]) -> Vec<Override> {
         let pairs = settings.iter().filter_map(|text| text.split_once('='));
         pairs.map(|(path, written)| Override { path: path.trim().into(), written: written.trim().into() }).collect()
     }

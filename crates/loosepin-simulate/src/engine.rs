@@ -14,7 +14,7 @@ use crate::stepping::gap::GapJet;
 use crate::stepping::motion::Motion;
 use crate::stepping::pace::fastest_drive_rad_s;
 use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
-use loosepin_mechanics::model::{Course, Model};
+use loosepin_mechanics::model::{Model, TimeCourse};
 use loosepin_result::simulation::RunCounters;
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
@@ -114,7 +114,7 @@ pub fn demand_dynamics(model: &Model) -> Result<(), RunFailure> {
 /// How the runs of `mechanism` are made where `execution` is at hand.
 fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
     let points = mechanism.model.loads.iter().map(|load| match &load.course {
-        Some(Course::Table(table)) => table.points.len(),
+        Some(TimeCourse::Table(table)) => table.points.len(),
         _ => 0,
     });
     let is_short =

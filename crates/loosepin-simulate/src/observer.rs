@@ -3,7 +3,7 @@
 use super::resume::MotionState;
 use crate::recording::work::KinematicAccount;
 use crate::stepping::gap::GapJet;
-use crate::stepping::motion::{Account, Motion};
+use crate::stepping::motion::{EnergyTotals, Motion};
 use crate::stepping::projection::Projection;
 use loosepin_math::Quintic;
 use loosepin_mechanics::contact::{Foundation, FoundationMotion};
@@ -173,7 +173,7 @@ impl<'a> Step<'_, 'a> {
 
     /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. None where the work
     /// of the drives is the change of mechanical energy.
-    pub(super) fn account(&mut self, time_s: f64) -> Option<Account<f64>> {
+    pub(super) fn account(&mut self, time_s: f64) -> Option<EnergyTotals<f64>> {
         match &mut self.source {
             Source::Integrated { view, state, .. } => Some(view.layout.account(state)),
             Source::Kinematic { motion, ideal, failure, account } => {

@@ -7,7 +7,7 @@ use tokio::sync::Semaphore;
 use crate::files::folder::Folder;
 use crate::jobs::queue::Jobs;
 use crate::network::tickets::Tickets;
-use crate::network::times::Times;
+use crate::network::times::Timeouts;
 use crate::network::token::Token;
 
 /// What all connections share.
@@ -26,5 +26,5 @@ pub struct Studio {
     /// Requests whose bodies may still be read at once.
     pub bodies: Arc<Semaphore>,
     /// How long whoever is connected is waited for.
-    pub times: Times,
+    pub times: Timeouts,
 }

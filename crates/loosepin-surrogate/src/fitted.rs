@@ -58,7 +58,7 @@ pub enum Form {
 }
 
 /// What a fit may take over from one to all runs: not what it learned of them, but where its search begins.
-pub(super) enum Like<'a> {
+pub(super) enum WarmStart<'a> {
     /// Kernel, trend and first parameters of a process.
     Process(&'a Kriging),
     /// Neurons of a network.
@@ -76,7 +76,7 @@ impl Fitted {
         values: &[f64],
         noise: &[f64],
         seed: u64,
-        like: &Like,
+        like: &WarmStart,
     ) -> Option<Self> {
         let (mean, deviation) = mean_and_deviation(values);
         if kind == Kind::Constant || deviation == 0.0 {
@@ -87,12 +87,12 @@ impl Fitted {
             Kind::Constant => Form::Constant,
             Kind::Chaos => Form::Chaos(Chaos::fit(design, &standard)),
             Kind::Kriging => {
-                let like = if let Like::Process(process) = like { Some(*process) } else { None };
+                let like = if let WarmStart::Process(process) = like { Some(*process) } else { None };
                 let noise: Vec<f64> = noise.iter().map(|variance| variance / (deviation * deviation)).collect();
                 Form::Kriging(Box::new(Kriging::fit(&design.scaled, &standard, &noise, like)?))
             }
             Kind::Network => {
-                let neurons = if let Like::Neurons(neurons) = like { *neurons } else { 6 };
+                let neurons = if let WarmStart::Neurons(neurons) = like { *neurons } else { 6 };
                 Form::Network(Ensemble::fit(design, &standard, neurons, seed))
             }
         };
@@ -131,11 +131,11 @@ impl Fitted {
     }
 
     /// Where a fit to some of the runs may begin.
-    pub(super) fn like(&self) -> Like<'_> {
+    pub(super) fn warm_start(&self) -> WarmStart<'_> {
         match &self.form {
-            Form::Kriging(process) => Like::Process(process),
-            Form::Network(ensemble) => Like::Neurons(ensemble.neurons()),
-            Form::Constant | Form::Chaos(_) => Like::Nothing,
+            Form::Kriging(process) => WarmStart::Process(process),
+            Form::Network(ensemble) => WarmStart::Neurons(ensemble.neurons()),
+            Form::Constant | Form::Chaos(_) => WarmStart::Nothing,
         }
     }
 }

@@ -162,7 +162,7 @@ fn judge(runs: &Runs, chosen: &[Chosen], errors: &[&[f64]], quality: &Quality) -
                     return Some(best.held_out.clone());
                 }
                 let seed = hash(runs.seed, mode as u64);
-                runs.hold_out(mode, best.kind, &best.fit.like(), seed, share).map(|(held_out, _)| held_out)
+                runs.hold_out(mode, best.kind, &best.fit.warm_start(), seed, share).map(|(held_out, _)| held_out)
             })
             .collect();
         let Some(held_out) = held_out else { continue };

@@ -138,13 +138,13 @@ impl EpistemicVariable {
 
     /// The same, held at [`EpistemicVariable::middle`].
     #[must_use]
-    pub fn held(&self) -> Self {
+    pub fn at_middle(&self) -> Self {
         let middle = self.middle();
         Interval::try_new(middle, middle).map_or_else(|_| self.clone(), Self::Interval)
     }
 
     /// Values that show its range: the ends of an interval, every member of a list.
-    pub fn shown(&self) -> Vec<f64> {
+    pub fn representative_values(&self) -> Vec<f64> {
         match self {
             Self::OneOf(members) => members.values.clone(),
             _ => self.ends().to_vec(),

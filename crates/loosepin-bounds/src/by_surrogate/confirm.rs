@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::response::{DeviationsOverX, LearnedFunction};
-use super::search::{FIRST_REACH, Searched, search_group};
+use super::search::{FIRST_REACH, SurrogateSearchBounds, search_group};
 use super::settings::MAX_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
@@ -21,7 +21,7 @@ type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
 
 /// Which direct runs the bounds on the surrogates are to be held against.
 pub struct Confirmation {
-    pub(crate) searched: Vec<Vec<Searched>>,
+    pub(crate) searched: Vec<Vec<SurrogateSearchBounds>>,
     /// Values of the epistemic inputs.
     witnesses: Vec<Vec<f64>>,
     /// The runs that are still to be made, in their order.
@@ -71,7 +71,7 @@ impl SurrogatePlan {
 }
 
 /// The bounds whose witnesses are looked at: of a number all, of a curve for each statistic those of the place where it goes furthest.
-fn extreme_bounds(group: &[Searched]) -> Vec<&Bound> {
+fn extreme_bounds(group: &[SurrogateSearchBounds]) -> Vec<&Bound> {
     let mut furthest: Vec<(Statistic, Direction, &Bound)> = Vec::new();
     for searched in group {
         for (request, pair) in searched.values(&searched.bounds.pairs) {

@@ -5,7 +5,7 @@ use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::reach::{MARGIN, SharesOfReach};
 use super::response::Aspect;
-use super::search::{FIRST_REACH, Searched, search_group};
+use super::search::{FIRST_REACH, SurrogateSearchBounds, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
 use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
 use crate::data::direction::Direction;
@@ -118,7 +118,7 @@ impl SurrogateBounds {
     /// # Errors
     ///
     /// [`SurrogatePlanError::Evaluate`].
-    pub fn held_against_extremes(
+    pub fn checked_against_extremes(
         mut self,
         plan: &SurrogatePlan,
         table: &SampleTable,
@@ -195,7 +195,7 @@ impl SurrogateBounds {
 fn group_bounds(
     plan: &SurrogatePlan,
     learned: LearnedGroup,
-    searched: &[Searched],
+    searched: &[SurrogateSearchBounds],
     confirmed: &[Confirmed],
     failed: usize,
 ) -> Result<GroupBounds, SurrogatePlanError> {
@@ -239,8 +239,9 @@ fn group_bounds(
     }
     let mut levels = levels.into_iter();
     let pairs = levels.next().map(|(_, pairs)| pairs).unwrap_or_default();
-    let column_of =
-        |searched: &Searched, column: usize| learned.group.columns[searched.places[column / Aspect::ALL.len()]];
+    let column_of = |searched: &SurrogateSearchBounds, column: usize| {
+        learned.group.columns[searched.places[column / Aspect::ALL.len()]]
+    };
     let boxes = searched.iter().flat_map(|searched| {
         let own = searched.bounds.boxes.iter().cloned();
         own.map(|found| ProbabilityBox { column: column_of(searched, found.column), ..found })

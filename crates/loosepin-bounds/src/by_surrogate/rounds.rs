@@ -7,7 +7,7 @@ use super::settings::SurrogateSettings;
 use crate::data::bound::Bound;
 use crate::data::problem::{Problem, Sampling};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
-use crate::plan::refinement::{Assessment, Goal, Standing};
+use crate::plan::refinement::{Assessment, Goal, RefinementStatus};
 
 /// Training runs for each combination of the members of lists, at most, where they are not stated to be more: from there on learning
 /// takes longer than most runs.
@@ -54,7 +54,7 @@ pub struct SurrogateRounds {
     /// Error of the surrogates over what is allowed, after each step of training runs.
     unknown: Vec<f64>,
     history: Vec<Assessment>,
-    standing: Standing,
+    standing: RefinementStatus,
 }
 
 /// One end of a bound that is widened by more than is asked.
@@ -87,7 +87,7 @@ impl SurrogateRounds {
             near: Vec::new(),
             unknown: Vec::new(),
             history: Vec::new(),
-            standing: Standing::Growing,
+            standing: RefinementStatus::Growing,
         })
     }
 
@@ -102,7 +102,7 @@ impl SurrogateRounds {
     }
 
     /// Whether the goals are reached.
-    pub fn standing(&self) -> Standing {
+    pub fn status(&self) -> RefinementStatus {
         self.standing
     }
 
@@ -142,7 +142,7 @@ impl SurrogateRounds {
         }
         let growth = if share <= 1.0 { None } else { self.growth(&wide) };
         let Some(growth) = growth else {
-            self.standing = if share <= 1.0 { Standing::Reached } else { Standing::Exhausted };
+            self.standing = if share <= 1.0 { RefinementStatus::Reached } else { RefinementStatus::Exhausted };
             return Ok(false);
         };
         let mut confirming = self.plan.settings.confirming;

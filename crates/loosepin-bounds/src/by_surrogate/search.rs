@@ -24,7 +24,7 @@ const MAX_GROWTH: usize = 16;
 pub(crate) const FIRST_REACH: f64 = 3.0;
 
 /// Bounds on the surrogate for some places of a group.
-pub(crate) struct Searched {
+pub(crate) struct SurrogateSearchBounds {
     /// Positions within the group.
     pub places: Vec<usize>,
     /// Meaning of each pair of the bounds: a request of the problem, on an aspect.
@@ -38,7 +38,7 @@ pub(crate) fn search_group(
     plan: &SurrogatePlan,
     group: &LearnedGroup,
     reach: f64,
-) -> Result<Vec<Searched>, EvaluateError> {
+) -> Result<Vec<SurrogateSearchBounds>, EvaluateError> {
     let Ok(surrogates) = &group.surrogates else { return Ok(Vec::new()) };
     let needed = plan.direct.setup.needed_columns();
     let places: Vec<usize> =
@@ -52,7 +52,7 @@ fn search_places(
     surrogates: &[Surrogate],
     places: &[usize],
     reach: f64,
-) -> Result<Searched, EvaluateError> {
+) -> Result<SurrogateSearchBounds, EvaluateError> {
     let direct = plan.problem();
     let column_of = |slot: usize, aspect: Aspect| slot * Aspect::ALL.len() + aspect.position();
     let slot_of = |column: usize| places.iter().position(|&place| group.group.columns[place] == column);
@@ -81,7 +81,7 @@ fn search_places(
     };
     let goals: Vec<Goal> = plan.goals.iter().filter_map(goal).collect();
     let bounds = if goals.is_empty() { evaluate(problem, &response)? } else { refined(problem, goals, &response)? };
-    Ok(Searched { places: places.to_vec(), asked, bounds })
+    Ok(SurrogateSearchBounds { places: places.to_vec(), asked, bounds })
 }
 
 /// The bounds of a double loop that grows as far as `goals` ask, within limits.
@@ -110,7 +110,7 @@ fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
     [(Aspect::Value, statistic)].into_iter().chain(error).collect()
 }
 
-impl Searched {
+impl SurrogateSearchBounds {
     /// The pairs of what is possible at all, and those of every degree.
     pub fn levels(&self) -> Vec<(Option<f64>, &[BoundPair])> {
         let all = (None, &self.bounds.pairs[..]);

@@ -61,12 +61,12 @@ impl Estimate {
 
 /// An estimate with every failed run taken as low as possible, and as high as possible.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct EitherWay {
+pub(crate) struct FailureExtremes {
     pub low: Estimate,
     pub high: Estimate,
 }
 
-impl EitherWay {
+impl FailureExtremes {
     /// Nothing is known.
     pub const UNDEFINED: Self = Self { low: Estimate::UNDEFINED, high: Estimate::UNDEFINED };
 

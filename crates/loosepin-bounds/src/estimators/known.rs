@@ -3,12 +3,12 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::estimate::{Confidence, EitherWay};
+use super::estimate::{Confidence, FailureExtremes};
 use loosepin_terms::Statistic;
 
 /// What is asked of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Asked {
+pub(crate) enum SampleQuery {
     Mean,
     Variance,
     /// At this probability.
@@ -19,20 +19,25 @@ pub(crate) enum Asked {
 
 /// What is found.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Found {
-    pub estimate: EitherWay,
+pub(crate) struct SampleResult {
+    pub estimate: FailureExtremes,
     /// Of a quantile: how fast it rises with the probability.
     pub slope: f64,
 }
 
 /// All that is known of one sample. A copy begins without.
 #[derive(Debug, Default)]
-pub(crate) struct Known(Mutex<Vec<(Asked, Confidence, Found)>>);
+pub(crate) struct SampleCache(Mutex<Vec<(SampleQuery, Confidence, SampleResult)>>);
 
-impl Known {
+impl SampleCache {
     /// What has been found before; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find
     /// the same.
-    pub fn or_find(&self, asked: Asked, confidence: &Confidence, find: impl FnOnce() -> Found) -> Found {
+    pub fn or_find(
+        &self,
+        asked: SampleQuery,
+        confidence: &Confidence,
+        find: impl FnOnce() -> SampleResult,
+    ) -> SampleResult {
         if let Some(found) = self.get(asked, confidence) {
             return found;
         }
@@ -42,18 +47,18 @@ impl Known {
     }
 
     /// What has been found before.
-    fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
+    fn get(&self, asked: SampleQuery, confidence: &Confidence) -> Option<SampleResult> {
         let list = self.list();
         let own = list.iter().find(|(own, at, _)| *own == asked && at == confidence);
         own.map(|(.., found)| *found)
     }
 
-    fn list(&self) -> std::sync::MutexGuard<'_, Vec<(Asked, Confidence, Found)>> {
+    fn list(&self) -> std::sync::MutexGuard<'_, Vec<(SampleQuery, Confidence, SampleResult)>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Clone for Known {
+impl Clone for SampleCache {
     fn clone(&self) -> Self {
         Self::default()
     }

@@ -18,4 +18,4 @@ pub(crate) mod replicates;
 pub(crate) mod sample;
 pub(crate) mod sampled;
 pub(crate) mod tail;
-pub(crate) mod unseen;
+pub(crate) mod unsampled_events;

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use super::margin::Margin;
 use super::targets::{errors, target};
 use crate::data::direction::Direction;
-use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
+use crate::estimators::estimate::{Confidence, Estimate, FailureExtremes};
 use crate::estimators::ordered::Ordered;
 use crate::estimators::sample::Sample;
 use crate::search::target::Target;
@@ -82,7 +82,11 @@ pub(crate) struct Measure {
 
 impl Measure {
     /// A statistic that is its own target.
-    pub fn plain(of: impl Measured + 'static, at: impl Iterator<Item = EitherWay>, confidence: &Confidence) -> Self {
+    pub fn plain(
+        of: impl Measured + 'static,
+        at: impl Iterator<Item = FailureExtremes>,
+        confidence: &Confidence,
+    ) -> Self {
         let (low, high): (Vec<Estimate>, Vec<Estimate>) = at.map(|at| (at.low, at.high)).unzip();
         let (target, target_errors) = (target(&low, confidence), errors(&low));
         Self { of: Box::new(of), low, high, target_errors, target, margin: None }

@@ -50,7 +50,7 @@ impl DoubleLoop {
         }
         // A parameter tells which values are likely; within the cut all of them are possible.
         joint.extend(problem.epistemic.iter().enumerate().map(|(epistemic, variable)| {
-            if problem.is_parameter(epistemic) { variable.held() } else { variable.clone() }
+            if problem.is_parameter(epistemic) { variable.at_middle() } else { variable.clone() }
         }));
         let setup = Setup::try_new(problem, joint)?;
         let (epistemic_box, structure) = (&setup.epistemic_box, &setup.structure);
@@ -146,7 +146,7 @@ impl DoubleLoop {
     /// Values of the epistemic inputs at the centre and at the corners of their box, the centre first; for each combination of the
     /// members of lists, those of the first members first.
     pub fn structural_points(&self) -> Vec<Vec<f64>> {
-        let places = self.box_places();
+        let places = self.centre_and_corners();
         (0..self.box_combinations())
             .flat_map(|combination| places.iter().map(move |at| (combination, at)))
             .map(|(combination, at)| self.box_values(combination, at))
@@ -154,7 +154,7 @@ impl DoubleLoop {
     }
 
     /// Centre and corners of the unit box of the intervals, the centre first.
-    pub fn box_places(&self) -> Vec<Vec<f64>> {
+    pub fn centre_and_corners(&self) -> Vec<Vec<f64>> {
         let count = structural_point_count(self.setup.epistemic_box.dimensions());
         self.first_outer[..count].iter().rev().map(|place| place.at.clone()).collect()
     }
@@ -183,7 +183,8 @@ impl DoubleLoop {
 
     /// The most runs that the plan may come to.
     pub fn most_runs(&self) -> usize {
-        let outer = if self.setup.has_no_box() { self.first_outer.len() } else { self.problem().sampling.outer };
+        let outer =
+            if self.setup.has_no_epistemic_inputs() { self.first_outer.len() } else { self.problem().sampling.outer };
         self.runs_of(outer, self.problem().sampling.extreme)
     }
 
@@ -229,7 +230,7 @@ impl DoubleLoop {
     pub(super) fn check_points(&self, pool: &Pool) -> Result<(), PlanError> {
         let expected = self.inner_runs();
         for PoolPoint { point, epistemic, .. } in &pool.points {
-            if let Some(input) = self.setup.epistemic_box.stranger(epistemic) {
+            if let Some(input) = self.setup.epistemic_box.first_unlisted(epistemic) {
                 return Err(PlanError::UnknownMember { point: *point, input, value: epistemic[input] });
             }
         }

@@ -63,7 +63,7 @@ pub struct Assessment {
 
 /// Progress of the sample refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Standing {
+pub enum RefinementStatus {
     /// The rounds go on.
     Growing,
     /// Every goal is reached.
@@ -92,7 +92,7 @@ pub struct Refinement {
     /// Sizes of the inner sample that its end has depended on, that of `plan` included.
     looks: u32,
     history: Vec<Assessment>,
-    standing: Standing,
+    standing: RefinementStatus,
 }
 
 /// The sample that is made larger.
@@ -110,7 +110,7 @@ impl Refinement {
     pub fn try_new(problem: Problem, goals: Vec<Goal>) -> Result<Self, PlanError> {
         let plan = DoubleLoop::try_new(problem)?;
         let plan = if goals.is_empty() { plan } else { at_look(plan, 1) };
-        Ok(Self { goals, plan, larger: None, looks: 1, history: Vec::new(), standing: Standing::Growing })
+        Ok(Self { goals, plan, larger: None, looks: 1, history: Vec::new(), standing: RefinementStatus::Growing })
     }
 
     /// The plan that the rounds in `table` belong to: it gives their results, at whatever round they end.
@@ -127,7 +127,7 @@ impl Refinement {
     }
 
     /// Whether the goals are reached.
-    pub fn standing(&self) -> Standing {
+    pub fn status(&self) -> RefinementStatus {
         self.standing
     }
 
@@ -150,7 +150,7 @@ impl Refinement {
         let assessment = self.assess(table)?;
         self.history.push(assessment);
         if assessment.share <= 1.0 {
-            self.standing = Standing::Reached;
+            self.standing = RefinementStatus::Reached;
             return Ok(Vec::new());
         }
         let first = if assessment.sampling_share >= assessment.optimisation_share {
@@ -169,7 +169,7 @@ impl Refinement {
                 return Ok(round);
             }
         }
-        self.standing = Standing::Exhausted;
+        self.standing = RefinementStatus::Exhausted;
         Ok(Vec::new())
     }
 
@@ -231,7 +231,7 @@ impl Refinement {
                 (helps && inner <= MAX_INNER).then_some(larger)
             }
             Growth::Outer => {
-                let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_box();
+                let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_epistemic_inputs();
                 let most = MAX_GROWN * self.plan.box_combinations();
                 let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(most);
                 (helps && outer > assessment.outer).then_some(Sampling { outer, ..sampling })

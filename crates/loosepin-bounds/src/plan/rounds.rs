@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use super::inner_runs::{extreme_run, mixture_runs};
-use super::steering::{Searched, in_turn};
+use super::steering::{SoughtExtremes, in_turn};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
@@ -61,7 +61,7 @@ impl DoubleLoop {
         let known = outer.points.len();
         let rest = self.problem().sampling.outer.saturating_sub(known);
         let mut runs = Vec::new();
-        if !self.setup.has_no_box() && rest > 0 {
+        if !self.setup.has_no_epistemic_inputs() && rest > 0 {
             let count = rest.min(points_per_round(self.problem().sampling.outer, &self.first_outer));
             for place in self.next_outer(table, round, count) {
                 let point = (known + runs.len() / self.inner_runs()) as u32;
@@ -161,7 +161,7 @@ impl DoubleLoop {
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
-    fn single_runs(&self, table: &SampleTable, searched: &[Searched]) -> Vec<(Target, Vec<Direction>)> {
+    fn single_runs(&self, table: &SampleTable, searched: &[SoughtExtremes]) -> Vec<(Target, Vec<Direction>)> {
         let of_column = |column: usize| {
             let (replicates, points) = values_by_run(table, column);
             let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::double_loop::DoubleLoop;
-use super::steering::Searched;
+use super::steering::SoughtExtremes;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
@@ -28,7 +28,7 @@ impl DoubleLoop {
         &self,
         table: &SampleTable,
         pool: &Pool,
-        searched: &[Searched],
+        searched: &[SoughtExtremes],
         (search, grids): (&Search<'_>, &SharedGrids),
         count: usize,
     ) -> Vec<BoxPoint> {

@@ -101,7 +101,7 @@ impl<'a> Experiment<'a> {
     /// The kind of guarantee that bounds from these runs have.
     pub fn guarantee(&self) -> Guarantee {
         let problem = &self.setup.problem;
-        match (problem.random.is_empty(), self.setup.has_no_box()) {
+        match (problem.random.is_empty(), self.setup.has_no_epistemic_inputs()) {
             (true, true) => Guarantee::Enclosure,
             (true, false) => Guarantee::Optimised,
             (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },

@@ -49,7 +49,7 @@ impl Experiment<'_> {
         };
         let value = measure.estimates(direction)[point].value;
         let sign = direction.sign();
-        let optimisation = if self.setup.has_no_box() || value.is_infinite() {
+        let optimisation = if self.setup.has_no_epistemic_inputs() || value.is_infinite() {
             0.0
         } else {
             let further = modelled.furthest(direction, (point, value), focal);

@@ -133,7 +133,7 @@ impl Experiment<'_> {
             }
         };
         for (combination, branch) in branches.iter().enumerate().filter(|(combination, _)| holds(*combination)) {
-            if self.setup.has_no_box() {
+            if self.setup.has_no_epistemic_inputs() {
                 let values = branch.points.iter().map(|&point| target.values[point]);
                 values.filter(|value| value.is_finite()).for_each(|value| take(value, 0.0));
                 continue;

@@ -16,13 +16,13 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::deviation::golden;
+use super::deviation::golden_section_minimum;
 use super::experiment::{Experiment, Focal};
 use crate::data::bound::{Bound, BoundError, BoundPair};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Request;
 use crate::data::table::{Purpose, SampleTable};
-use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
+use crate::estimators::estimate::{Confidence, Estimate, FailureExtremes};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
@@ -110,7 +110,7 @@ impl RandomSet {
         let (replicates, points) = values_by_run(experiment.table, column);
         let targets: Vec<Target> =
             (0..replicates.len()).map(|run| run_target(&points, run, f64::MIN_POSITIVE)).collect();
-        let has_box = !experiment.setup.has_no_box();
+        let has_box = !experiment.setup.has_no_epistemic_inputs();
         let search = experiment.search_targets(&targets);
         let ends = |element: &Focal<'_>, target: &Target| -> EndsOfRun {
             // A run that failed anywhere may have gone anywhere there.
@@ -278,7 +278,7 @@ impl RandomSet {
         let least = |of: fn(&Ends) -> &[Sample; 2]| -> [f64; 2] {
             let (low, high) =
                 range_of(self.elements.iter().flat_map(of).filter_map(Sample::ends).flat_map(|(a, b)| [a, b]));
-            estimate(of, golden(low, high, |c| estimate(of, c)[0]))
+            estimate(of, golden_section_minimum(low, high, |c| estimate(of, c)[0]))
         };
         if self.elements.iter().any(Ends::are_unlimited) {
             return experiment.unknown(direction);
@@ -300,7 +300,7 @@ impl RandomSet {
 }
 
 /// The share of runs in whose ends [low, high] `event` is sure (minimum) or possible (maximum).
-fn share_of([low, high]: &[Sample; 2], event: Event, direction: Direction, confidence: &Confidence) -> EitherWay {
+fn share_of([low, high]: &[Sample; 2], event: Event, direction: Direction, confidence: &Confidence) -> FailureExtremes {
     // The end that has the event if all of the set has it, or if any of it has.
     let hit = |low: f64, high: f64| {
         let is_sure = direction == Direction::Minimum;

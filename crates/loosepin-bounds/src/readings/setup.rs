@@ -93,7 +93,7 @@ impl Setup {
     }
 
     /// Whether the epistemic box has no dimension, so that there is nothing to search.
-    pub fn has_no_box(&self) -> bool {
+    pub fn has_no_epistemic_inputs(&self) -> bool {
         self.epistemic_box.dimensions() == 0
     }
 

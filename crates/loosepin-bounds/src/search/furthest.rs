@@ -1,6 +1,6 @@
 //! The furthest of many predictions, several at once.
 
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 
 /// Predictions that are compared side by side: as many as there are numbers in two vectors.
 const AT_ONCE: usize = 8;
@@ -44,7 +44,7 @@ pub(super) fn furthest(means: &[f64], deviations: &[f64], ends: Ends) -> [Furthe
     let mut most = [[f64::NEG_INFINITY; AT_ONCE]; 2];
     // Numbers of blocks as floating-point numbers, which are chosen in the same vectors.
     let mut blocks_of_most = [[0.0; AT_ONCE]; 2];
-    on_vectors(
+    with_vector_instructions(
         #[inline(always)]
         || {
             let mut number = 0.0;

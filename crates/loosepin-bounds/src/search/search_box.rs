@@ -257,12 +257,12 @@ impl SearchBox {
     }
 
     /// The first input whose value is none of its list.
-    pub fn stranger(&self, values: &[f64]) -> Option<usize> {
+    pub fn first_unlisted(&self, values: &[f64]) -> Option<usize> {
         let is_none_of = |(input, value): (&EpistemicVariable, &f64)| matches!(input, EpistemicVariable::OneOf(members) if members.index_of(*value).is_none());
         self.inputs.iter().zip(values).position(is_none_of)
     }
 
-    /// Where `values` of all inputs lie; none of them is a [`SearchBox::stranger`].
+    /// Where `values` of all inputs lie; none of them is a [`SearchBox::first_unlisted`].
     pub fn place_of(&self, values: &[f64]) -> BoxPoint {
         let (mut combination, mut weight) = (0, 1);
         let mut at = Vec::with_capacity(self.wide.len());

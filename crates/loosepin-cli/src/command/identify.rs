@@ -14,7 +14,7 @@ use loosepin::units::{DisplayUnits, counted_or_no};
 
 use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, run_and_write, show_found, write_and_tell};
+use super::stored::{StoredResult, run_and_write, show_found, write_and_print};
 use super::threads::threads;
 use crate::arguments::IdentifyArguments;
 use crate::console;
@@ -63,7 +63,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
             answer.plan = Some(plan);
         }
         answer.repeat = Repeat::new("identify", &stated(arguments), study.input_files());
-        write_and_tell(&answer, folder)?;
+        write_and_print(&answer, folder)?;
         write_asked(&study, &answer, arguments)
     })
 }

@@ -8,7 +8,7 @@ use std::time::SystemTime;
 use loosepin::files::{Folder, FolderLock};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, Destination, ResultKind, ResultsError, ShardFolders, ShardsError};
-use loosepin::store::{Beginning, RunStore, Shard};
+use loosepin::store::{ExistingRuns, RunStore, Shard};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
     ClaimOutcome, OpenRound, RunOptions, RunSubset, StudyError, begin_in_folder, conclude, plan_shards, run_study,
@@ -55,7 +55,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         let not_opened = |source| Failure::of(&ResultsError::Read { path: path.clone(), source });
         stores.push((shard, Folder::open(path).map_err(not_opened)?));
     }
-    let beginning = if claim.with_force { Beginning::Anew } else { Beginning::GoOn };
+    let beginning = if claim.with_force { ExistingRuns::Anew } else { ExistingRuns::GoOn };
     let added = Cell::new(0);
     let open = |lock: &Arc<FolderLock>| {
         let (store, new) = RunStore::begin_joined(lock, &store_identity(&claim.inputs), beginning, &stores)?;
@@ -69,7 +69,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     console::message(&format!("{} new runs of {}", added.get(), units::counted_or_no(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::going_on(store.runs_at_start() as usize);
+    let bar = Bar::resumed(store.runs_at_start() as usize);
     let run_subset = RunSubset::Joined { of, largest_round: arguments.small_round as usize };
     let options = RunOptions { store: Some(&store), run_subset, ..RunOptions::new(threads, &bar, &stop) };
     let outcome = run_study(&study, &claim.inputs.to_string(), &options);

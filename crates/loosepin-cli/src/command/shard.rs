@@ -5,7 +5,7 @@ use std::path::Path;
 use loosepin::files::Folder;
 use loosepin::result::json::to_json;
 use loosepin::results::{Claim, Destination, SHARD_FILE, ShardRecord};
-use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
+use loosepin::store::{ExistingRuns, PUBLISHED_FILE, RunStore, Shard};
 use loosepin::study::{
     ClaimOutcome, RunOptions, RunSubset, Study, StudyError, begin_in_folder, plan_shards, run_study, store_identity,
 };
@@ -44,7 +44,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     };
     let has_published = |folder: &Folder| folder.find(Path::new(PUBLISHED_FILE)).is_ok_and(|found| found.is_some());
     let published = Folder::open(&results).ok().filter(has_published);
-    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let beginning = ExistingRuns::from_options(claim.with_force, arguments.resume);
     let identity = store_identity(&claim.inputs);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin_beside(lock, published.as_ref(), &identity, beginning))?;
     let ClaimOutcome::Open(folder, store) = begun else {

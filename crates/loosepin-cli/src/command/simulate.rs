@@ -13,7 +13,7 @@ use loosepin::study::{run_inputs, run_into};
 use loosepin::units::Dimension;
 
 use super::inputs::{check_tolerance, read_model};
-use super::stored::{StoredResult, claim, run_and_write, show_found, tell};
+use super::stored::{StoredResult, claim, print_result, run_and_write, show_found};
 use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
 
@@ -49,7 +49,7 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
     run_and_write(folder, |folder| {
         let never = AtomicBool::new(false);
         let finished = run_into(folder, (&mechanism, &set), &plan, &measured, &simulation_page, &never)?;
-        let done = tell(&R::from(finished.record), folder)?;
+        let done = print_result(&R::from(finished.record), folder)?;
         // The files are kept to show the cause.
         finished.failure.map_or(Ok(done), |failure| Err(failure.into()))
     })
@@ -83,7 +83,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         with_states: arguments.states,
         lyapunov_turns: arguments.lyapunov,
         second_run: !arguments.no_second_run,
-        overrides: Override::of_settings(&arguments.set),
+        overrides: Override::from_settings(&arguments.set),
     })
 }
 

@@ -68,12 +68,12 @@ pub trait StoredResult: Stored {
 ///
 /// # Errors
 /// A value that JSON cannot represent, or an error of the file system.
-pub fn write_and_tell<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
+pub fn write_and_print<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
     let text = record.to_json().map_err(|error| folder.foreign_file(SUMMARY_FILE, error))?;
     folder.write(SUMMARY_FILE, text.as_bytes())?;
     folder.write(REPORT_FILE, R::PAGE(record).as_bytes())?;
     folder.finish()?;
-    tell(record, folder)
+    print_result(record, folder)
 }
 
 /// Reports that the result already exists, and shows it.
@@ -83,18 +83,18 @@ pub fn show_found<R: StoredResult>(mut folder: ResultsFolder) -> Ending {
         folder.path().display(),
         folder.kind().words()
     ));
-    show_again::<R>(&mut folder)
+    show_stored::<R>(&mut folder)
 }
 
 /// Writes the page again from the stored result, and prints the tables.
-pub fn show_again<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
+pub fn show_stored<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
     let result = R::read(folder)?;
     folder.write(REPORT_FILE, R::PAGE(&result).as_bytes())?;
-    tell(&result, folder)
+    print_result(&result, folder)
 }
 
 /// Prints the tables and the path of the page.
-pub fn tell<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
+pub fn print_result<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
     console::print(&R::TEXT(result))?;
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(result.done())

@@ -5,7 +5,7 @@ use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
 use loosepin::results::{InputsHash, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, RunStore, STORE_FILE};
+use loosepin::store::{ExistingRuns, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
@@ -15,7 +15,7 @@ use loosepin::study::{
 use super::inputs::read_study;
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, claim, show_found, show_reused_runs, tell};
+use super::stored::{StoredResult, claim, print_result, show_found, show_reused_runs};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -39,7 +39,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         loosepin::study::plan_runs_on(&study, threads(arguments.threads)).map_err(|error| error.diagnostic(&study))?;
     }
     let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
-    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let beginning = ExistingRuns::from_options(claim.with_force, arguments.resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         ClaimOutcome::Open(folder, store) => (folder, store),
@@ -48,7 +48,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     show_reused_runs(&store);
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::going_on(store.runs_at_start() as usize);
+    let bar = Bar::resumed(store.runs_at_start() as usize);
     let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, &bar, &stop) };
     let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
@@ -82,7 +82,7 @@ pub fn read_study_with_options(
 /// Standard output cannot be written.
 pub fn show_outcome(concluded: StudyOutcome, hint: &str) -> Ending {
     match concluded {
-        StudyOutcome::Finished { run, folder } => tell(&run.result, &folder),
+        StudyOutcome::Finished { run, folder } => print_result(&run.result, &folder),
         StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let count = finished.columns.first().map_or(0, |column| column.data.len());
             console::message(&format!(

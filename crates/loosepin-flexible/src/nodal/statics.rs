@@ -15,7 +15,7 @@ const MIN_SHARE: f64 = 1e-4;
 
 /// A root whose section is held: position and direction of r' are given, its length |r'| is free.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clamped {
+pub struct ClampedRoot {
     /// r at the root, m.
     pub root_m: Vec2<f64>,
     /// Direction of r' there, a unit vector.
@@ -55,7 +55,7 @@ impl NodalBeam<f64> {
     pub fn at_rest(
         &self,
         mesh: &Mesh,
-        clamped: &Clamped,
+        clamped: &ClampedRoot,
         gravity_m_s2: Vec2<f64>,
         load: &TipLoad,
         steps: usize,
@@ -95,7 +95,7 @@ impl<'b> Balance<'b> {
     fn new(
         beam: &'b NodalBeam<f64>,
         mesh: &'b Mesh,
-        clamped: &Clamped,
+        clamped: &ClampedRoot,
         gravity_m_s2: Vec2<f64>,
         load: &'b TipLoad,
     ) -> Self {

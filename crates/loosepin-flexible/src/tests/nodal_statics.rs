@@ -1,12 +1,12 @@
 //! A cantilever in absolute nodal coordinates against the elastica.
 
-use crate::nodal::{Clamped, Mesh, NoStableEquilibrium, NodalBeam, Rule, TipLoad};
+use crate::nodal::{ClampedRoot, Mesh, NoStableEquilibrium, NodalBeam, Rule, TipLoad};
 use loosepin_math::Vec2;
 
 const LENGTH_M: f64 = 0.8;
 /// EI, N m².
 const BENDING: f64 = 3.7;
-const ROOT: Clamped = Clamped { root_m: Vec2 { x: 0.2, y: -0.1 }, axis: Vec2 { x: 0.8, y: 0.6 } };
+const ROOT: ClampedRoot = ClampedRoot { root_m: Vec2 { x: 0.2, y: -0.1 }, axis: Vec2 { x: 0.8, y: 0.6 } };
 
 /// A beam with EA L²/EI = `slenderness`.
 fn beam(slenderness: f64) -> NodalBeam<f64> {

@@ -16,7 +16,7 @@ const MAX_CELLS: usize = 1 << 18;
 
 /// A tested value with its likelihood.
 #[derive(Debug, Clone)]
-pub(super) struct Weighed {
+pub(super) struct WeightedValue {
     pub cell: TestedCell,
     /// ln p(y | u); -∞ where no run ended.
     pub log_likelihood: f64,
@@ -37,7 +37,7 @@ pub(super) struct Distribution {
 
 impl Distribution {
     /// Nothing where no tested value has a likelihood.
-    pub fn new(grid: &Grid, values: &[Weighed]) -> Option<Self> {
+    pub fn new(grid: &Grid, values: &[WeightedValue]) -> Option<Self> {
         let pieces: Vec<Option<LocalQuadratic>> =
             values.iter().map(|value| LocalQuadratic::new(grid, values, value)).collect();
         let counts = fine_counts(&grid.axes, &grid.counts);
@@ -85,14 +85,14 @@ impl Distribution {
     }
 
     /// Equally probable values along an unknown that would carry as much as the tested ones do.
-    pub fn effective_along(&self, unknown: usize, values: &[Weighed]) -> f64 {
+    pub fn effective_along(&self, unknown: usize, values: &[WeightedValue]) -> f64 {
         let slices = self.slices(unknown, values);
         let weight = |slice: &Vec<usize>| slice.iter().map(|value| self.weights[*value]).sum::<f64>();
         1.0 / slices.iter().map(|slice| weight(slice).powi(2)).sum::<f64>()
     }
 
     /// Tested values with the same place along an unknown, in the order of their places.
-    pub fn slices(&self, unknown: usize, values: &[Weighed]) -> Vec<Vec<usize>> {
+    pub fn slices(&self, unknown: usize, values: &[WeightedValue]) -> Vec<Vec<usize>> {
         let at = |value: usize| values[value].cell.at[unknown];
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|a, b| at(*a).total_cmp(&at(*b)));
@@ -125,13 +125,13 @@ struct LocalQuadratic {
 
 impl LocalQuadratic {
     /// Nothing where the likelihood is below the smallest number.
-    fn new(grid: &Grid, values: &[Weighed], value: &Weighed) -> Option<Self> {
+    fn new(grid: &Grid, values: &[WeightedValue], value: &WeightedValue) -> Option<Self> {
         if value.log_likelihood == f64::NEG_INFINITY {
             return None;
         }
         let unknowns = grid.axes.len();
         // Tested values on either side along each unknown.
-        let beside = |unknown: usize, side: f64| -> Option<&Weighed> {
+        let beside = |unknown: usize, side: f64| -> Option<&WeightedValue> {
             let mut at = value.cell.at.clone();
             at[unknown] += side * value.cell.widths[unknown];
             let is_inside = (0.0..1.0).contains(&at[unknown]);
@@ -139,11 +139,12 @@ impl LocalQuadratic {
             let is_known = other.log_likelihood > f64::NEG_INFINITY && other.cell.at[unknown] != value.cell.at[unknown];
             is_known.then_some(other)
         };
-        let mut rows: Vec<(&Weighed, usize)> = Vec::new();
+        let mut rows: Vec<(&WeightedValue, usize)> = Vec::new();
         let mut is_curved = vec![false; unknowns];
         for unknown in (0..unknowns).filter(|unknown| grid.axes[*unknown] == Axis::Continuous) {
             // At an end of the box, and beside values without a likelihood, both lie on the other side.
-            let mut both: Vec<&Weighed> = [-1.0, 1.0].into_iter().filter_map(|side| beside(unknown, side)).collect();
+            let mut both: Vec<&WeightedValue> =
+                [-1.0, 1.0].into_iter().filter_map(|side| beside(unknown, side)).collect();
             let further = [-2.0, 2.0].into_iter().filter_map(|side| beside(unknown, side));
             for other in further {
                 let is_new = both.iter().all(|known| known.cell.at[unknown] != other.cell.at[unknown]);
@@ -185,7 +186,7 @@ impl LocalQuadratic {
         Some(piece)
     }
 
-    fn log_likelihood(&self, value: &Weighed, at: &[f64]) -> f64 {
+    fn log_likelihood(&self, value: &WeightedValue, at: &[f64]) -> f64 {
         let mut log = value.log_likelihood;
         for (unknown, at) in at.iter().enumerate() {
             let off = at - value.cell.at[unknown];

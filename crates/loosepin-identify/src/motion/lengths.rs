@@ -11,13 +11,13 @@
 //! problems", Journal of the American Statistical Association 89 (1994) 278-288).
 
 use super::agreement::Agreement;
-use super::bank::{Bank, Mechanism};
 use super::grid::{Axis, Grid};
+use super::run_cache::{Mechanism, RunCache};
 use super::scatter::Observation;
 use super::unknowns::value;
 use loosepin_math::solve_square;
 use loosepin_result::motion_identification::{
-    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedTogether,
+    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedToLengths,
 };
 use loosepin_study::{MIN_SPECIMEN_ROWS, RandomInput, StudyError};
 use loosepin_uncertainty::{hash, sample_correlation, uniform};
@@ -42,7 +42,7 @@ const ROWS_DRAWN: u64 = 0x726f_7773;
 
 /// Mechanisms that agree with `seen`, of at most `most` runs.
 pub(crate) fn lengths(
-    bank: &Bank<'_>,
+    bank: &RunCache<'_>,
     seen: &Observation,
     grid: &Grid,
     most: usize,
@@ -54,7 +54,7 @@ pub(crate) fn lengths(
 }
 
 fn drawn(
-    bank: &Bank<'_>,
+    bank: &RunCache<'_>,
     seen: &Observation,
     grid: &Grid,
     most: usize,
@@ -169,7 +169,7 @@ fn resampled(shares: &[f64], count: usize, offset: f64) -> Vec<usize> {
     drawn
 }
 
-fn column(bank: &Bank<'_>, input: &RandomInput, place: usize, all: &[Mechanism], shares: &[f64]) -> LengthColumn {
+fn column(bank: &RunCache<'_>, input: &RandomInput, place: usize, all: &[Mechanism], shares: &[f64]) -> LengthColumn {
     let middle = input.variable.mean();
     let moment = |power: i32, about: f64| -> f64 {
         all.iter().zip(shares).map(|(mechanism, share)| share * (mechanism.random[place] - about).powi(power)).sum()
@@ -221,7 +221,7 @@ impl Ranks {
     }
 
     /// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
-    fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedTogether> {
+    fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedToLengths> {
         // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
         let count = self.lengths.len() as f64;
         let least = TIED.max(((count + CHANCE * (2.0 * count).sqrt()) / effective).sqrt());
@@ -231,7 +231,7 @@ impl Ranks {
             .filter(|(unknown, _)| self.lengths.len() > 1 && !is_told(*unknown))
             .filter_map(|(unknown, of_unknown)| {
                 let rank_correlation = multiple_correlation(&self.lengths, of_unknown);
-                (rank_correlation >= least).then_some(TiedTogether { unknown: *unknown, rank_correlation })
+                (rank_correlation >= least).then_some(TiedToLengths { unknown: *unknown, rank_correlation })
             })
             .collect()
     }

@@ -95,7 +95,7 @@ impl Student {
 
     /// Density of the measurement where the common errors are `shares` of their largest.
     fn log_density(&self, scatter: &Scatter, seen: &Observation, shares: &[f64]) -> f64 {
-        let found = seen.without_error(shares);
+        let found = seen.corrected_values(shares);
         let square = self.square(scatter, &found);
         let mut log = self.log_factor - 0.5 * (self.freedom + self.features) * (square / self.freedom).ln_1p();
         for (place, true_si) in found.iter().enumerate() {
@@ -134,7 +134,7 @@ struct NearestNormal {
 impl NearestNormal {
     fn new(scatter: &Scatter, student: &Student, seen: &Observation, movable: Vec<usize>) -> Self {
         let shares = scatter.nearest_shares(seen, &|values| scatter.form.distance(values));
-        let found = seen.without_error(&shares);
+        let found = seen.corrected_values(&shares);
         let off: Vec<f64> =
             scatter.scaled(&found).iter().zip(&scatter.form.mean).map(|(value, mean)| value - mean).collect();
         let z = scatter.form.whiten(&off);

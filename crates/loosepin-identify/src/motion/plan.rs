@@ -1,12 +1,12 @@
 //! What features would tell, before anything is measured.
 
-use super::bank::ProgressCallback;
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
+use super::run_cache::ProgressCallback;
 use super::unknowns::name;
 use crate::error::IdentifyProblem;
 use crate::identify::known_specimen;
-use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
+use loosepin_result::motion_identification::{IndistinguishableMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
 use loosepin_text::diagnostics::{Diagnostics, Place};
 use loosepin_text::units::SiUnit;
@@ -112,7 +112,7 @@ pub fn plan_motion(
                     *value =
                         if error.is_share { *value * (1.0 + share * error.size) } else { *value + share * error.size };
                 }
-                let verdict = |runs: &super::bank::Runs| rig.test(&runs[..counted], places, &seen).is_consistent;
+                let verdict = |runs: &super::run_cache::Runs| rig.test(&runs[..counted], places, &seen).is_consistent;
                 kept.push((truth, all.iter().map(verdict).collect()));
             }
         }
@@ -162,7 +162,7 @@ pub fn plan_motion(
                         let input = &study.epistemic[unknown];
                         input.written(&study.model, super::unknowns::value(input, member as f64))
                     };
-                    alike.push(AlikeMembers { unknown, members: [written(truth), written(other)], told });
+                    alike.push(IndistinguishableMembers { unknown, members: [written(truth), written(other)], told });
                 }
             }
         }

@@ -24,7 +24,7 @@ pub(crate) struct Observation {
 
 impl Observation {
     /// The true values where the common error of each instrument is `shares` of its largest.
-    pub fn without_error(&self, shares: &[f64]) -> Vec<f64> {
+    pub fn corrected_values(&self, shares: &[f64]) -> Vec<f64> {
         let of = |place: usize| self.true_value(place, shares[self.instruments[place]]);
         (0..self.values_si.len()).map(of).collect()
     }
@@ -107,7 +107,7 @@ impl Scatter {
             for &instrument in &movable {
                 let mut at = |share: f64| {
                     shares[instrument] = share;
-                    distance(&self.scaled(&seen.without_error(&shares)))
+                    distance(&self.scaled(&seen.corrected_values(&shares)))
                 };
                 let even = |k: usize| -1.0 + 2.0 * k as f64 / LOOKS as f64;
                 let mut best = (f64::INFINITY, 0);

@@ -2,7 +2,7 @@
 
 use maud::Markup;
 
-use crate::medium::script_data::{rounded, rounded_apart};
+use crate::medium::script_data::{rounded, rounded_distinct};
 use crate::numbers::number::NumberWriter;
 use loosepin_text::units::SiUnit;
 
@@ -182,7 +182,7 @@ impl Chart {
             id,
             x_label: x_label.to_owned(),
             x_symbol: writer.symbol(x_unit),
-            x: rounded_apart(&scaled(x_si, x_unit, writer)),
+            x: rounded_distinct(&scaled(x_si, x_unit, writer)),
             height: 300,
             ..Chart::default()
         }

@@ -238,8 +238,8 @@ fn to_places(value: f64, places: usize) -> String {
 pub(crate) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
     let joint = &journal.joint;
     let tag = Tag::joint(joint, "clearance", "radial");
-    let clearance = writer.about(&tag).value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
-    let turns = writer.about(&Tag::Given("turns that are examined")).count(journal.x_m.len() as u64);
+    let clearance = writer.with_tag(&tag).value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let turns = writer.with_tag(&Tag::Given("turns that are examined")).count(journal.x_m.len() as u64);
     let places = drawn_samples(journal).filter_map(|sample| place(journal, sample));
     let dots: String = places.map(|place| format!("M{place}h0")).collect();
     let caption =

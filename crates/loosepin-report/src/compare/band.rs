@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::headline::{is_same_curve, reach_si};
 use super::outputs::SharedOutputs;
-use super::sides::in_both;
+use super::sides::for_both;
 use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::{NumberWriter, Rounding};
@@ -59,7 +59,7 @@ pub fn compared(
         if before.cycle.drive == after.cycle.drive {
             bands.push(band(pair, [curve, other], title(curve), writer));
         } else {
-            let drives = in_both([&before.cycle.drive, &after.cycle.drive]);
+            let drives = for_both([&before.cycle.drive, &after.cycle.drive]);
             left_out.push(format!("{}: the bands are over the angle of another drive: {drives}.", title(curve)));
         }
     }
@@ -101,7 +101,7 @@ fn band(
         ),
         None => "nothing known".to_owned(),
     });
-    let words = format!("Farthest from zero: {}.", in_both(told));
+    let words = format!("Farthest from zero: {}.", for_both(told));
     chart.alternative = format!("Chart of both bands over one cycle. {title}. {words}");
     let both = curves.map(|curve| ends_at(curve, &angles));
     let reaches = (0..angles.len()).map(|pose| [0, 1].map(|which| reach_words(&both[which], pose, first, writer)));

@@ -1,7 +1,7 @@
 //! How much smaller or larger the main answer is in the second study.
 
 use super::outputs::SharedOutputs;
-use super::sides::in_both;
+use super::sides::for_both;
 use super::statistics::{Weight, is_same};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::study::output_summary::{OutputSummary, output_summaries};
@@ -31,7 +31,7 @@ pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &Numbe
     let [before, after] = main.values_si;
     let values =
         main.values_si.map(|value_si| format!("±{}", writer.rounded(value_si, main.unit, DIGITS, Rounding::Up)));
-    let sentence = format!("{} stays within {}.", main.subject, in_both(values));
+    let sentence = format!("{} stays within {}.", main.subject, for_both(values));
     match Weight::of(after - before, main.errors_si) {
         Weight::None => format!("{sentence} There is no difference."),
         Weight::WithinErrors => format!("{sentence} The difference is within the numerical errors."),

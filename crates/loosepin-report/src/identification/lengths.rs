@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::words::wording::remark;
 use loosepin_result::motion_identification::{
-    LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedTogether,
+    LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedToLengths,
 };
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;
@@ -66,7 +66,7 @@ fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &N
     words
 }
 
-fn tied_together_words(specimen: &MotionSpecimen, tied: &TiedTogether, writer: &NumberWriter<'_>) -> Option<String> {
+fn tied_together_words(specimen: &MotionSpecimen, tied: &TiedToLengths, writer: &NumberWriter<'_>) -> Option<String> {
     Some(format!(
         "{} is correlated with all random inputs together (multiple rank correlation {}), but with none of them alone: the measurement determines them only together. A study samples them independently, so its band may be too narrow. Measure lengths, or write the important ones under [epistemic]",
         specimen.unknowns.get(tied.unknown)?.name,

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::mechanism::shapes::{
-    BLOCK_PINS, Frame, HATCH_DEPTH_PINS, RAIL_PINS, carried_mm, fixed_rails, has_rails, hull_mm, point_mm,
-    support_points,
+    BLOCK_PINS, Frame, HATCH_DEPTH_PINS, RAIL_PINS, fixed_rails, has_rails, hull_mm, point_mm, support_points,
+    transformed_mm,
 };
 use crate::mechanism::signs::{ARROW_PINS, drive_sign};
 use loosepin_result::simulation::{Drawing, DrawnPin, PoseTable};
@@ -313,7 +313,7 @@ impl<'a> Scene<'a> {
         for &pose in &poses {
             let (mut lines, mut points) = (Vec::new(), Vec::new());
             for (index, body) in drawing.bodies.iter().enumerate() {
-                let at = |point: (f64, f64)| carried_mm(table, index, pose, point);
+                let at = |point: (f64, f64)| transformed_mm(table, index, pose, point);
                 points.extend((0..body.points.len()).filter_map(|point| {
                     point_mm(drawing, loosepin_result::simulation::PointReference { body: index, point }).map(at)
                 }));
@@ -334,7 +334,7 @@ impl<'a> Scene<'a> {
         let own = label.area(place, self.sizes);
         let (mut cost, mut hidden) = (0.0, 0.0);
         for (index, &pose) in self.poses.iter().enumerate() {
-            let area = own.moved(carried_mm(self.table, label.body, pose, label.at_mm));
+            let area = own.moved(transformed_mm(self.table, label.body, pose, label.at_mm));
             let crossed =
                 |lines: &[[(f64, f64); 2]]| lines.iter().filter(|[a, b]| area.is_crossed(*a, *b)).count() as f64;
             cost += crossed(&self.bars[index]) + crossed(&self.rails);
@@ -346,7 +346,7 @@ impl<'a> Scene<'a> {
                 && area.high <= self.frame.high;
             cost += if is_inside { 0.0 } else { COSTS[1] };
             let is_over = placed.iter().any(|other| {
-                let at = carried_mm(self.table, other.body, pose, other.at_mm);
+                let at = transformed_mm(self.table, other.body, pose, other.at_mm);
                 other.areas(self.sizes).into_iter().any(|covered| covered.moved(at).meets(area))
             });
             if is_over {

@@ -69,11 +69,11 @@ pub(crate) fn frame(drawing: &Drawing, poses: &PoseTable) -> Frame {
 
 fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pose: usize) -> (f64, f64) {
     let point = &body.points[point];
-    carried_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
+    transformed_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
 /// Where a point of a body is at a pose, mm.
-pub(crate) fn carried_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
+pub(crate) fn transformed_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
     let (sine, cosine) = poses.angle_rad[body][pose].sin_cos();
     (poses.x_m[body][pose] * MM_PER_M + cosine * x - sine * y, poses.y_m[body][pose] * MM_PER_M + sine * x + cosine * y)
 }
@@ -161,7 +161,7 @@ fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<V
 }
 
 /// How far a slider moves along its guide, mm from the guide's point, in all poses; `None` if the record names no such point.
-pub(crate) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+pub(crate) fn slider_travel_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
     gaps_mm(drawing, joint, poses).map(|gaps_mm| way_of(joint, &gaps_mm))
 }
 

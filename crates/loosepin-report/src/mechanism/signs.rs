@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::charts::ticks::{tick_text, ticks};
-use crate::mechanism::shapes::{Frame, RAIL_PINS, point_mm, way};
+use crate::mechanism::shapes::{Frame, RAIL_PINS, point_mm, slider_travel_mm};
 use loosepin_result::simulation::{Drawing, DrawnDrive, DriveSense, PoseTable};
 
 /// Radius of the arrow around a driven pin, in pins: outside of bearings.
@@ -98,7 +98,7 @@ pub(crate) fn drive_sign(drawing: &Drawing, drive: &DrawnDrive, poses: &PoseTabl
     if !joint.kind.has_line() {
         return None;
     }
-    let (from, to) = way(drawing, joint, poses)?;
+    let (from, to) = slider_travel_mm(drawing, joint, poses)?;
     let (x, y) = point_mm(drawing, joint.first)?;
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
     let (along, aside) = (0.5 * (from + to), ARROW_OFFSET_PINS * pin);

@@ -121,7 +121,7 @@ pub(super) fn range(
     writer: &NumberWriter,
 ) -> Option<[String; 2]> {
     let number = |part: &str, value_si: f64| {
-        writer.about(&Tag::joint(&output.name, &format!("ideal {what}"), part)).value(value_si, unit)
+        writer.with_tag(&Tag::joint(&output.name, &format!("ideal {what}"), part)).value(value_si, unit)
     };
     let lowest = values_si.iter().copied().reduce(f64::min)?;
     let highest = values_si.iter().copied().reduce(f64::max)?;

@@ -4,7 +4,7 @@ use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue}
 use std::f64::consts::TAU;
 
 pub(crate) use crate::numbers::rounding::Rounding;
-use crate::numbers::tag::{Tag, marked, read_the_same};
+use crate::numbers::tag::{Tag, marked, same_wording};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
@@ -60,7 +60,7 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// The same writer for numbers that are `tag`.
-    pub fn about<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
+    pub fn with_tag<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
     where
         'a: 't,
     {
@@ -68,7 +68,7 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// The same writer for numbers that are `tag`, where it is known.
-    pub fn about_maybe<'t>(&self, tag: Option<&'t Tag>) -> NumberWriter<'t>
+    pub fn with_optional_tag<'t>(&self, tag: Option<&'t Tag>) -> NumberWriter<'t>
     where
         'a: 't,
     {
@@ -178,9 +178,9 @@ impl<'a> NumberWriter<'a> {
     /// Two shares, the lower rounded down and the upper up; one where they are the same.
     pub fn percent_range(&self, least: f64, most: f64) -> String {
         let [lower, upper] = ["lower", "upper"].map(|part| self.tag.map(|tag| tag.part(part)));
-        let [of_lower, of_upper] = [&lower, &upper].map(|tag| self.about_maybe(tag.as_ref()));
+        let [of_lower, of_upper] = [&lower, &upper].map(|tag| self.with_optional_tag(tag.as_ref()));
         let (least, most) = (of_lower.percent(least, Rounding::Down), of_upper.percent(most, Rounding::Up));
-        if read_the_same(&least, &most) { least } else { format!("{least} to {most}") }
+        if same_wording(&least, &most) { least } else { format!("{least} to {most}") }
     }
 
     /// The epistemic inputs of a witness in plain words, in the order of the study file.
@@ -197,11 +197,11 @@ impl<'a> NumberWriter<'a> {
                     WitnessValue::Number(value_si) => {
                         let digits = input.map_or(PLAIN_DIGITS, |input| digits_within(&input.kind, *value_si));
                         let tag = self.tag.map(|tag| tag.at(path));
-                        self.about_maybe(tag.as_ref()).trimmed(*value_si, unit, digits)
+                        self.with_optional_tag(tag.as_ref()).trimmed(*value_si, unit, digits)
                     }
                     WitnessValue::Choice(choice) => {
                         let tag = self.tag.map(|tag| tag.at(path));
-                        self.about_maybe(tag.as_ref()).as_written(choice)
+                        self.with_optional_tag(tag.as_ref()).as_written(choice)
                     }
                 };
                 format!("{} {shown}", plain_name(path, inputs))

@@ -270,7 +270,7 @@ pub(crate) fn marked(text: String, digits: &str, tag: Option<&Tag>, value: f64, 
 }
 
 /// Whether two texts read the same, whatever their marks.
-pub(crate) fn read_the_same(a: &str, b: &str) -> bool {
+pub(crate) fn same_wording(a: &str, b: &str) -> bool {
     let plain = |text: &'_ str| -> String { text.chars().filter(|c| !is_mark(*c)).collect() };
     a == b || plain(a) == plain(b)
 }

@@ -73,14 +73,14 @@ fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &Numb
 }
 
 /// Outputs with an ideal value.
-pub(super) fn deviating(record: &SimulationRecord) -> impl Iterator<Item = &OutputHistory> {
+pub(super) fn outputs_with_deviation(record: &SimulationRecord) -> impl Iterator<Item = &OutputHistory> {
     record.outputs.iter().filter(|output| !output.deviation_si.is_empty())
 }
 
 /// A chart of each deviation but the first, which stands below the answer.
 pub(super) fn other_deviations(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
-        div.charts { @for output in deviating(record).skip(1) { (deviation_chart(record, output, writer).figure()) } }
+        div.charts { @for output in outputs_with_deviation(record).skip(1) { (deviation_chart(record, output, writer).figure()) } }
     }
 }
 
@@ -167,7 +167,7 @@ pub(super) fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup
     rest.caption = html! {
         strong { "Residual of the energy balance." } " At most "
         (writer
-            .about(&Tag::whole("energy residual", "relative"))
+            .with_tag(&Tag::whole("energy residual", "relative"))
             .rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
         " of the largest energy exchanged. It checks the run."
     };

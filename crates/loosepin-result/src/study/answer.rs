@@ -46,7 +46,7 @@ impl QuestionAnswer {
     }
 
     /// Adds a sentence.
-    pub fn say(&mut self, parts: impl IntoIterator<Item = AnswerPart>) {
+    pub fn add_sentence(&mut self, parts: impl IntoIterator<Item = AnswerPart>) {
         self.sentences.push(parts.into_iter().collect());
     }
 }
@@ -84,7 +84,7 @@ mod tests {
     fn an_answer_is_written_and_read_back() {
         let mut answer = QuestionAnswer::new("check_steps", "How near the steps come");
         let largest = AnswerPart::quantity("largest change", f64::INFINITY, SiUnit::LENGTH);
-        answer.say([
+        answer.add_sentence([
             "Of ".into(),
             AnswerPart::count("runs", 3),
             " runs the largest change is ".into(),

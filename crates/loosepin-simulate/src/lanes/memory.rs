@@ -160,7 +160,7 @@ impl LaneLayout {
 pub type Blocks<'m, T> = [&'m mut [T]; BLOCKS];
 
 /// The blocks by what they hold.
-pub struct Named<'m, T> {
+pub struct MemoryBlocks<'m, T> {
     /// [`Block::Lane`].
     pub lane: &'m mut [T],
     /// The numbers of a step.
@@ -171,7 +171,7 @@ pub struct Named<'m, T> {
     pub end_reads: &'m mut [T],
 }
 
-impl<'m, T> Named<'m, T> {
+impl<'m, T> MemoryBlocks<'m, T> {
     /// Names `blocks`.
     pub fn new(blocks: Blocks<'m, T>) -> Self {
         let [_, lane, start, stages, point, end, start_reads, end_reads] = blocks;

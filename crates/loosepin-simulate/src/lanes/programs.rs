@@ -2,7 +2,7 @@
 //! [`Traced`] numbers.
 
 use crate::follow::{Follow, LOBATTO};
-use crate::lanes::memory::{BLOCKS, Block, LaneLayout, Named};
+use crate::lanes::memory::{BLOCKS, Block, LaneLayout, MemoryBlocks};
 use crate::lanes::pass::{Pass, play_state};
 use crate::settings::Settings;
 use crate::stepping::motion::Motion;
@@ -201,7 +201,7 @@ impl Tracing<'_> {
             let mut memory = self.inputs();
             let [_, _, _, slope, point, _, start_reads, reads] = &mut memory;
             slope.fill(Traced::zero());
-            motion.know_angles(&self.pass.reads, start_reads);
+            motion.set_known_angles(&self.pass.reads, start_reads);
             motion.set_near(!evaluated.is_end);
             motion.derivative(point, slope);
             let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
@@ -219,7 +219,7 @@ impl Tracing<'_> {
         let (graph, (points, judgement)) = record(|| {
             let (sample, _) = self.numbers();
             let mut memory = self.inputs();
-            let mut blocks = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            let mut blocks = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
             let mut points = Points::default();
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
             self.pass.limit_turns(&mut blocks);
@@ -235,7 +235,7 @@ impl Tracing<'_> {
         let (graph, (points, dense)) = record(|| {
             let mut memory = self.inputs();
             let mut points = Points::default();
-            let Named { lane, mut rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            let MemoryBlocks { lane, mut rows, .. } = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
             self.pass.prepare_dense(&mut rows, lane, &mut points);
             (points.0, changes(&memory, &self.inputs()))
         });
@@ -249,7 +249,7 @@ impl Tracing<'_> {
             let (graph, outputs) = record(|| {
                 let mut memory = self.inputs();
                 let mut state = vec![Traced::zero(); self.pass.layout.dimension];
-                let Named { rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+                let MemoryBlocks { rows, .. } = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
                 self.pass.state_inside(&rows, point, &mut state);
                 if holds {
                     let (mut motion, _) = self.motion(true);
@@ -277,10 +277,10 @@ impl Tracing<'_> {
     }
 
     /// The program of the operations of `work` on the blocks.
-    fn written(&self, hoisted: &mut Hoisted, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
+    fn written(&self, hoisted: &mut Hoisted, work: impl FnOnce(&mut MemoryBlocks<'_, Traced>)) -> Program {
         let (graph, outputs) = record(|| {
             let mut memory = self.inputs();
-            work(&mut Named::new(memory.each_mut().map(|block| &mut block[..])));
+            work(&mut MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..])));
             changes(&memory, &self.inputs())
         });
         program(hoisted, &graph, &outputs)

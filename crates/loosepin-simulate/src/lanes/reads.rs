@@ -167,11 +167,11 @@ impl<T: Real> Motion<'_, T> {
     /// Takes the angles of all bodies, with sines and cosines, from a `row` that was read at the start of a step: evaluations
     /// [near it](Self::set_near) begin there.
     #[inline(always)]
-    pub fn know_angles(&mut self, reads: &ReadLayout, row: &[T]) {
+    pub fn set_known_angles(&mut self, reads: &ReadLayout, row: &[T]) {
         for (turning, slot) in self.dynamics.mechanism().real.turning_slots().enumerate() {
             let place = reads.angle(turning);
             let known = KnownAngle { angle_rad: row[place], sine: row[place + 1], cosine: row[place + 2] };
-            self.dynamics.kinematics.know(slot, known);
+            self.dynamics.kinematics.set_known_angle(slot, known);
         }
     }
 

@@ -24,7 +24,7 @@ const ROUND_OFF: f64 = 1e-9;
 ///
 /// # Errors
 /// A row outside what was recorded.
-pub fn lay_over(table: &MeasuredTable, record: &mut SimulationRecord) -> Result<(), Diagnostics> {
+pub fn compare_with_measured(table: &MeasuredTable, record: &mut SimulationRecord) -> Result<(), Diagnostics> {
     let (axis, at_si) = match table.abscissa {
         Abscissa::Time => (record.time_s.clone(), table.at_si.clone()),
         Abscissa::DriveAngle => {

@@ -8,7 +8,7 @@ mod problem;
 mod sample;
 mod table;
 
-pub use compare::lay_over;
+pub use compare::compare_with_measured;
 pub use joint::{JointColumn, JointSample};
 pub use problem::MeasuredProblem;
 pub use sample::SampleColumn;

@@ -17,9 +17,9 @@ use crate::repeats::sections::SectionRecorder;
 use crate::repeats::trust::{PositionHistory, measure_trust};
 use crate::repeats::turns::Turns;
 use crate::settings::{Integrator, Settings, Window};
-use crate::stepping::motion::Account;
+use crate::stepping::motion::EnergyTotals;
 use crate::stepping::search::{Peak, maximum_within, may_exceed};
-use crate::watched::Watched;
+use crate::stoppable_observer::StoppableObserver;
 use crate::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
@@ -202,7 +202,7 @@ fn record_until(
     if sought == Extremes::LeftOut {
         recorder.extremes.clear();
     }
-    let mut watched = Watched { observer: &mut recorder, stop };
+    let mut watched = StoppableObserver { observer: &mut recorder, stop };
     let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
@@ -430,7 +430,7 @@ impl<'a> Recorder<'a> {
         let energy = dynamics.energy(|contact| in_contact[contact]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
-        let account = step.account(time_s).unwrap_or(Account {
+        let account = step.account(time_s).unwrap_or(EnergyTotals {
             supplied_j: total_j - at_zero_j,
             contact_loss_j: 0.0,
             friction_loss_j: 0.0,

@@ -137,7 +137,7 @@ impl Layout {
 
     /// The energy account in a state.
     #[inline(always)]
-    pub fn account<T: Real>(&self, state: &[T]) -> Account<T> {
+    pub fn account<T: Real>(&self, state: &[T]) -> EnergyTotals<T> {
         self.account_by(
             #[inline(always)]
             |place| state[place],
@@ -146,9 +146,9 @@ impl Layout {
 
     /// The same of a state, or of its slope, whose numbers `number` reads.
     #[inline(always)]
-    pub fn account_by<T: Real>(&self, number: impl Fn(usize) -> T) -> Account<T> {
+    pub fn account_by<T: Real>(&self, number: impl Fn(usize) -> T) -> EnergyTotals<T> {
         let first = self.dimension;
-        Account {
+        EnergyTotals {
             supplied_j: number(first),
             contact_loss_j: number(first + 1),
             friction_loss_j: number(first + 2),
@@ -159,7 +159,7 @@ impl Layout {
 
 /// Energy supplied and lost since time zero, J.
 #[derive(Debug, Clone, Copy)]
-pub struct Account<T> {
+pub struct EnergyTotals<T> {
     /// Work of drives, loads and actuators.
     pub supplied_j: T,
     /// Turned into heat by normal contact.

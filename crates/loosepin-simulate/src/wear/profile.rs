@@ -25,7 +25,7 @@ pub struct WearProfile {
 
 /// The contact at an instant, with the friction path that it stands for.
 #[derive(Debug, Clone, Copy)]
-pub struct Pressed {
+pub struct ContactSample {
     /// Angle of the normal n, from the bearing's centre to the contact, in the ground's frame, rad.
     pub normal_rad: f64,
     /// Angles of the bearing's and of the journal's body, rad.
@@ -83,7 +83,7 @@ impl WearProfile {
     }
 
     /// Distributes a friction path over the sectors.
-    pub fn add(&mut self, joint: &WearingJoint, pressed: &Pressed) {
+    pub fn add(&mut self, joint: &WearingJoint, pressed: &ContactSample) {
         if !(pressed.path_j > 0.0) {
             return;
         }

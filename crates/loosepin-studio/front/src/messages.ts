@@ -256,7 +256,7 @@ export type Document =
 export type NamedPoses = Record<string, [number, number, number]>;
 
 /** Both texts with the values in them. */
-export interface Adopted {
+export interface AdoptedTexts {
   /** The model. */
   model: string;
   /** The study. */
@@ -391,7 +391,7 @@ export interface Listing {
 }
 
 /** What can be done with a result. */
-export interface Doings {
+export interface ResultActions {
   /** Name of the result. */
   title: string;
   /** Whether it is the result of a study: of others there is nothing to be done. */
@@ -1242,7 +1242,7 @@ export interface AdoptRequest {
 /** Both texts with the values of a result in them, or why they do not take them. */
 export interface AdoptAnswer {
   /** They. */
-  adopted: Adopted | null;
+  adopted: AdoptedTexts | null;
   /** Why not. */
   refusal: Refused | null;
 }

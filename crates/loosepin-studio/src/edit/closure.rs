@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use loosepin::model::{Model, QuantityId};
 use loosepin::result::simulation::Drawing;
 
-use super::grip::{Gripped, gripped_closing, number};
+use super::grip::{DragOutcome, gripped_closing, number};
 use super::nearest::{Nearest, nearest};
 use super::reshape::{length, minus};
 use super::toml::pieces::Replacements;
@@ -28,9 +28,9 @@ const KEPT_SHARE: f64 = 0.5;
 const POSITIONS: usize = 121;
 
 /// A drag whose loops close where it left them.
-pub struct Kept {
+pub struct PreservedClosure {
     /// The drag, with the new guesses; nothing where the model does not let them be written.
-    pub drag: Option<Gripped>,
+    pub drag: Option<DragOutcome>,
 }
 
 /// The drag with other guesses, where the loops of the mechanism in `drawing` close elsewhere than the drag left them, and others close
@@ -39,10 +39,10 @@ pub fn kept_closure(
     folder: &Folder,
     before: &Texts,
     grip: &Grip,
-    drag: &Gripped,
+    drag: &DragOutcome,
     drawing: &Drawing,
     stop: &AtomicBool,
-) -> Option<Kept> {
+) -> Option<PreservedClosure> {
     let found = nearest(drag, drawing).filter(|found| is_far(found, drag))?;
     let model = Model::from_source(Arc::clone(&before.model)).ok()?;
     let [drive] = &model.drives[..] else { return None };
@@ -74,10 +74,10 @@ pub fn kept_closure(
         .map(|guess| Some((guess.angle_rad, whole_degrees(angle_at(&turned, guess.body.0, start_rad)?))))
         .collect::<Option<_>>()?;
     let is_written = !guesses.is_empty() && guesses.iter().all(|(id, _)| number(&model, before, *id).is_some());
-    Some(Kept { drag: is_written.then(|| gripped_closing(&model, before, grip, &guesses)) })
+    Some(PreservedClosure { drag: is_written.then(|| gripped_closing(&model, before, grip, &guesses)) })
 }
 
-fn is_far(found: &Nearest, drag: &Gripped) -> bool {
+fn is_far(found: &Nearest, drag: &DragOutcome) -> bool {
     let due_m = drag.expected_m();
     let apart = due_m.iter().flat_map(|one| due_m.iter().map(move |other| length(minus(*one, *other))));
     found.far_m > FAR_SHARE * apart.fold(0.0, f64::max)

@@ -11,7 +11,7 @@ use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
 
 use super::behind::{Setting, behind};
 use super::guide::turned;
-use super::reshape::Posed;
+use super::reshape::PosedMechanism;
 use super::structure::Locks;
 use super::toml::pieces::Replacements;
 use super::written::Written;
@@ -36,7 +36,7 @@ const TOLERANCE: &str = "tolerance";
 
 /// What a drag does.
 #[derive(Default)]
-pub struct Gripped {
+pub struct DragOutcome {
     /// The same for the page.
     pub reshaped: DragResult,
     /// The model as it is to be; nothing where it stays.
@@ -49,7 +49,7 @@ pub struct Gripped {
     poses: Vec<Pose>,
 }
 
-impl Gripped {
+impl DragOutcome {
     /// Where each joint is to be, m; nothing where that cannot be said.
     pub fn expected_m(&self) -> &[[f64; 2]] {
         &self.expected_m
@@ -62,8 +62,8 @@ impl Gripped {
 }
 
 /// A drag that changes nothing, with the reason.
-pub fn refused_drag(words: String) -> Gripped {
-    Gripped { reshaped: DragResult { refusal: Some(words), ..DragResult::default() }, ..Gripped::default() }
+pub fn refused_drag(words: String) -> DragOutcome {
+    DragOutcome { reshaped: DragResult { refusal: Some(words), ..DragResult::default() }, ..DragOutcome::default() }
 }
 
 /// What a drag moves.
@@ -84,7 +84,7 @@ struct Moved {
 /// In words: it holds nothing that can be moved.
 fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
     let to_m = grip.to_mm.map(|mm| mm * M_PER_MM);
-    let posed = Posed::new(model, poses);
+    let posed = PosedMechanism::new(model, poses);
     let joint_of = |name: &str| {
         let found = model.joints.iter().position(|joint| joint.name == *name);
         found.ok_or_else(|| format!("joint '{name}' no longer exists"))
@@ -127,12 +127,12 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
 }
 
 /// The changes of a drag, or why there are none.
-pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
+pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> DragOutcome {
     gripped_closing(model, texts, grip, &[])
 }
 
 /// As [`gripped`], with other guesses of how the loops close: numbers of the model, and their values in whole degrees, SI.
-pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(QuantityId, f64)]) -> Gripped {
+pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(QuantityId, f64)]) -> DragOutcome {
     let refused = refused_drag;
     let is_near = |value: &f64| value.is_finite() && value.abs() * M_PER_MM < FURTHEST_M;
     let is_sound = grip.poses.len() == model.bodies.len()
@@ -226,7 +226,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
     }
     let named = model.bodies.iter().zip(&poses).skip(1).map(|(body, pose)| (body.name.clone(), pose.for_page()));
     let poses_of_page = named.collect();
-    Gripped {
+    DragOutcome {
         reshaped: DragResult { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
         model: text.text(),
         study: study.and_then(|shifted| shifted.text()),

@@ -2,7 +2,7 @@
 
 use loosepin::result::simulation::Drawing;
 
-use super::grip::Gripped;
+use super::grip::DragOutcome;
 use super::reshape::{length, minus};
 use crate::drawing::still::Pose;
 
@@ -17,7 +17,7 @@ pub struct Nearest {
 
 /// The position at which joints lie nearest to where they are expected; between two poses they go straight. Nothing where nothing is
 /// expected of them.
-pub fn nearest(gripped: &Gripped, drawing: &Drawing) -> Option<Nearest> {
+pub fn nearest(gripped: &DragOutcome, drawing: &Drawing) -> Option<Nearest> {
     let poses = &drawing.poses;
     let joints: Vec<(usize, [f64; 2])> = drawing
         .joints

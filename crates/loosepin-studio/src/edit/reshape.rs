@@ -16,13 +16,13 @@ use crate::drawing::still::{Pose, in_body_m};
 pub type Coordinate = (QuantityId, f64);
 
 /// A mechanism at a pose.
-pub struct Posed<'a> {
+pub struct PosedMechanism<'a> {
     model: &'a Model,
     values: Values,
     poses: &'a [Pose],
 }
 
-impl<'a> Posed<'a> {
+impl<'a> PosedMechanism<'a> {
     /// `poses` in the order of the bodies.
     pub fn new(model: &'a Model, poses: &'a [Pose]) -> Self {
         Self { model, values: model.quantities.nominal(), poses }

@@ -14,7 +14,7 @@ use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::toml::change::changes;
-use super::toml::lines::{Lines, owned};
+use super::toml::lines::{EditedText, owned};
 use super::uncertainty_spec::{UncertaintySpec, WrittenQuantity, piece, uncertainty_spec};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
@@ -65,7 +65,7 @@ pub fn known_texts(
         _ => Number::of_new_play(&model, path)?,
     };
     let known = uncertainty_spec(text, number.dimension, &number.unit)?;
-    let mut in_model = Lines::new(texts.model.text());
+    let mut in_model = EditedText::new(texts.model.text());
     match (&number.place, &known) {
         (NumberLocation::There(range), UncertaintySpec::Exact(value)) => {
             in_model.replace([(range.clone(), value.quoted())])?
@@ -83,7 +83,7 @@ pub fn known_texts(
     let entry = entry(&known, &number, &model, path)?;
     let in_study = match (&texts.study, &entry) {
         (Some(study), _) => {
-            let mut in_study = Lines::new(study.text());
+            let mut in_study = EditedText::new(study.text());
             write_entry(&mut in_study, path, entry.as_ref())?;
             Some(in_study)
         }
@@ -93,7 +93,7 @@ pub fn known_texts(
                 .with_hint("open a study of it, which has them under [random] or [epistemic]"));
         }
     };
-    let changed = |new: &Lines, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
+    let changed = |new: &EditedText, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
     let new_model = changed(&in_model, &texts.model);
     let new_study = in_study.zip(texts.study.as_ref()).and_then(|(new, old)| changed(&new, old));
     let new = texts.with(folder, new_model.as_deref(), new_study.as_deref());
@@ -256,7 +256,7 @@ fn around(value: &WrittenQuantity, half: &WrittenQuantity) -> [WrittenQuantity; 
 }
 
 /// Puts the entry of a number in its table, and takes other entries of it out.
-fn write_entry(study: &mut Lines, path: &str, entry: Option<&StudyEntry>) -> Result<(), Refusal> {
+fn write_entry(study: &mut EditedText, path: &str, entry: Option<&StudyEntry>) -> Result<(), Refusal> {
     let mut is_written = false;
     for table in [RANDOM, EPISTEMIC] {
         let new = entry.filter(|(due, _)| *due == table).map(|(_, new)| new);
@@ -280,7 +280,7 @@ fn unreadable(which: &str) -> Refusal {
 }
 
 /// Gives a joint its play, with what belongs to one: the radius of the bearing and the contact.
-fn give_play(text: &mut Lines, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
+fn give_play(text: &mut EditedText, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
     let table = ["joint", joint];
     let radius = model.quantities.iter().find(|(_, quantity)| {
         quantity.path.starts_with("joint.")

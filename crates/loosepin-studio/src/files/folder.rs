@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 use axum::http::StatusCode;
 use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
 
-use crate::files::listed::Known;
+use crate::files::listed::ListingCache;
 use crate::network::refusal::Refusal;
 
 /// Largest text, bytes.
@@ -23,7 +23,7 @@ const LONGEST_PATH: usize = 1024;
 #[derive(Debug, Clone)]
 pub struct Folder {
     opened: files::Folder,
-    known: Arc<Mutex<Known>>,
+    known: Arc<Mutex<ListingCache>>,
 }
 
 /// A text file as it stands on the disk.
@@ -54,7 +54,7 @@ impl Folder {
     }
 
     /// What earlier listings have read; `None` while another one has it.
-    pub(crate) fn known(&self) -> Option<MutexGuard<'_, Known>> {
+    pub(crate) fn known(&self) -> Option<MutexGuard<'_, ListingCache>> {
         match self.known.try_lock() {
             Ok(known) => Some(known),
             Err(TryLockError::Poisoned(known)) => Some(known.into_inner()),

@@ -42,20 +42,20 @@ pub struct ListedResult {
 
 /// What was read of files and results, by their paths; nothing of those that are none of ours.
 #[derive(Debug, Default)]
-pub struct Known {
-    pub files: HashMap<String, (Version, Option<ListedFile>)>,
-    pub results: HashMap<String, (Version, Option<ListedResult>)>,
+pub struct ListingCache {
+    pub files: HashMap<String, (FileVersion, Option<ListedFile>)>,
+    pub results: HashMap<String, (FileVersion, Option<ListedResult>)>,
 }
 
 /// By which the content of a file is known to be the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Version {
+pub struct FileVersion {
     pub identity: Identity,
     pub size_bytes: u64,
     pub modified: Option<SystemTime>,
 }
 
-impl From<FileInfo> for Version {
+impl From<FileInfo> for FileVersion {
     fn from(info: FileInfo) -> Self {
         Self { identity: info.identity, size_bytes: info.size_bytes, modified: info.modified }
     }

@@ -10,7 +10,7 @@ use loosepin::model::Model;
 use loosepin::report::{simulation_page, study_page, study_sentences, witness_words};
 use loosepin::results::{Claim, Destination, ResultKind, ResultsError};
 use loosepin::simulate::{Plan, SmallestClearance};
-use loosepin::store::{Beginning, RunStore};
+use loosepin::store::{ExistingRuns, RunStore};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
@@ -155,7 +155,7 @@ fn run_or_read(
         plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
     let identity = store_identity(&claim.inputs);
-    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, Beginning::GoOn))? {
+    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, ExistingRuns::GoOn))? {
         ClaimOutcome::Open(results, store) => (results, store),
         ClaimOutcome::Finished(results) => {
             let result = read_summary(&results).map_err(|error| Diagnostics::one(&error, None))?;

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::drawing::drawn::Drawn;
 use crate::drawing::still::NamedPoses;
 use crate::edit::{Edit, Restructured};
-use crate::files::adopt::Adopted;
+use crate::files::adopt::AdoptedTexts;
 use crate::messages::{Change, SentText};
 use crate::network::refusal::Refused;
 
@@ -241,7 +241,7 @@ pub struct AdoptRequest {
 #[derive(Serialize)]
 pub struct AdoptAnswer {
     /// They.
-    pub adopted: Option<Adopted>,
+    pub adopted: Option<AdoptedTexts>,
     /// Why not.
     pub refusal: Option<Refused>,
 }

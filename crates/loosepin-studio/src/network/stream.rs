@@ -11,7 +11,7 @@ use tokio::net::TcpStream;
 use tokio::sync::oneshot;
 use tokio::time::{Sleep, sleep};
 
-use crate::network::times::Times;
+use crate::network::times::Timeouts;
 use crate::network::visitors::ConnectionSlot;
 
 /// Most bytes of a connection that has not shown the token: heads of requests, and a first message. Nobody else makes the studio
@@ -35,7 +35,7 @@ pub struct Stream {
 
 impl Stream {
     /// A connection at a place, until `end` comes.
-    pub fn new(tcp: TcpStream, place: ConnectionSlot, end: oneshot::Receiver<()>, times: &Times) -> Self {
+    pub fn new(tcp: TcpStream, place: ConnectionSlot, end: oneshot::Receiver<()>, times: &Timeouts) -> Self {
         let total = Box::pin(sleep(times.connection + times.last_request));
         Self { tcp, place, end, has_ended: false, total, stalled: None, write: times.write, received: 0 }
     }

@@ -15,7 +15,7 @@ use loosepin::units::{Dimension, format_value};
 use crate::drawing::dimensions::dimensions;
 use crate::drawing::forces::forces;
 use crate::drawing::still::{NamedPoses, placed, still_drawing};
-use crate::edit::{Gripped, gripped, kept_closure, nearest, refused_drag, why_not};
+use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
 use crate::messages::{
     BodyView, JointView, LimitView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
@@ -61,7 +61,7 @@ fn seen_after(
     folder: &Folder,
     look: &Look,
     before: &Texts,
-    drag: Option<&Gripped>,
+    drag: Option<&DragOutcome>,
     stop: &AtomicBool,
 ) -> (LookAnswer, Option<Drawing>) {
     let texts = match drag {

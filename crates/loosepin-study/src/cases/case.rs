@@ -42,12 +42,12 @@ pub(super) struct Check {
     /// Where it stands.
     pub place: Place,
     /// What is compared.
-    pub what: What,
+    pub what: CheckSubject,
 }
 
 /// What a table of `expected.toml` compares.
 #[derive(Debug, Clone)]
-pub(super) enum What {
+pub(super) enum CheckSubject {
     /// Numbers, one by one.
     Numbers(Numbers),
     /// Numbers of the first impacts of a joint; the largest difference counts.
@@ -77,14 +77,14 @@ pub(super) struct ExpectedNumber {
     /// Settings `path=value` of the model under which it holds.
     pub settings: Vec<String>,
     /// Where it holds, if not for a whole run.
-    pub at: Option<At>,
+    pub at: Option<CheckInstant>,
     /// What tells it from the others of its list, as it is written: `at 60 deg`, `with restitution=0.5`.
     pub words: Option<String>,
 }
 
 /// An instant of a motion, or a state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum At {
+pub(super) enum CheckInstant {
     /// Angle of the drive that the cycle counts, rad.
     Angle(f64),
     /// Time from the start, s.
@@ -204,7 +204,7 @@ pub(super) struct History {
     /// The file.
     pub reference: Arc<Reference>,
     /// The columns that count as one number, each with ours.
-    pub columns: Vec<(usize, Ours)>,
+    pub columns: Vec<(usize, ComputedColumn)>,
     /// Largest accepted difference, SI.
     pub tolerance_si: f64,
     /// Their unit.
@@ -213,7 +213,7 @@ pub(super) struct History {
 
 /// A column of our run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ours {
+pub(super) enum ComputedColumn {
     /// Index of an output column.
     Output(usize),
     /// Index in a row of the states of all bodies.
@@ -223,12 +223,13 @@ pub(super) enum Ours {
 impl Case {
     /// How many numbers and histories it must meet.
     pub fn count(&self) -> usize {
-        let count = |check: &Check| if let What::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
+        let count =
+            |check: &Check| if let CheckSubject::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
         self.checks.iter().map(count).sum()
     }
 
     /// How many of these are histories.
     pub fn histories(&self) -> usize {
-        self.checks.iter().filter(|check| matches!(check.what, What::History(_))).count()
+        self.checks.iter().filter(|check| matches!(check.what, CheckSubject::History(_))).count()
     }
 }

@@ -163,8 +163,11 @@ impl StudyReader {
 
     /// Evaluates every corner of the box of intervals with every combination of the numbers of lists.
     fn check_corners(&self) -> Result<(), QuantityError> {
-        let shown: Vec<(QuantityId, Vec<f64>)> =
-            self.epistemic.iter().filter_map(|input| Some((input.quantity()?, input.variable.shown()))).collect();
+        let shown: Vec<(QuantityId, Vec<f64>)> = self
+            .epistemic
+            .iter()
+            .filter_map(|input| Some((input.quantity()?, input.variable.representative_values())))
+            .collect();
         let corners = shown.iter().fold(1_usize, |corners, (_, values)| corners.saturating_mul(values.len()));
         if corners > MAX_CORNERS {
             return Ok(());
@@ -222,7 +225,7 @@ impl StudyReader {
         let mut values = quantities.nominal();
         let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
         let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
-        let stands_alone = quantities.stands_alone(input.quantity);
+        let is_independent = quantities.is_independent(input.quantity);
         if let Some(problem) = self.share_without_play(input, &drawn) {
             return Some(problem);
         }
@@ -238,7 +241,7 @@ impl StudyReader {
                 quantities.evaluate_into(&set, &mut values)
             };
             // Where the other values are possible with one of these, and nothing depends on it, its own rule is all there is.
-            let is_own_rule = stands_alone && drawn.iter().any(|&value_si| possible(value_si).is_ok());
+            let is_own_rule = is_independent && drawn.iter().any(|&value_si| possible(value_si).is_ok());
             let mut impossible = 0;
             let mut first = None;
             for &value_si in &drawn {

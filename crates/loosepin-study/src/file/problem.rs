@@ -216,11 +216,11 @@ problems! {
                 if *is_itself { "this study itself" } else { "another study" }),
             hint("for example model = \"model.toml\"");
         /// A length that varies as no part does.
-        WildScatter { path: String, found: String, nominal: String } => Code::HardlyPossible,
+        WildScatter { path: String, found: String, nominal: String } => Code::ImplausibleNumber,
             says("'{path}' has a standard deviation of {found}, but is {nominal} in the model; usual values are below a hundredth of it"),
             hint("correct it, or ignore this warning if the value is intended");
         /// A sample of a length that holds one of the other sign.
-        OtherSign { path: String, found: String, nominal: String } => Code::HardlyPossible,
+        OtherSign { path: String, found: String, nominal: String } => Code::ImplausibleNumber,
             says("the sample of '{path}' contains {found}, but the value in the model is {nominal}"),
             hint("correct the sign or remove the value, or ignore this warning if the value is intended");
         /// Wear as a deviation from the ideal motion.

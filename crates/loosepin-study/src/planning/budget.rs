@@ -29,8 +29,8 @@ pub(crate) struct Limits {
 
 impl Limits {
     /// Watches the budget from now on.
-    pub fn watch(&self) -> Watch {
-        Watch { limits: *self, began: Instant::now() }
+    pub fn watch(&self) -> BudgetWatch {
+        BudgetWatch { limits: *self, began: Instant::now() }
     }
 
     /// Runs at most; with a budget of time or rounds, those before the samples grow.
@@ -58,12 +58,12 @@ impl Limits {
 }
 
 /// Decides before each step whether it is made.
-pub(crate) struct Watch {
+pub(crate) struct BudgetWatch {
     limits: Limits,
     began: Instant,
 }
 
-impl Watch {
+impl BudgetWatch {
     /// Whether a step of `next` runs stays within the budget, `made` runs and `steps` steps being made. A time is foreseen from that
     /// of the runs so far, so that the first step is always made.
     pub fn allows(&self, next: usize, made: usize, steps: u32) -> bool {
@@ -82,9 +82,9 @@ impl Watch {
 
 #[cfg(test)]
 mod tests {
-    use super::{Budget, Limits, Watch};
+    use super::{Budget, BudgetWatch, Limits};
 
-    fn watch(budget: Option<Budget>) -> Watch {
+    fn watch(budget: Option<Budget>) -> BudgetWatch {
         Limits { budget, stated_runs: 650, reserved: 150 }.watch()
     }
 

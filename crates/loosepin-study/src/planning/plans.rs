@@ -5,7 +5,7 @@ use crate::file::{Budget, MAX_RUNS, Study};
 use crate::planning::budget::{Limits, budget};
 use crate::planning::goals::goals;
 use crate::planning::problem::problem;
-use crate::question::{Basis, Question, most_surrogate_runs, questions, surrogate_plan};
+use crate::question::{Question, QuestionContext, most_surrogate_runs, questions, surrogate_plan};
 use crate::response::study_response::StudyResponse;
 use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use loosepin_bounds::{Refinement, SampleTable, Scratch, SurrogatePlan};
@@ -61,7 +61,8 @@ impl Plans {
         let direct = refinement.plan(&SampleTable::new(row_length));
         let surrogate = surrogate_plan(study, response)?;
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
-        let basis = Basis { study, response, double_loop: direct, surrogate: surrogate.as_ref(), is_surrogate_alone };
+        let basis =
+            QuestionContext { study, response, double_loop: direct, surrogate: surrogate.as_ref(), is_surrogate_alone };
         let questions = questions(&basis)?;
         let reserved = questions.iter().map(|question| question.most_runs()).fold(0, usize::saturating_add);
         let of_bounds = match &surrogate {

@@ -6,7 +6,7 @@ use super::surrogate::{LearnedBounds, SavedSurrogates};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::Sampling;
-use crate::planning::goals::Ended;
+use crate::planning::goals::RoundsEnd;
 use crate::runs::all_runs::Runs;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{Bounds, DoubleLoop};
@@ -18,7 +18,7 @@ pub struct Found {
     pub double_loop: Option<DoubleLoop>,
     pub bounds: Bounds,
     /// How the steps towards the goals ended.
-    pub ended: Ended,
+    pub ended: RoundsEnd,
     /// Small probabilities that were not counted.
     pub rare: Vec<Rare>,
     pub surrogate: Option<LearnedBounds>,
@@ -40,7 +40,7 @@ pub struct StudyRun {
 
 impl Found {
     /// Nothing but bounds.
-    pub fn new(bounds: Bounds, ended: Ended) -> Self {
+    pub fn new(bounds: Bounds, ended: RoundsEnd) -> Self {
         let (rare, curve_bands, other_readings) = (Vec::new(), Vec::new(), Vec::new());
         Self { double_loop: None, bounds, ended, rare, surrogate: None, curve_bands, other_readings }
     }

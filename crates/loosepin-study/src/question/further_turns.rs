@@ -4,7 +4,7 @@
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
+use super::kind::{Planned, Question, QuestionContext, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
@@ -85,7 +85,7 @@ const CANNOT_GO_ON: &str = "No run could be continued for so many turns.";
 ///
 /// # Errors
 /// A run may not have as many turns as are stated.
-fn planned(basis: &Basis<'_>) -> Planned {
+fn planned(basis: &QuestionContext<'_>) -> Planned {
     let Some(&settings) = basis.study.questions.get::<Settings>() else { return Ok(None) };
     if settings.is_stated {
         let cycle = &basis.study.cycle;
@@ -122,7 +122,7 @@ impl Question for FurtherTurnsQuestion {
             // A stated question has an answer in any case.
             Some(Err(reason)) if self.settings.is_stated => {
                 let mut answer = QuestionAnswer::new("further_turns", "Further turns");
-                answer.say([AnswerPart::from(*reason)]);
+                answer.add_sentence([AnswerPart::from(*reason)]);
                 run.result.answers.push(answer);
             }
             _ => {}

@@ -40,7 +40,7 @@ pub trait Question: Send + Sync {
 
 /// What a question is planned from.
 #[derive(Clone, Copy)]
-pub struct Basis<'b> {
+pub struct QuestionContext<'b> {
     pub study: &'b Study,
     pub response: &'b StudyResponse,
     /// The double loop as it begins.
@@ -59,7 +59,7 @@ pub struct QuestionKind {
     /// Its table in a study file; `None` where what a study states besides tells whether it is asked.
     pub table: Option<QuestionTable>,
     /// Plans it.
-    pub planned: fn(&Basis<'_>) -> Planned,
+    pub planned: fn(&QuestionContext<'_>) -> Planned,
 }
 
 /// The table of a single question in a study file.
@@ -72,7 +72,7 @@ pub struct QuestionTable {
 
 impl QuestionKind {
     /// A question that is asked by what a study states besides.
-    pub const fn without_table(planned: fn(&Basis<'_>) -> Planned) -> Self {
+    pub const fn without_table(planned: fn(&QuestionContext<'_>) -> Planned) -> Self {
         Self { table: None, planned }
     }
 }

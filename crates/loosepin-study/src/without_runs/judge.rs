@@ -21,7 +21,7 @@ use loosepin_text::units::SiUnit;
 const HALVINGS: usize = 7;
 
 /// What was judged.
-pub(crate) struct Judged {
+pub(crate) struct Judgement {
     pub requirements: Vec<MotionRequirement>,
     pub allowances: Vec<MotionAllowance>,
 }
@@ -30,9 +30,9 @@ pub(crate) struct Judged {
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`].
-pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judged, Diagnostics> {
+pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judgement, Diagnostics> {
     if study.requirements.is_empty() {
-        return Ok(Judged { requirements: Vec::new(), allowances: Vec::new() });
+        return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
     }
     let set_values = study.model.set_values(set)?;
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
@@ -41,7 +41,7 @@ pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions };
     let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(&study.model))?;
     let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(&study.model))?;
-    Ok(Judged { requirements, allowances })
+    Ok(Judgement { requirements, allowances })
 }
 
 /// Where the positions of a requirement stand among the questions.

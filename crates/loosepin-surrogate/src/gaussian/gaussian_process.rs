@@ -3,7 +3,7 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
-use loosepin_math::{FourRows, beside_one_another};
+use loosepin_math::{FourRows, interleaved};
 use std::sync::Arc;
 
 use loosepin_math::dense::{Cholesky, LowerTriangle};
@@ -71,7 +71,7 @@ fn of_each<'c>(
     let columns: Vec<&[f64]> = columns.into_iter().map(Vec::as_slice).collect();
     let mut products = Vec::with_capacity(columns.len());
     for own in columns.chunks(COLUMNS_AT_ONCE) {
-        let found = product(&beside_one_another(own));
+        let found = product(&interleaved(own));
         products.extend((0..own.len()).map(|column| found.iter().map(|entry| entry[column]).collect()));
     }
     products
@@ -134,13 +134,13 @@ impl Whitened {
     }
 
     /// Takes B b out of N whitened vectors side by side.
-    pub fn take_out_of_each<const N: usize>(&self, white: &mut [[f64; N]], coefficients: &[[f64; N]]) {
-        self.by_point.take_out_each(white, coefficients);
+    pub fn subtract_trends<const N: usize>(&self, white: &mut [[f64; N]], coefficients: &[[f64; N]]) {
+        self.by_point.subtract_products(white, coefficients);
     }
 
     /// Takes B b out of a whitened vector.
-    pub fn take_out(&self, white: &mut [f64], coefficients: &[f64]) {
-        self.by_point.take_out(white, coefficients);
+    pub fn subtract_trend(&self, white: &mut [f64], coefficients: &[f64]) {
+        self.by_point.subtract_product(white, coefficients);
     }
 
     /// Columns of Wᵀ B.

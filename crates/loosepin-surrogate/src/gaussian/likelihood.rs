@@ -82,7 +82,7 @@ impl Observations<'_> {
         let mut rest = whitened.whitening().multiply(self.values);
         let mut coefficients = whitened.products(&rest);
         information.solve(&mut coefficients);
-        whitened.take_out(&mut rest, &coefficients);
+        whitened.subtract_trend(&mut rest, &coefficients);
         let deviance = whitened.ln_determinant + information.ln_determinant() + dot(&rest, &rest);
         let weights = whitened.whitening().multiply_transposed(&rest);
         deviance.is_finite().then_some(Solved { whitened, information, coefficients, weights, deviance })

@@ -3,7 +3,7 @@
 use super::error::NativeError;
 use super::node::{BinaryOperation, FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 use super::program::Program;
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 use std::cell::Cell;
 
 /// Lanes of a vector of numbers that the compiler makes instructions for.
@@ -91,7 +91,7 @@ impl Interpreted {
         if scratch.len() < needed {
             scratch.resize(needed, 0.0);
         }
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let mut lane = 0;

@@ -51,7 +51,7 @@ static NOTHING: LazyLock<DeTable<'static>> = LazyLock::new(DeTable::new);
 
 impl<'t> Table<'t> {
     /// A table that is left out at `path`, as if it were there without keys.
-    pub fn left_out(path: EntryPath, keys: &'static Keys) -> Table<'t> {
+    pub fn omitted(path: EntryPath, keys: &'static Keys) -> Table<'t> {
         Table { path, span: Span::default(), entries: &NOTHING, keys }
     }
 

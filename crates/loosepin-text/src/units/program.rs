@@ -62,7 +62,7 @@ pub enum Op {
 impl Op {
     /// Whether it takes two operands from the stack.
     #[inline(always)]
-    pub fn takes_two(&self) -> bool {
+    pub fn is_binary(&self) -> bool {
         matches!(
             self,
             Self::Add
@@ -115,7 +115,7 @@ pub fn run(ops: &[Op], values: &mut [f64]) -> f64 {
                 top -= 1;
                 values[slot] = stack[top];
             }
-            _ if op.takes_two() => {
+            _ if op.is_binary() => {
                 top -= 1;
                 stack[top - 1] = of_two(*op, stack[top - 1], stack[top]);
             }

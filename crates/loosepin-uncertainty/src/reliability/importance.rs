@@ -151,10 +151,10 @@ impl Mixture {
 mod tests {
     use super::{ImportanceSampling, importance_sampling};
     use crate::SobolError;
-    use crate::reliability::tests::{FOUR_BRANCHES, Known, LIMIT_STATES};
+    use crate::reliability::tests::{FOUR_BRANCHES, KnownLimitState, LIMIT_STATES};
     use crate::reliability::{DesignSearch, RareProbability, design_points};
 
-    fn estimate(known: &Known, seed: u64) -> RareProbability {
+    fn estimate(known: &KnownLimitState, seed: u64) -> RareProbability {
         let mut limit_state = |points: &[Vec<f64>]| -> Result<Vec<f64>, SobolError> {
             Ok(points.iter().map(|point| (known.limit_state)(point)).collect())
         };

@@ -37,7 +37,7 @@ use super::basis::Basis;
 use super::orthogonal::Axis;
 use super::preintegration::{Conditional, Rest};
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 
 /// Highest degree of a polynomial.
 const MAX_DEGREE: usize = 12;
@@ -229,7 +229,7 @@ impl DesignMatrix {
         let size = self.basis.terms.len();
         self.rows.chunks(size * self.per_replicate).zip(values.chunks(self.per_replicate)).map(move |(rows, values)| {
             let mut sums = vec![0.0; size];
-            on_vectors(
+            with_vector_instructions(
                 #[inline(always)]
                 || {
                     for (row, value) in rows.chunks(size).zip(values) {

@@ -31,7 +31,7 @@ use crate::search::rough::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use crate::search::rough::suspected_kinks::{Likelihoods, SuspectedKinks};
 use crate::search::search_box::{Axes, Region};
 use loosepin_math::dense::dot;
-use loosepin_math::{beside_one_another, dots_of_each};
+use loosepin_math::{interleaved, pairwise_dots};
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const MIN_DEVIATION: f64 = 1e-12;
@@ -217,7 +217,7 @@ impl Smoother {
     fn assess_all(&self, all: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
         let residuals: Vec<Vec<[f64; LISTS_AT_ONCE]>> = all
             .chunks(LISTS_AT_ONCE)
-            .map(|some| beside_one_another(&some.iter().map(|own| &own.residual[..]).collect::<Vec<_>>()))
+            .map(|some| interleaved(&some.iter().map(|own| &own.residual[..]).collect::<Vec<_>>()))
             .collect();
         let mut assessments: Vec<Assessment<'_>> = all.iter().map(|own| own.assessment()).collect();
         for level in 0..self.grid.levels() {
@@ -231,7 +231,7 @@ impl Smoother {
                         continue;
                     }
                     let rest = model.whitened_rest_of_each(residuals);
-                    let squares = dots_of_each(&rest, &rest);
+                    let squares = pairwise_dots(&rest, &rest);
                     for (own, square) in some.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
                         own.take(model, square);
                     }
@@ -247,7 +247,7 @@ impl Smoother {
 fn find_means_of_each<const N: usize>(at: &AtPlaces, fits: &[&Fit<'_>]) {
     let white: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.0[..]).collect();
     let of_trend: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.1[..]).collect();
-    let means = at.means_of_each::<N>(&beside_one_another(&white), &beside_one_another(&of_trend));
+    let means = at.means_of_each::<N>(&interleaved(&white), &interleaved(&of_trend));
     for (list, fit) in fits.iter().enumerate() {
         fit.means.get_or_init(|| means.iter().map(|own| own[list]).collect());
     }

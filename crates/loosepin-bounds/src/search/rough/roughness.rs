@@ -15,7 +15,7 @@
 use crate::search::models::gaussian_process::Model;
 use crate::search::models::prediction::Roughness;
 use loosepin_math::dense::{Cholesky, gram, multiply};
-use loosepin_math::{FourRows, beside_one_another, exponentials};
+use loosepin_math::{FourRows, exponentials, interleaved};
 
 /// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
@@ -221,13 +221,13 @@ impl RoughPart {
     /// What `residual` has beside `model`, less what the replicates of the sampling noise have, which `replicates` differ by from their mean.
     pub fn new(model: &Model, residual: &[f64], replicates: &[Vec<f64>], scatter: Scatter) -> Self {
         let count = replicates.len() as f64;
-        let freedom = model.nugget_freedom().max(1.0);
+        let freedom = model.nugget_degrees_of_freedom().max(1.0);
         let of_noise = if count < 2.0 {
             0.0
         } else {
             let of_each = |own: &[Vec<f64>]| {
                 let own: Vec<&[f64]> = own.iter().map(Vec::as_slice).collect();
-                model.nuggets_of_each::<REPLICATES_AT_ONCE>(&beside_one_another(&own)).into_iter().take(own.len())
+                model.nuggets_of_each::<REPLICATES_AT_ONCE>(&interleaved(&own)).into_iter().take(own.len())
             };
             replicates.chunks(REPLICATES_AT_ONCE).flat_map(of_each).sum::<f64>() / (count * (count - 1.0))
         };

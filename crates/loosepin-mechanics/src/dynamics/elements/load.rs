@@ -3,7 +3,7 @@
 use crate::dynamics::elements::element_force::LoadForce;
 use crate::dynamics::equations::Dynamics;
 use crate::mechanism::{JointPlace, Pose, Twist};
-use crate::model::{Course, LoadPlace, Push};
+use crate::model::{LoadPlace, Push, TimeCourse};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -30,7 +30,7 @@ impl<T: Real> Dynamics<'_, T> {
         let load = &self.mechanism.model.loads[index];
         let slot = self.loads[index].slot;
         let [coordinate, rate] = match (&load.course, load.joint) {
-            (Some(Course::Function(_) | Course::Table(_)), Some(joint)) => {
+            (Some(TimeCourse::Function(_) | TimeCourse::Table(_)), Some(joint)) => {
                 let place = JointPlace::new(&self.mechanism.model, &self.mechanism.real, joint);
                 self.sample.loads[index].joint.motion(&place, &self.kinematics)
             }
@@ -39,7 +39,7 @@ impl<T: Real> Dynamics<'_, T> {
         let numbers = &self.sample.loads[index];
         let size = match (&numbers.course, &load.course) {
             (Some(numbers), Some(course)) => {
-                numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_room)
+                numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_workspace)
             }
             // It has no size.
             (None, _) | (_, None) => T::zero(),

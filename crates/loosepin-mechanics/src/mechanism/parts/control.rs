@@ -42,7 +42,7 @@ impl<T: Real> ControlGeometry<T> {
             limit: control.limit.map(number),
             feed_forward: match &control.feed_forward {
                 // What is fed forward is no table.
-                FeedForward::Course(course) => CourseNumbers::new(course, values).ok(),
+                FeedForward::TimeCourse(course) => CourseNumbers::new(course, values).ok(),
                 FeedForward::None | FeedForward::InverseDynamics => None,
             },
             actuated: JointGeometry::new(model, control.joint, &number),

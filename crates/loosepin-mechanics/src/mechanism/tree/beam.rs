@@ -5,7 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use crate::model::{ActsOn, BodyId, Lump, Model, PointId, Values};
+use crate::model::{ActsOn, BodyId, LumpedMass, Model, PointId, Values};
 use loosepin_flexible::{Basis, Shapes, Station, even_shares};
 use std::ops::Range;
 use std::sync::Arc;
@@ -88,7 +88,7 @@ impl TreeBeam {
     }
 
     /// Lumps of the body that the section at a place carries.
-    pub fn lumps_at<'m>(&self, model: &'m Model, place: BeamPlace) -> Vec<&'m Lump> {
+    pub fn lumps_at<'m>(&self, model: &'m Model, place: BeamPlace) -> Vec<&'m LumpedMass> {
         let lumps = model.bodies[self.body.0].beam.iter().flat_map(|beam| &beam.lumps);
         lumps.filter(|lump| self.places[lump.point] == place).collect()
     }

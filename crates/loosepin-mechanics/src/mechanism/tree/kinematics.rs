@@ -115,7 +115,7 @@ impl<T: Real> Kinematics<T> {
 
     /// Says what is known of the angle of a slot.
     #[inline(always)]
-    pub fn know(&mut self, slot: usize, known: KnownAngle<T>) {
+    pub fn set_known_angle(&mut self, slot: usize, known: KnownAngle<T>) {
         self.known[slot] = known;
     }
 

@@ -3,7 +3,7 @@
 use crate::mechanism::tree::beam::{BeamPlace, Sections, TreeBeam, sections_of};
 use crate::mechanism::tree::nodal_beam::TreeNodalBeam;
 use crate::model::{
-    Beam, Body, BodyId, DriveId, Formulation, Hanging, IdealRows, JointId, Model, PlayId, PointId, Values,
+    Beam, Body, BodyId, DriveId, Formulation, IdealRows, JointId, Model, PlayId, PointId, TreeAttachment, Values,
 };
 use loosepin_flexible::{Frame, Mesh, Station};
 use loosepin_math::Envelope;
@@ -257,14 +257,15 @@ impl Tree {
         };
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
-            (None, kind) if kind.hanging() == Hanging::Fixed => 1,
+            (None, kind) if kind.tree_attachment() == TreeAttachment::Fixed => 1,
             // A beam cannot hang by a point inside.
             (None, _) => 2 + usize::from(is_inside(joint)),
         });
 
         let mut groups = Groups::new(model.bodies.len());
         let mut in_tree = vec![false; model.joints.len()];
-        for &joint in order.iter().filter(|joint| model.joints[joint.0].kind.hanging() != Hanging::Never) {
+        for &joint in order.iter().filter(|joint| model.joints[joint.0].kind.tree_attachment() != TreeAttachment::Never)
+        {
             if groups.join(model.joints[joint.0].kind.bodies()) {
                 in_tree[joint.0] = true;
             } else if drive_of(joint).is_some() {
@@ -407,12 +408,12 @@ impl Tree {
                     Some(_) => driven_from + self.drives.len(),
                     None => self.free,
                 };
-                let attachment = match (kind.hanging(), drive) {
-                    (Hanging::Never, _) => continue,
-                    (Hanging::Fixed, _) => Attachment::Rigid { joint, forward },
-                    (Hanging::Sliding, _) => Attachment::Prismatic { coordinate, joint, forward },
-                    (Hanging::Turning, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
-                    (Hanging::Turning, None) => Attachment::Revolute { coordinate, joint, forward },
+                let attachment = match (kind.tree_attachment(), drive) {
+                    (TreeAttachment::Never, _) => continue,
+                    (TreeAttachment::Fixed, _) => Attachment::Rigid { joint, forward },
+                    (TreeAttachment::Sliding, _) => Attachment::Prismatic { coordinate, joint, forward },
+                    (TreeAttachment::Turning, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
+                    (TreeAttachment::Turning, None) => Attachment::Revolute { coordinate, joint, forward },
                 };
                 if !matches!(attachment, Attachment::Rigid { .. }) {
                     match drive {
@@ -561,7 +562,7 @@ impl Tree {
     }
 
     /// The first flexible body whose frame does not fit how it hangs: a tangent frame touches the beam at its `from`.
-    pub fn beam_that_hangs_wrongly(&self, model: &Model) -> Option<BodyId> {
+    pub fn misattached_beam(&self, model: &Model) -> Option<BodyId> {
         let is_wrong = |beam: &&TreeBeam| {
             let is_tangent = model.bodies[beam.body.0].beam.as_ref().is_some_and(|beam| beam.frame == Frame::Tangent);
             is_tangent && (beam.is_reversed || self.floating_roots.contains(&beam.body))

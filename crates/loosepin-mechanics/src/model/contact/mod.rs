@@ -14,7 +14,7 @@ pub use lubrication::Lubrication;
 pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
-use super::part_reader::Later;
+use super::part_reader::DeferredQuantity;
 use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
 use crate::model::parts::friction::{Friction, FrictionTable, SlidingVelocity};
 use crate::model::values::quantity::{QuantityId, Values};
@@ -106,7 +106,7 @@ record! {
     include law: LawTable<'t>;
     /// smallest impact speed that the force law uses
     // What it is if omitted is our choice.
-    optional minimum_impact_speed: Later<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
+    optional minimum_impact_speed: DeferredQuantity<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
     /// density, to detect impacts that are too fast for the law
     optional density: Entry<'t> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
     /// friction; none if omitted

@@ -64,7 +64,7 @@ pub struct Coupled<K> {
 
 impl<K> Coupled<K> {
     /// Without play and teeth.
-    pub fn ideally(joints: [JointId; 2], kind: K) -> Self {
+    pub fn without_play(joints: [JointId; 2], kind: K) -> Self {
         Self { joints, kind, play: None, teeth: None }
     }
 }

@@ -54,7 +54,7 @@ pub trait KindOfDrive: Sized {
     }
 
     /// Numbers that [`MotionLaw::at`] needs as room.
-    fn room(&self) -> usize {
+    fn workspace_length(&self) -> usize {
         0
     }
 }
@@ -79,8 +79,8 @@ pub enum Written<K> {
 
 /// The numbers of a motion: what the equations of motion evaluate.
 pub trait MotionLaw<T: Real> {
-    /// Position, velocity and acceleration at `time_s`; `room` holds [`KindOfDrive::room`] numbers.
-    fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3];
+    /// Position, velocity and acceleration at `time_s`; `workspace` holds [`KindOfDrive::workspace_length`] numbers.
+    fn at(&self, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3];
 
     /// The speed, m/s or rad/s, of a motion that has the same for ever.
     fn constant_speed(&self) -> Option<T> {

@@ -108,8 +108,8 @@ macro_rules! drive_laws {
         impl<T: Real> DriveMotion<T> {
             /// See [`MotionLaw::at`].
             #[inline(always)]
-            pub fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
-                match self { $(Self::$kind(motion) => motion.at(time_s, room),)* }
+            pub fn at(&self, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
+                match self { $(Self::$kind(motion) => motion.at(time_s, workspace),)* }
             }
 
             /// See [`MotionLaw::constant_speed`].
@@ -192,9 +192,9 @@ impl DriveLaw {
         ask!(self, kind => kind.pieces(number))
     }
 
-    /// See [`KindOfDrive::room`].
-    pub fn room(&self) -> usize {
-        ask!(self, kind => kind.room())
+    /// See [`KindOfDrive::workspace_length`].
+    pub fn workspace_length(&self) -> usize {
+        ask!(self, kind => kind.workspace_length())
     }
 }
 

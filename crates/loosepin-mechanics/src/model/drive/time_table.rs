@@ -58,7 +58,7 @@ impl KindOfDrive for TimeTable {
 
 impl<T: Real> MotionLaw<T> for TablePiece<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         polynomial_at(self.origin_s, &self.coefficients, time_s)
     }
 }

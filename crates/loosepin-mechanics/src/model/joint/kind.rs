@@ -20,7 +20,7 @@ pub trait KindOfJoint: Sized {
     /// Dimension of its coordinate: an angle, or a position along a line; none where it has none.
     const COORDINATE: Option<Dimension>;
     /// How a body hangs on another by it.
-    const HANGING: Hanging;
+    const TREE_ATTACHMENT: TreeAttachment;
     /// The constraints that it is where it closes a loop.
     const ROWS: IdealRows;
     /// What it is to a flexible body.
@@ -71,7 +71,7 @@ pub trait KindOfJoint: Sized {
 
 /// How a body hangs on another by a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hanging {
+pub enum TreeAttachment {
     /// It turns about the point.
     Turning,
     /// It slides along the line.
@@ -86,14 +86,14 @@ pub enum Hanging {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IdealRows {
     /// What they keep together.
-    pub keeps: Keeps,
+    pub keeps: PointConstraint,
     /// Whether the last row keeps the bodies from turning against each other.
     pub holds_angle: bool,
 }
 
 /// What the first rows of an ideal joint keep together. How is in `mechanism/point_rows`, a file for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Keeps {
+pub enum PointConstraint {
     /// Two rows: the points coincide.
     Points,
     /// One row: the second point stays on the line.
@@ -102,7 +102,7 @@ pub enum Keeps {
     Circle,
 }
 
-impl Keeps {
+impl PointConstraint {
     /// Number of its rows.
     #[inline(always)]
     pub const fn count(self) -> usize {
@@ -123,7 +123,7 @@ impl IdealRows {
     /// Whether the first row keeps a point on a straight line.
     #[inline(always)]
     pub const fn is_on_line(self) -> bool {
-        matches!(self.keeps, Keeps::Line)
+        matches!(self.keeps, PointConstraint::Line)
     }
 
     /// Whether row `row` of them is an angle; the others are lengths.
@@ -241,7 +241,7 @@ pub struct NotDriven {
 
 impl NotDriven {
     /// Of a kind that no drive moves.
-    pub const fn never(why: &'static str) -> Self {
+    pub const fn because(why: &'static str) -> Self {
         Self { why, hint: "drive a revolute or prismatic joint" }
     }
 }

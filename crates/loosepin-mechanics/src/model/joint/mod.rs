@@ -13,7 +13,9 @@ mod slot;
 
 pub use circular_slot::CircularSlot;
 pub use clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
-pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, NotDriven, PlayParts};
+pub use kind::{
+    AtBeam, IdealRows, JointPlay, KindOfJoint, Line, NotDriven, PlayParts, PointConstraint, TreeAttachment,
+};
 pub use prismatic::Prismatic;
 pub(super) use reading::span_of;
 pub use reading::{ContactFacts, JointReader, PlayKeys};
@@ -111,9 +113,9 @@ impl JointKind {
         self.coordinate() == Some(Dimension::LENGTH)
     }
 
-    /// See [`KindOfJoint::HANGING`].
-    pub fn hanging(&self) -> Hanging {
-        constant!(self, HANGING)
+    /// See [`KindOfJoint::TREE_ATTACHMENT`].
+    pub fn tree_attachment(&self) -> TreeAttachment {
+        constant!(self, TREE_ATTACHMENT)
     }
 
     /// See [`KindOfJoint::ROWS`].

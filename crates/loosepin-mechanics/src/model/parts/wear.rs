@@ -1,6 +1,6 @@
 //! Wear of joints by Archard's law.
 
-use crate::model::part_reader::{Later, PartReader};
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, choice, count, optional, quantity};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
@@ -58,7 +58,7 @@ pub enum WearGeometry {
     /// That of the unworn joint.
     Fixed,
     /// Worn, by jumps over many cycles.
-    Worn(Jumps),
+    Worn(CycleJumps),
 }
 
 /// Jumps over the cycles of a life, at most.
@@ -66,7 +66,7 @@ pub const MAX_JUMPS: usize = 4096;
 
 /// Jumps over cycles by Heun's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Jumps {
+pub enum CycleJumps {
     /// This many of equal length.
     Equal(usize),
     /// As long as this error of a jump in the depth of a sector allows, m.
@@ -220,7 +220,7 @@ record! {
     /// with geometry = "worn": number of equal jumps over the cycles; chosen from the tolerance if omitted
     optional jumps: Option<usize> = count(1, MAX_JUMPS as u64), "16";
     /// largest error of one jump in the depth of any sector
-    optional tolerance: Later<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
+    optional tolerance: DeferredQuantity<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
     /// the output whose largest deviation from the ideal motion ends the life of the mechanism
     optional limit_of: Entry<'t> = Kind::Reference("output"), "\"slider\"";
     /// largest deviation of this output, in either direction

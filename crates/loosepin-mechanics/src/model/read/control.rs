@@ -141,7 +141,7 @@ impl ModelReader {
             return Some(FeedForward::InverseDynamics);
         }
         let variables = self.variables(Some(measured));
-        Some(FeedForward::Course(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
+        Some(FeedForward::TimeCourse(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
     }
 
     /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.

@@ -86,7 +86,7 @@ impl ModelReader {
         let refused = kind.why_not_driven(&|clearance_m| self.is_nominally_zero(clearance_m));
         let NotDriven { why, hint } = match (refused, kind.coordinate()) {
             (None, Some(dimension)) => return Some(Driven { joint, dimension }),
-            (refused, _) => refused.unwrap_or(NotDriven::never("has no coordinate")),
+            (refused, _) => refused.unwrap_or(NotDriven::because("has no coordinate")),
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why, hint };
         self.reader.refuse(&problem, joint_entry.span)

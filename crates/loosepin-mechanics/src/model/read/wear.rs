@@ -5,7 +5,7 @@ use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::wear::{
-    ActsBack, FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
+    ActsBack, CycleJumps, FoundationChoice, JointWear, JointWearTable, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
     WearLife, WearMeasure, WearPressure,
 };
 use crate::model::problem::ModelProblem;
@@ -97,7 +97,7 @@ impl ModelReader {
                 life
             }
             None if wears => {
-                let table = Table::left_out(EntryPath::default().join("wear"), &LifeTable::KEYS);
+                let table = Table::omitted(EntryPath::default().join("wear"), &LifeTable::KEYS);
                 LifeTable::of(self, table)?
             }
             None => return None,
@@ -176,9 +176,9 @@ impl ModelReader {
         let jumps = match life.jumps {
             Some(count) => {
                 self.refuse_beside(table, "tolerance", "jumps");
-                Jumps::Equal(count?)
+                CycleJumps::Equal(count?)
             }
-            None => Jumps::Controlled(tolerance?),
+            None => CycleJumps::Controlled(tolerance?),
         };
         Some(WearGeometry::Worn(jumps))
     }

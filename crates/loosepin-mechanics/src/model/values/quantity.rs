@@ -207,7 +207,7 @@ impl QuantityTable {
     }
 
     /// The clearance that is stated where `id` is that of warm parts; else `id`.
-    pub fn stated(&self, id: QuantityId) -> QuantityId {
+    pub fn stated_clearance(&self, id: QuantityId) -> QuantityId {
         self.stated.get(&id).copied().unwrap_or(id)
     }
 
@@ -222,7 +222,7 @@ impl QuantityTable {
     }
 
     /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.
-    pub fn stands_alone(&self, id: QuantityId) -> bool {
+    pub fn is_independent(&self, id: QuantityId) -> bool {
         let is_used = |quantity: &Quantity| matches!(&quantity.origin, Origin::Expression { depends_on } if depends_on.contains(&id));
         !self.quantities.iter().any(is_used)
             && !self.orders.iter().any(|order| order.smaller == id || order.larger == id)

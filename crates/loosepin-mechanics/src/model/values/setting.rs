@@ -127,7 +127,7 @@ impl Model {
     /// the parts as warm as they are.
     pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
         self.play_clearances().filter(move |(_, clearance)| {
-            let stated = self.quantities.stated(*clearance);
+            let stated = self.quantities.stated_clearance(*clearance);
             stated == id || self.roots(stated).contains(&id)
         })
     }

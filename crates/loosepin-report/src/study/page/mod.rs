@@ -69,7 +69,7 @@ pub fn study_page(result: &StudyResult) -> String {
         title: result.name.clone(),
         kicker: "Accuracy study",
         subtitle: html! {
-            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")))) " · study "
+            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.with_tag(&Tag::Count("runs")))) " · study "
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
@@ -130,10 +130,10 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::
         let tag = |part: &str| Tag::requirement(requirement, part);
         let RequirementOutcome { output, of, at, probability: [lower, upper], verdict, .. } = requirement;
         let limits = requirement_words(result, requirement, &output_unit(result, output), writer);
-        let asked = writer.about(&Tag::Given("required share"));
-        let share = Text::from(writer.about(&tag("share")).percent_range(*lower, *upper));
+        let asked = writer.with_tag(&Tag::Given("required share"));
+        let share = Text::from(writer.with_tag(&tag("share")).percent_range(*lower, *upper));
         let promised = requirement.promised.map_or_else(Text::default, |least| {
-            let least = writer.about(&tag("promised")).percent(least, Rounding::Down);
+            let least = writer.with_tag(&tag("promised")).percent(least, Rounding::Down);
             Text::from(" ").quiet(format!("promised: at least {least}"))
         });
         let word = verdict_words(*verdict);
@@ -142,7 +142,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::
             format!("{output}, {} {limits}, {}", deviation_words(*of), place_words(*at, writer)).into(),
             format!("≥ {}", asked.percent(requirement.probability_at_least, Rounding::Nearest)).into(),
             share.then(promised).into(),
-            writer.about(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
+            writer.with_tag(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
             Cell::Drawn { html, text: word.to_owned() },
         ]
     };

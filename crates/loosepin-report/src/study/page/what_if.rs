@@ -103,7 +103,7 @@ pub(super) fn what_if(
         div.what-if data-what-if=(chart) hidden {
             p { strong { "What if " (listed(&names)) " were known?" } }
             p.quiet {
-                "Choose one of " (writer.about(&Tag::Count("values that are offered")).count(record.points.len() as u64)) " values that were run: the inner band is that value's, counted from its runs. The outer \
+                "Choose one of " (writer.with_tag(&Tag::Count("values that are offered")).count(record.points.len() as u64)) " values that were run: the inner band is that value's, counted from its runs. The outer \
                  band stays: it holds for all of them."
                 @if record.inputs.len() > MAPPED {
                     " The map shows the first two ranges; the line below it names all values."

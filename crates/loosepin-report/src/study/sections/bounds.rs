@@ -51,7 +51,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         section.push_on(Medium::Page, Content::Note(Text::from(more).code("bounds.csv").plain(".")));
     }
     if left_of_table > 0 {
-        let more = count(left_of_table as u64, &writer.about(&Tag::Count("bounds that the terminal leaves out")));
+        let more = count(left_of_table as u64, &writer.with_tag(&Tag::Count("bounds that the terminal leaves out")));
         section.push_on(Medium::Terminal, Content::Note(format!("{more} more in bounds.csv").into()));
     }
     Some(section)
@@ -78,7 +78,7 @@ fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) ->
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
     let witness =
-        |part: &str, end: &BoundEnd| writer.about(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
+        |part: &str, end: &BoundEnd| writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
     // On a page a remark stands below the number.
     let below = |number: Text, remark: String| number.on(Medium::Page, Text::from(" ").quiet(remark));
     let upper_witness = witness("upper witness", &bound.upper);

@@ -15,7 +15,7 @@ const MAX_STATISTICS: usize = 20;
 pub(crate) fn degrees_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     const DEGREES_MEAN: &str = "A fuzzy number gives each value a degree of possibility. At each degree every statistic lies between its two \
          bounds. A higher degree allows fewer values, so its bounds are closer.";
-    let degree = |alpha: f64| writer.about(&Tag::Given("degree")).shortest(alpha, &SiUnit::NONE);
+    let degree = |alpha: f64| writer.with_tag(&Tag::Given("degree")).shortest(alpha, &SiUnit::NONE);
     let of_cut = result
         .cuts
         .iter()
@@ -28,7 +28,7 @@ pub(crate) fn percentiles_section(result: &StudyResult, writer: &NumberWriter) -
     const PERCENTILES_MEAN: &str = "The parameters of some distributions have distributions themselves, so each statistic is random. It stays below a \
          percentile with the probability of that percentile. If other inputs are unknown, each percentile has two bounds. Numerical errors are \
          included. All other numbers on this page hold for all values of such a parameter in its range.";
-    let percent = |share: f64| writer.about(&Tag::Given("percentile")).percent(share, Rounding::Nearest);
+    let percent = |share: f64| writer.with_tag(&Tag::Given("percentile")).percent(share, Rounding::Nearest);
     let of_percentile = result.percentiles.iter().map(|each| {
         (format!("{} percentile", percent(each.percentile)), percentile_group(each.percentile), &each.bounds[..])
     });
@@ -58,7 +58,7 @@ fn section(
             statistic_words(bound.statistic, &output_unit(result, &bound.output), writer)
         );
         let between = |(_, among, bounds): &Bounds<'_>| -> Cell {
-            let of_column = writer.about(among);
+            let of_column = writer.with_tag(among);
             let ends = bounds.get(*place).map(|bound| {
                 let lower = bound_value(&bound.lower, bound, Rounding::Down, &of_column);
                 format!("{lower} to {}", bound_value(&bound.upper, bound, Rounding::Up, &of_column))

@@ -2,7 +2,7 @@
 
 use super::Batch;
 use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, extremes_within};
-use crate::lanes::core::{Awaited, Core, lanes_of};
+use crate::lanes::core::{Core, PendingInstant, lanes_of};
 use crate::lanes::memory::LaneLayout;
 use crate::lanes::reads::ReadLayout;
 
@@ -163,18 +163,18 @@ impl Batch<'_> {
         while left != 0 {
             for lane in lanes_of(std::mem::take(&mut left)) {
                 if waiting.len() == lanes {
-                    core.await_instants(before, &waiting[before..]);
+                    core.add_pending_instants(before, &waiting[before..]);
                     look_at_all(core, follows, layout, waiting);
                     before = 0;
                 }
                 let follow = &mut follows[lane];
                 let (index, instant_s) = follow.take_next();
-                waiting.push(Awaited { lane, index, instant_s });
+                waiting.push(PendingInstant { lane, index, instant_s });
                 left |= is_within(core, follow, lane);
                 set_due(core, follow, lane);
             }
         }
-        core.await_instants(before, &waiting[before..]);
+        core.add_pending_instants(before, &waiting[before..]);
         for lane in lanes_of(due & !within) {
             set_due(core, &follows[lane], lane);
         }
@@ -195,13 +195,18 @@ impl Batch<'_> {
 }
 
 /// Reads at all instants that wait.
-fn look_at_all(core: &mut Core<'_>, follows: &mut [LaneFollow], layout: &FollowLayout, waiting: &mut Vec<Awaited>) {
+fn look_at_all(
+    core: &mut Core<'_>,
+    follows: &mut [LaneFollow],
+    layout: &FollowLayout,
+    waiting: &mut Vec<PendingInstant>,
+) {
     if waiting.is_empty() {
         return;
     }
     core.look(waiting.len());
     for reading in 0..layout.readings() {
-        for (&Awaited { lane, index, .. }, value) in waiting.iter().zip(core.looked(reading)) {
+        for (&PendingInstant { lane, index, .. }, value) in waiting.iter().zip(core.looked(reading)) {
             follows[lane].take_instant(index, reading, *value);
         }
     }

@@ -16,7 +16,7 @@ pub(crate) use seats::{HandledQueue, QueueOfHandles, RunHandle};
 use crate::depth_limit::DepthLimit;
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
-use crate::lanes::core::{Awaited, Core, lanes_of, move_flag};
+use crate::lanes::core::{Core, PendingInstant, lanes_of, move_flag};
 use crate::lanes::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::lanes::lane::{Decision, Event, LaneRun, Phase};
 use crate::lanes::lane_step::LaneStep;
@@ -91,7 +91,7 @@ pub(crate) struct Batch<'a> {
     /// The events at the ends of the steps at hand, in the lanes that are looked at in this pass.
     events: Vec<Option<Event>>,
     /// Instants that wait to be read at.
-    waiting: Vec<Awaited>,
+    waiting: Vec<PendingInstant>,
     /// Lanes with a run; those whose recorded part has begun; those whose derivative is to be evaluated again before the next step; those
     /// whose energy account begins then.
     active: u32,

@@ -8,7 +8,7 @@ use loosepin::units::format_number;
 use super::edit::{End, Joined, Watched};
 use super::watch::output;
 use crate::drawing::still::{NamedPoses, Pose, in_body_m};
-use crate::edit::toml::lines::Lines;
+use crate::edit::toml::lines::EditedText;
 use crate::network::refusal::Refusal;
 
 const MM_PER_M: f64 = 1e3;
@@ -31,7 +31,7 @@ pub struct Draft<'m> {
     model: &'m Model,
     values: Values,
     poses: BTreeMap<String, Pose>,
-    lines: Lines,
+    lines: EditedText,
     /// Paths of what was added or set, with dots between their steps.
     added: BTreeSet<String>,
     /// Paths of what has a name in the model.
@@ -40,9 +40,9 @@ pub struct Draft<'m> {
 }
 
 /// What came of a draft.
-pub struct Drafted {
+pub struct DraftOutcome {
     /// Text of the model.
-    pub lines: Lines,
+    pub lines: EditedText,
     /// Paths of what was added or set.
     pub added: BTreeSet<String>,
     /// Poses of new bodies.
@@ -65,7 +65,7 @@ impl<'m> Draft<'m> {
             model,
             values: model.quantities.nominal(),
             poses: named.collect(),
-            lines: Lines::new(text),
+            lines: EditedText::new(text),
             added: BTreeSet::new(),
             named: named_in(model),
             new_poses: NamedPoses::new(),
@@ -73,8 +73,8 @@ impl<'m> Draft<'m> {
     }
 
     /// What came of it.
-    pub fn finished(self) -> Drafted {
-        Drafted { lines: self.lines, added: self.added, new_poses: self.new_poses }
+    pub fn finished(self) -> DraftOutcome {
+        DraftOutcome { lines: self.lines, added: self.added, new_poses: self.new_poses }
     }
 
     /// A link between two places. Where it begins or ends at something, a pin joins both.

@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use crate::edit::toml::lines::Lines;
+use crate::edit::toml::lines::EditedText;
 use crate::edit::toml::scan::{Scanned, Statement, scan};
 use crate::network::refusal::Refusal;
 
@@ -51,7 +51,7 @@ fn comment(text: &str, statement: &Statement, from: usize) -> Option<Range<usize
 ///
 /// # Errors
 /// There is no entry at this place.
-pub fn locked(lines: &Lines, byte: usize, is_locked: bool) -> Result<Lines, Refusal> {
+pub fn locked(lines: &EditedText, byte: usize, is_locked: bool) -> Result<EditedText, Refusal> {
     let scanned: Scanned = lines.scanned()?;
     let text = lines.text();
     let statement = scanned.statements.iter().find(|one| one.lines.contains(&byte));
@@ -106,7 +106,7 @@ mod tests {
             ("a = [\n 1, # no\n]\n", "a = [\n 1, # no\n]  # locked\n"),
             ("a = 1 #\n", "a = 1 #locked: \n"),
         ] {
-            let lines = Lines::new(text);
+            let lines = EditedText::new(text);
             let byte = text.find('1').unwrap();
             let new = locked(&lines, byte, true).unwrap();
             assert_eq!(new.text(), locked_text);

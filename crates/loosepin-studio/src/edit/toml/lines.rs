@@ -25,11 +25,11 @@ const ORDER: [&str; 13] = [
 
 /// A text that is changed piece by piece.
 #[derive(Debug, Clone)]
-pub struct Lines {
+pub struct EditedText {
     text: String,
 }
 
-impl Lines {
+impl EditedText {
     /// A text as it is.
     pub fn new(text: &str) -> Self {
         Self { text: text.to_owned() }
@@ -77,7 +77,7 @@ impl Lines {
     /// Puts lines where a line begins, or behind the last one.
     ///
     /// # Errors
-    /// As [`Lines::replace`].
+    /// As [`EditedText::replace`].
     pub fn insert(&mut self, at: usize, new: &str) -> Result<(), Refusal> {
         let before = if at == 0 || self.text[..at].ends_with('\n') { "" } else { "\n" };
         self.replace([(at..at, format!("{before}{new}"))])
@@ -242,7 +242,7 @@ mod tests {
     use super::*;
 
     fn with_entry(text: &str, table: &str) -> String {
-        let mut lines = Lines::new(text);
+        let mut lines = EditedText::new(text);
         lines.add_entry(&table.split('/').collect::<Vec<_>>(), "new", "1").unwrap();
         assert!(lines.scanned().is_ok(), "{text}\n{}", lines.text());
         lines.text().to_owned()

@@ -165,9 +165,9 @@ impl StudyReader {
         let tried_m = if nominal_m > 0.0 { nominal_m } else { TRIED_M };
         let values = quantities.evaluate(&[(quantity, tried_m)]).ok()?;
         let found = |clearance: QuantityId| {
-            [1.0, 2.0]
-                .into_iter()
-                .find(|times| (times * values[quantities.stated(clearance)] - tried_m).abs() <= ROUND_OFF * tried_m)
+            [1.0, 2.0].into_iter().find(|times| {
+                (times * values[quantities.stated_clearance(clearance)] - tried_m).abs() <= ROUND_OFF * tried_m
+            })
         };
         let mut all = self.model.play_from(quantity).map(|(_, clearance)| found(clearance));
         let first = all.next()??;

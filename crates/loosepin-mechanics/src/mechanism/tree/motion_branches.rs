@@ -14,7 +14,7 @@ const SAME_SHARE: f64 = 1e-6;
 
 /// The body that shows best which of two ways a mechanism goes on, with its angular velocities on both.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WaysOn {
+pub struct MotionBranches {
     /// Slot of the body in the ideal tree.
     pub slot: usize,
     /// Its angular velocity on either way, rad/s: the larger one first.
@@ -28,13 +28,13 @@ pub struct WaysOn {
 /// roots are the two branches that cross.
 ///
 /// Nothing where the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
-pub fn ways_on(
+pub fn motion_branches(
     tree: &Tree,
     geometry: &Geometry<f64>,
     coordinates: &[f64],
     rates: &[f64],
     driven_accelerations: &[f64],
-) -> Option<WaysOn> {
+) -> Option<MotionBranches> {
     let (n, columns, rows) = (tree.free, tree.coordinates(), tree.constraint_rows());
     let mut kinematics = Kinematics::new(tree);
     kinematics.set_positions(tree, geometry, coordinates);
@@ -87,5 +87,5 @@ pub fn ways_on(
     let difference = |slot: usize| (roots[0][slot] - roots[1][slot]).abs();
     let slot = (0..roots[0].len()).max_by(|&a, &b| difference(a).total_cmp(&difference(b)))?;
     let speeds = [roots[0][slot].max(roots[1][slot]), roots[0][slot].min(roots[1][slot])];
-    (speeds[0] - speeds[1] > SAME_SHARE * unit).then_some(WaysOn { slot, angular_velocities_rad_s: speeds })
+    (speeds[0] - speeds[1] > SAME_SHARE * unit).then_some(MotionBranches { slot, angular_velocities_rad_s: speeds })
 }

@@ -33,7 +33,7 @@ pub(crate) struct Mechanism {
 }
 
 /// Runs of one study, made when they are asked for and kept.
-pub(crate) struct Bank<'s> {
+pub(crate) struct RunCache<'s> {
     pub study: &'s Study,
     pub features: Vec<&'s MeasuredMotion>,
     /// Runs at each point.
@@ -49,7 +49,7 @@ pub(crate) struct Bank<'s> {
     most: usize,
 }
 
-impl<'s> Bank<'s> {
+impl<'s> RunCache<'s> {
     /// # Errors
     /// The study cannot begin.
     pub fn new(

@@ -16,7 +16,7 @@ const DIGITS: i32 = 6;
 
 /// An interval that became narrower.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Narrowed {
+pub struct NarrowedInterval {
     /// Path in the model.
     pub path: String,
     /// What was written: lower and upper end.
@@ -29,7 +29,7 @@ pub struct Narrowed {
 ///
 /// Ends are rounded outwards. An end that the readings do not narrow stays as it is written, and so does everything that is not stated as
 /// `interval = [...]`.
-pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) {
+pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<NarrowedInterval>) {
     let text = study.source().text();
     let mut changes: Vec<(Range<usize>, String)> = Vec::new();
     let mut all = Vec::new();
@@ -55,7 +55,7 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) 
             }
         }
         if after != before {
-            all.push(Narrowed { path: play.path.clone(), before, after });
+            all.push(NarrowedInterval { path: play.path.clone(), before, after });
         }
     }
     changes.sort_by_key(|(range, _)| range.start);
@@ -85,7 +85,7 @@ pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Diagnost
     let mut known: Vec<PlayBounds> = Vec::new();
     for specimen in &answer.specimens {
         match &specimen.outcome {
-            Outcome::Consistent(consistent) => known.extend(consistent.plays.iter().cloned()),
+            Outcome::ConsistentPlays(consistent) => known.extend(consistent.plays.iter().cloned()),
             Outcome::Misfit(_) => return Err(unexplained(&specimen.name)),
         }
     }
