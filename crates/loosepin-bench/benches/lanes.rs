@@ -6,7 +6,7 @@
 //! arguments choose others.
 
 use loosepin::simulate::{Execution, Settings};
-use loosepin_bench::batch::{Case, Finished, Plan};
+use loosepin_bench::batch::{Case, FinishedRun, Plan};
 use loosepin_bench::{Watch, median, named_cases};
 
 const CASES: [&str; 4] = ["slider_crank_5000", "four_bar_600", "slider_crank_two_clearances", "six_bar"];
@@ -38,7 +38,7 @@ fn measure(case: &Case) {
     let execution = Execution::best();
     let name = format!("{}, two threads", execution.name());
     ways.push(Way { name, execution, threads: 2, seconds_a_run: Vec::new() });
-    let mut reference: Option<Vec<Finished>> = None;
+    let mut reference: Option<Vec<FinishedRun>> = None;
     for _ in 0..ROUNDS {
         for way in &mut ways {
             let runs = if way.execution == Execution::Scalar { SCALAR_RUNS } else { RUNS };
@@ -59,7 +59,7 @@ fn measure(case: &Case) {
     }
     let reference = reference.unwrap_or_default();
     let turns = (2 * reference.len()) as f64;
-    let per_turn = |count: fn(&Finished) -> u64| reference.iter().map(count).sum::<u64>() as f64 / turns;
+    let per_turn = |count: fn(&FinishedRun) -> u64| reference.iter().map(count).sum::<u64>() as f64 / turns;
     println!(
         "{}: {:.0} evaluations, {:.0} steps, {:.0} rejections, {:.1} events a turn",
         case.name,
@@ -81,7 +81,7 @@ fn measure(case: &Case) {
 
 /// Which share of the lanes' time is idle because no run is left: each run goes to the lane that is free first, and takes as
 /// long as its evaluations.
-fn idle_share(finished: &[Finished]) -> f64 {
+fn idle_share(finished: &[FinishedRun]) -> f64 {
     let mut lanes = [0; LANES];
     for run in finished {
         lanes.sort_unstable();

@@ -1,6 +1,6 @@
 //! Processor time of planning and assembling of studies, as a share of that of their runs: `cost_of_studies [TEMPLATE | worn-pin | FILE.toml ...]`.
 //!
-//! Without names all templates and `cases/slider_crank_worn_pin`. The runs are made by a [`RunMaker`], so that what is used while it makes
+//! Without names all templates and `cases/slider_crank_worn_pin`. The runs are made by a [`RunProvider`], so that what is used while it makes
 //! them is theirs. All else is told apart by the [`Stage`] in which it is used:
 //!
 //! * compile: what comes before the first round, most of it the machine code of the equations;
@@ -12,7 +12,7 @@
 //! The first share is that of planning, rows and assembling, the second one that of pictures too. Reports are not written. Linux tells the times.
 
 use loosepin::bounds::Failure;
-use loosepin::study::{AskedRuns, Progress, RunMaker, RunOptions, RunRows, Stage, Study, run_study};
+use loosepin::study::{Progress, RequestedRuns, RunOptions, RunProvider, RunRows, Stage, Study, run_study};
 use loosepin::templates::TEMPLATES;
 use loosepin_bench::{case_file, processor_time};
 use std::path::{Path, PathBuf};
@@ -28,10 +28,10 @@ struct Watched {
     used_ns: AtomicU64,
 }
 
-impl RunMaker for Watched {
+impl RunProvider for Watched {
     fn make(
         &self,
-        asked: &AskedRuns<'_>,
+        asked: &RequestedRuns<'_>,
         _: &dyn Fn() -> bool,
         finished: &mut dyn FnMut(usize, Result<Vec<f64>, Failure>),
     ) -> Result<(), String> {
@@ -130,12 +130,12 @@ fn main() {
     for name in names {
         let study = study(&name);
         let rows = RunRows::new(study.clone(), threads).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let maker = Watched { rows, made: AtomicUsize::new(0), used_ns: AtomicU64::new(0) };
+        let provider = Watched { rows, made: AtomicUsize::new(0), used_ns: AtomicU64::new(0) };
         let stages = Stages::new();
         let stop = AtomicBool::new(false);
-        let options = RunOptions { maker: Some(&maker), ..RunOptions::new(threads, &stages, &stop) };
+        let options = RunOptions { provider: Some(&provider), ..RunOptions::new(threads, &stages, &stop) };
         let completed = run_study(&study, "", &options).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let runs_ns = maker.used_ns.into_inner();
+        let runs_ns = provider.used_ns.into_inner();
         let own = stages.0.into_inner().unwrap_or_else(PoisonError::into_inner);
         let rows_ns = own.runs_ns.saturating_sub(runs_ns);
         let [runs, compile, planning, rows, assembling, pictures] =
@@ -143,7 +143,7 @@ fn main() {
                 .map(|ns| 1e-9 * ns as f64);
         let share = 100.0 * (planning + rows + assembling) / runs;
         let with_all = share + 100.0 * pictures / runs;
-        let (made, rounds) = (maker.made.into_inner(), completed.result.counts.rounds);
+        let (made, rounds) = (provider.made.into_inner(), completed.result.counts.rounds);
         println!(
             "{name:24} {made:7} {rounds:7} {runs:9.3} {compile:9.3} {planning:8.3} {rows:7.3} {assembling:11.3} {pictures:9.3} {share:5.1} % {with_all:6.1} %"
         );

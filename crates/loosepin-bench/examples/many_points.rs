@@ -17,13 +17,13 @@ fn main() {
     let seeds = std::env::args().nth(1).map_or(3, |word| word.parse::<u64>().expect("a number of seeds"));
     println!("{:>6} {:>5} {:>6} {:>9} {:>9} {:>8}", "points", "seed", "used", "lower", "upper", "seconds");
     let mut is_met = true;
-    for (outer, most_excess) in PLANS {
+    for (outer, max_excess) in PLANS {
         for seed in 0..seeds {
             let started = Instant::now();
             let (used, BoundPair { lower, upper, .. }) = bounds(seed, outer);
             let holds = lower.widened <= ROUND_OFF - HEIGHT && upper.widened >= HEIGHT - ROUND_OFF;
             let excess = (upper.widened - lower.widened) / (2.0 * HEIGHT) - 1.0;
-            is_met &= holds && excess <= most_excess;
+            is_met &= holds && excess <= max_excess;
             let (lower, upper, seconds) = (lower.widened, upper.widened, started.elapsed().as_secs_f64());
             println!("{outer:>6} {seed:>5} {used:>6} {lower:>9.4} {upper:>9.4} {seconds:>8.1}");
         }

@@ -4,7 +4,7 @@
 //! reference run, over the largest displacement of the slider in that time; docs/performance.md has the table.
 
 use loosepin::simulate::Settings;
-use loosepin_bench::diagram::thousands;
+use loosepin_bench::diagram::with_thousands_separators;
 use loosepin_bench::precision::{Case, Samples};
 use loosepin_bench::precision_cases::FLEXIBLE_CASES;
 
@@ -36,7 +36,7 @@ fn main() {
         for tolerance_m in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, CHECK_M] {
             let point = samples.measure(&of(tolerance_m), &reference);
             let [median_m, quantile_m, worst_m] = [point.median_m, point.quantile_m, point.worst_m];
-            let evaluations = thousands(point.evaluations as f64);
+            let evaluations = with_thousands_separators(point.evaluations as f64);
             let relative = quantile_m / moved_m;
             println!(
                 "| {tolerance_m:.0e} m | {evaluations} | {median_m:.1e} m | {quantile_m:.1e} m | {worst_m:.1e} m | {relative:.1e} |"

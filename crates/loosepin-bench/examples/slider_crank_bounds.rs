@@ -56,7 +56,7 @@ fn main() {
     };
     let seeds: u64 = seeds.parse().expect("a number of seeds");
     // As the other programs are asked.
-    let smooth = slider_crank_with_play(FRAC_PI_3).cut_open();
+    let smooth = slider_crank_with_play(FRAC_PI_3).without_periodic_inputs();
     let case = if is_rough { roughened(smooth) } else { smooth };
     println!("seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds");
     for seed in 1..=seeds {

@@ -5,7 +5,7 @@ use loosepin::bounds::{
     ColumnGroup, Problem, Response, SampleTable, Statistic, SurrogateBounds, SurrogatePlan, SurrogateSettings, execute,
 };
 use loosepin_bench::known_bounds::slider_crank_with_play;
-use loosepin_bench::{choice, largest, median};
+use loosepin_bench::{largest, median, surrogate_choice};
 use std::f64::consts::FRAC_PI_3;
 use std::time::Instant;
 
@@ -31,8 +31,8 @@ fn main() {
     let number =
         |place: usize, otherwise: usize| words.get(place).map_or(otherwise, |word| word.parse().expect("a number"));
     let (seeds, training) = (number(0, 100), number(1, 100));
-    let choice = choice(words.get(2).map_or("auto", String::as_str)).expect("a kind");
-    let case = slider_crank_with_play(FRAC_PI_3).cut_open();
+    let choice = surrogate_choice(words.get(2).map_or("auto", String::as_str)).expect("a kind");
+    let case = slider_crank_with_play(FRAC_PI_3).without_periodic_inputs();
     let settings = SurrogateSettings {
         choice,
         training,

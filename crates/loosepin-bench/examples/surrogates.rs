@@ -7,7 +7,7 @@
 
 use loosepin::surrogate::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
 use loosepin::surrogate::{Input, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput};
-use loosepin_bench::choice;
+use loosepin_bench::surrogate_choice;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -44,8 +44,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for kind in kinds.split(',').filter(|kind| !kind.is_empty()) {
             let rows = answers.iter().cloned().map(Some).collect();
             let data = TrainingData::try_new(inputs.clone(), at.clone(), vec![TrainingOutput::curve("y", rows)])?;
-            let choice =
-                choice(kind).ok_or_else(|| format!("no kind '{kind}'; there are auto, chaos, kriging and network"))?;
+            let choice = surrogate_choice(kind)
+                .ok_or_else(|| format!("no kind '{kind}'; there are auto, chaos, kriging and network"))?;
             let begin = Instant::now();
             let surrogate = Surrogate::fit(&data, &Options { choice, ..Options::default() })?;
             let seconds = begin.elapsed().as_secs_f64();

@@ -16,7 +16,7 @@ use loosepin::study::result::{
 };
 use loosepin::study::{Ask, Deviation, Study, StudyRun, Where};
 use loosepin_bench::run;
-use loosepin_bench::worn_pin::{double_loop, inside_the_box, run_at, study, values_at};
+use loosepin_bench::worn_pin::{double_loop, low_discrepancy_fractions, run_at, study, values_at};
 
 /// Values of u, and mechanisms at each if omitted.
 const VALUES: u32 = 25;
@@ -55,7 +55,7 @@ fn main() {
     let study = of_single_numbers(study());
     let result = run(&study).result;
 
-    let unseen = inside_the_box(&study, SEED, VALUES);
+    let unseen = low_discrepancy_fractions(&study, SEED, VALUES);
     let distance = nearest(&study, &result, &unseen);
     assert!(distance >= MIN_DISTANCE, "a value lies {distance} of the box beside one that the study has run");
     let corners = (0..1_usize << study.epistemic.len())

@@ -21,7 +21,7 @@ use loosepin::math::dense::Cholesky;
 use loosepin::study::result::{BoundRecord, Treatment};
 use loosepin::study::{Study, StudyRun};
 use loosepin_bench::fresh_runs::{FreshRuns, Mechanisms, Sample};
-use loosepin_bench::worn_pin::{double_loop, inside_the_box, run_at, values_at};
+use loosepin_bench::worn_pin::{double_loop, low_discrepancy_fractions, run_at, values_at};
 use loosepin_bench::worn_pin_reference::{
     ASKED, Asked, ENDS, REDUCTIONS, ReferenceEnd, estimate, file, read, standard_error, study, written,
 };
@@ -126,7 +126,7 @@ fn check(study: &Study, runs: &mut FreshRuns<'_>, seed: u64) {
 
 /// Points of the box, as shares of it.
 fn values_to_try(study: &Study, seed: u64) -> Vec<Vec<f64>> {
-    let mut points = inside_the_box(study, seed, VALUES_INSIDE);
+    let mut points = low_discrepancy_fractions(study, seed, VALUES_INSIDE);
     let steps = VALUES_ON_AN_EDGE + 1;
     for step in 0..steps {
         let along = f64::from(step) / f64::from(steps);

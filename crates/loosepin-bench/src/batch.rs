@@ -27,7 +27,7 @@ pub struct Case {
     clearances: Vec<(QuantityId, f64)>,
 }
 
-/// What is run.
+/// Settings of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan {
     /// Number of runs.
@@ -42,8 +42,8 @@ pub struct Plan {
 
 /// A finished run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finished {
-    /// What it counted.
+pub struct FinishedRun {
+    /// Counters of the run.
     pub counters: RunCounters,
     /// The position at the times of the plan, m or rad.
     pub readings: Vec<f64>,
@@ -53,7 +53,7 @@ impl Case {
     /// Compiles `cases/NAME/model.toml`.
     ///
     /// # Panics
-    /// Where the case is not there or is no mechanism.
+    /// If the case is not there or is no mechanism.
     pub fn read(name: &str) -> Self {
         let (mechanism, nominal, turn_s) = compiled(name);
         let model = &mechanism.model;
@@ -89,7 +89,7 @@ impl Case {
     }
 
     /// Runs the whole plan on this thread and with `execution`; the runs in their order.
-    pub fn run_all(&self, plan: &Plan, execution: Execution) -> Vec<Finished> {
+    pub fn run_all(&self, plan: &Plan, execution: Execution) -> Vec<FinishedRun> {
         let next = AtomicUsize::new(0);
         in_order(self.run_shared(plan, execution, &next))
     }
@@ -97,10 +97,10 @@ impl Case {
     /// Runs the whole plan on `threads` threads, each taking the next run as soon as a lane is free.
     ///
     /// # Panics
-    /// Where a thread did.
-    pub fn run_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<Finished> {
+    /// If a thread did.
+    pub fn run_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<FinishedRun> {
         let next = AtomicUsize::new(0);
-        let parts: Vec<(usize, Finished)> = std::thread::scope(|scope| {
+        let parts: Vec<(usize, FinishedRun)> = std::thread::scope(|scope| {
             let workers: Vec<_> =
                 (0..threads).map(|_| scope.spawn(|| self.run_shared(plan, execution, &next))).collect();
             workers.into_iter().flat_map(|worker| worker.join().expect("no thread panics")).collect()
@@ -108,7 +108,7 @@ impl Case {
         in_order(parts)
     }
 
-    fn run_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
+    fn run_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, FinishedRun)> {
         let interval_s = self.turn_s / plan.readings_per_turn as f64;
         let instants_s = (0..=plan.turns * plan.readings_per_turn).map(|k| k as f64 * interval_s).collect();
         let mut waiting = Waiting { case: self, plan, instants_s, next, finished: Vec::new() };
@@ -117,12 +117,12 @@ impl Case {
     }
 }
 
-fn in_order(mut finished: Vec<(usize, Finished)>) -> Vec<Finished> {
+fn in_order(mut finished: Vec<(usize, FinishedRun)>) -> Vec<FinishedRun> {
     finished.sort_by_key(|(index, _)| *index);
     finished.into_iter().map(|(_, run)| run).collect()
 }
 
-/// A run by its number; nothing is looked at within its steps.
+/// A run by its number; no values within its steps are read.
 struct Numbered(usize);
 
 impl Observer for Numbered {
@@ -139,7 +139,7 @@ struct Waiting<'c> {
     plan: &'c Plan,
     instants_s: Arc<[f64]>,
     next: &'c AtomicUsize,
-    finished: Vec<(usize, Finished)>,
+    finished: Vec<(usize, FinishedRun)>,
 }
 
 impl Queue for Waiting<'_> {
@@ -152,7 +152,7 @@ impl Queue for Waiting<'_> {
 
     fn finished(&mut self, Numbered(index): Numbered, outcome: Result<RunReport, RunFailure>) {
         let report = outcome.unwrap_or_else(|failure| panic!("{} run {index}: {failure}", self.case.name));
-        let run = Finished { counters: report.counters, readings: report.findings.at_instants };
+        let run = FinishedRun { counters: report.counters, readings: report.findings.at_instants };
         self.finished.push((index, run));
     }
 }

@@ -10,7 +10,7 @@ pub struct Line {
     /// Points (x, y), both positive and finite.
     pub points: Vec<(f64, f64)>,
     /// Index of the point with a ring.
-    pub ringed: Option<usize>,
+    pub highlighted: Option<usize>,
 }
 
 /// One small diagram.
@@ -27,7 +27,7 @@ pub struct Panel {
 /// All panels and what they share.
 #[derive(Debug, Clone)]
 pub struct Diagram {
-    /// What the picture shows, for readers who do not see it.
+    /// Description of the picture for readers who do not see it.
     pub description: String,
     /// Title of the x axes.
     pub x_title: String,
@@ -35,7 +35,7 @@ pub struct Diagram {
     pub y_title: String,
     /// A value of x with a line of its own.
     pub marked_x: f64,
-    /// What is below the panels.
+    /// Note below the panels.
     pub note: String,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
@@ -156,7 +156,11 @@ impl Diagram {
                 }
                 let at = height - y.at(value);
                 put(format!("<path d=\"M0 {at:.1}H{width:.0}\" stroke=\"#e4e4e4\"/>"));
-                put(format!("<text x=\"-7\" y=\"{:.1}\" text-anchor=\"end\">{}</text>", at + 4.0, thousands(value)));
+                put(format!(
+                    "<text x=\"-7\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                    at + 4.0,
+                    with_thousands_separators(value)
+                ));
             }
         }
         let marked = x.at(self.marked_x);
@@ -200,7 +204,7 @@ fn nice_above(value: f64) -> f64 {
 }
 
 /// A whole number with its thousands apart.
-pub fn thousands(value: f64) -> String {
+pub fn with_thousands_separators(value: f64) -> String {
     let digits = format!("{value:.0}");
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {
@@ -231,7 +235,7 @@ fn drawn(line: &Line, index: usize, x: &Axis, y: &Axis) -> String {
         };
     }
     let _ = write!(svg, "<path d=\"{markers}\" fill=\"{colour}\"/>");
-    if let Some((px, py)) = line.ringed.and_then(|index| places.get(index)) {
+    if let Some((px, py)) = line.highlighted.and_then(|index| places.get(index)) {
         let _ = write!(
             svg,
             "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"6.5\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>"

@@ -12,20 +12,19 @@ use loosepin::trace::{Traced, record};
 
 /// Programs and what they compute together.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub struct ProgramGroup {
     /// In words.
     pub name: &'static str,
     /// In the order in which they run.
     pub programs: Vec<Program>,
 }
 
-/// The equations of `case` from the sines to what is read at the end of a step. Each program does what the one before does
-/// and one thing more, so that the difference of two is what that thing costs. Behind them, each by itself, what a step does beside
-/// its evaluations.
+/// The equations of `case` from the sines to the readings at the end of a step. Each program does what the one before does and one thing
+/// more, so that the difference of two is what that thing costs. Behind them, each by itself, what a step does beside its evaluations.
 ///
 /// # Panics
 /// For a case whose joints with play have friction or a law without a root of the penetration.
-pub fn parts(case: &Case) -> Vec<Part> {
+pub fn parts(case: &Case) -> Vec<ProgramGroup> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);
     let numbers = sample.numbers();
@@ -43,7 +42,7 @@ pub fn parts(case: &Case) -> Vec<Part> {
         // As in a batch: angles are near those at the start of the step.
         for (turning, slot) in mechanism.real.turning_slots().enumerate() {
             let [angle_rad, sine, cosine] = [0, 1, 2].map(|k| input(Block::StartReads, 3 * turning + k));
-            dynamics.kinematics.know(slot, KnownAngle { angle_rad, sine, cosine });
+            dynamics.kinematics.set_known_angle(slot, KnownAngle { angle_rad, sine, cosine });
         }
         dynamics.kinematics.set_near(true);
         let n = mechanism.real.free;
@@ -86,17 +85,20 @@ pub fn parts(case: &Case) -> Vec<Part> {
     });
     // As in a batch: what depends on the numbers of a run alone is computed before.
     let mut hoisted = Hoisted::new(Block::Numbers as u8, numbers.len() + arms.numbers().len());
-    let mut parts: Vec<Part> = outputs
+    let mut parts: Vec<ProgramGroup> = outputs
         .into_iter()
         .map(|(name, values)| {
             let slots = values.iter().enumerate().map(|(k, value)| (slot(Block::Stages, k), value.value()));
             let outputs: Vec<_> = slots.collect();
-            Part { name, programs: vec![hoisted.program(&graph, &outputs).expect("each output has its own slot")] }
+            ProgramGroup {
+                name,
+                programs: vec![hoisted.program(&graph, &outputs).expect("each output has its own slot")],
+            }
         })
         .collect();
     let whole =
         PassPrograms::new(mechanism, &sample, &arms, &Follow::readings(&[case.reading]), &Settings::for_study());
-    let mut push = |name, programs| parts.push(Part { name, programs });
+    let mut push = |name, programs| parts.push(ProgramGroup { name, programs });
     push("energy account, pace of the time", vec![whole.slope]);
     push("reading at the end of a step", vec![whole.end]);
     push("an evaluation without penetrations off positions", whole.slope_by_roots.into_iter().collect());
@@ -112,7 +114,7 @@ pub fn parts(case: &Case) -> Vec<Part> {
 /// are in contact in every other lane.
 ///
 /// # Panics
-/// Where the nominal mechanism cannot be assembled.
+/// If the nominal mechanism cannot be assembled.
 pub fn blocks(case: &Case, lanes: usize) -> Vec<Vec<f64>> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);

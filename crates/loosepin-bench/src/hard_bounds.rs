@@ -178,7 +178,7 @@ fn discrete_absolute() -> KnownCase {
 }
 
 /// The number at which a rising function reaches `wanted`.
-fn solved(wanted: f64, rising: impl Fn(f64) -> f64) -> f64 {
+fn root_of_increasing(wanted: f64, rising: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (-20.0, 20.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
@@ -192,7 +192,7 @@ fn absolute() -> KnownCase {
     const U: (f64, f64) = (-0.4, 1.3);
     let mean = |u: f64| std::f64::consts::FRAC_2_PI.sqrt() * libm::exp(-0.5 * u * u) + u * (1.0 - 2.0 * normal_cdf(-u));
     let deviation = |u: f64| (1.0 + u * u - mean(u) * mean(u)).sqrt();
-    let quantile = |p: f64, u: f64| solved(p, |y| normal_cdf(u + y) - normal_cdf(u - y));
+    let quantile = |p: f64, u: f64| root_of_increasing(p, |y| normal_cdf(u + y) - normal_cdf(u - y));
     let mut statistics = vec![
         (Statistic::Mean, (mean(0.0), mean(U.1))),
         (Statistic::StandardDeviation, (deviation(0.0), deviation(U.1))),
@@ -208,7 +208,7 @@ fn two_peaks() -> KnownCase {
     let lower_share = normal_cdf(0.1);
     let below = |y: f64| lower_share * normal_cdf((y + 2.0) / 0.5) + (1.0 - lower_share) * normal_cdf((y - 2.0) / 0.5);
     let statistics = [0.025, 0.5, 0.975].map(|p| {
-        let quantile = solved(p, below);
+        let quantile = root_of_increasing(p, below);
         (Statistic::Quantile(p), (quantile, quantile + 1.0))
     });
     two_inputs(KnownCase::new("two peaks", &[(0.0, 1.0)], statistics.to_vec(), |x, u| {

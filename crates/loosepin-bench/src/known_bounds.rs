@@ -5,7 +5,7 @@ use loosepin::uncertainty::{Distribution, EpistemicVariable, normal_cdf};
 use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
-use super::known_case::{KnownCase, USUAL_EXCESS, interval};
+use super::known_case::{DEFAULT_MAX_EXCESS, KnownCase, interval};
 use super::known_pairings::pairings;
 
 /// Between two points on either side of a jump the search concedes all of it; the median of a thousand seeds is 1.3.
@@ -15,7 +15,7 @@ const EXCESS_AT_A_JUMP: f64 = 2.0;
 pub fn all() -> Vec<KnownCase> {
     let slider_crank = || slider_crank_with_play(FRAC_PI_3);
     let own = [sum(), product(), power(), challenge(), inside_four(), ridge(), jump()];
-    let own = own.into_iter().chain([slider_crank(), slider_crank().cut_open()]);
+    let own = own.into_iter().chain([slider_crank(), slider_crank().without_periodic_inputs()]);
     own.chain(pairings()).collect()
 }
 
@@ -126,7 +126,7 @@ fn ridge() -> KnownCase {
 /// Y = X + 2 where u1 + u2 > 1.2, else X.
 fn jump() -> KnownCase {
     KnownCase {
-        most_excess: EXCESS_AT_A_JUMP,
+        max_excess: EXCESS_AT_A_JUMP,
         ..KnownCase::new(
             "a jump",
             &[(0.0, 1.0); 2],
@@ -211,7 +211,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         levels: Vec::new(),
         sampling: [110, 128],
         compared_columns: Vec::new(),
-        most_excess: USUAL_EXCESS,
+        max_excess: DEFAULT_MAX_EXCESS,
     }
 }
 
@@ -227,7 +227,7 @@ fn expectation(f: impl Fn(f64) -> f64) -> f64 {
         .sum()
 }
 
-/// From so many places of the grid, no two of them near each other, an extreme is sought: two hills may be nearly as high.
+/// Number of places of the grid, no two of them near each other, from which an extreme is sought: two hills may be nearly as high.
 const STARTS: usize = 2;
 /// Places that are nearer than this share of the box are near each other.
 const NEAR: f64 = 0.15;

@@ -9,17 +9,17 @@ pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
 
 /// A response and the true bounds of some of its statistics.
 pub struct KnownCase {
-    /// What it is called in tables.
+    /// Name in tables.
     pub name: String,
     /// Distributions of X.
     pub random: Vec<Distribution>,
-    /// What is known of u.
+    /// The unknown inputs u.
     pub epistemic: Vec<EpistemicVariable>,
     /// Which of u are parameters of distributions of X.
     pub parameters: Vec<EpistemicParameter>,
     /// Statistics, and their least and greatest value over u.
     pub statistics: Vec<(Statistic, (f64, f64))>,
-    /// Where u holds fuzzy numbers, the same at each degree, the least degree first; else nothing.
+    /// If u holds fuzzy numbers, the bounds at each degree, the least degree first; else empty.
     pub levels: Vec<Vec<(f64, f64)>>,
     /// g.
     pub function: Function,
@@ -28,12 +28,12 @@ pub struct KnownCase {
     /// Columns for which treatments are compared: runs at random u are made for them too.
     pub compared_columns: Vec<usize>,
     /// By this share of their true width bounds may be too wide.
-    pub most_excess: f64,
+    pub max_excess: f64,
 }
 
 /// Share of the true width by which bounds of smooth responses may be too wide: the median of a thousand seeds is below 0.006
 /// (`docs/known-bounds.md`).
-pub(crate) const USUAL_EXCESS: f64 = 0.03;
+pub(crate) const DEFAULT_MAX_EXCESS: f64 = 0.03;
 
 /// An interval of a known case.
 pub(crate) fn interval((lower, upper): (f64, f64)) -> Interval {
@@ -58,14 +58,14 @@ impl KnownCase {
             function: Arc::new(function),
             sampling: [64, 256],
             compared_columns: Vec::new(),
-            most_excess: USUAL_EXCESS,
+            max_excess: DEFAULT_MAX_EXCESS,
         }
     }
 
     /// The question, for a seed.
     ///
     /// # Panics
-    /// Where the case itself is wrong.
+    /// If the case itself is wrong.
     pub fn problem(&self, seed: u64) -> Problem {
         let random = self.random.iter().cloned().map(|distribution| match RandomVariable::try_new(distribution) {
             Ok(variable) => variable,
@@ -91,7 +91,7 @@ impl KnownCase {
 
     /// The same for programs that know of no angles: those that go round are intervals.
     #[must_use]
-    pub fn cut_open(self) -> Self {
+    pub fn without_periodic_inputs(self) -> Self {
         let open = |variable: EpistemicVariable| match variable {
             EpistemicVariable::Periodic(turn) => EpistemicVariable::Interval(turn),
             other => other,

@@ -1,6 +1,6 @@
 //! Tables and pictures of work against error.
 
-use crate::diagram::{Line, Panel, thousands};
+use crate::diagram::{Line, Panel, with_thousands_separators};
 use crate::precision::{Case, Method, Point, Samples, work_at};
 use loosepin::integrate::{DOP853, TSITOURAS_5};
 use loosepin::simulate::{Integrator, Settings};
@@ -15,7 +15,7 @@ const CHECK: f64 = 10.0;
 /// Evaluations after which a run counts as failed: some thirty times the most that a median run needs.
 const MAX_EVALUATIONS: u64 = 10_000_000;
 
-/// What the default setting promises, m.
+/// Accuracy promised by the default setting, m.
 pub const PROMISED_M: f64 = 1e-8;
 
 /// Errors at which the methods are compared, m.
@@ -45,7 +45,7 @@ impl Measured {
     /// Runs everything.
     ///
     /// # Panics
-    /// Where the case does not exist or a run of the reference fails: mistakes in this crate.
+    /// If the case does not exist or a run of the reference fails: mistakes in this crate.
     pub fn new(case: &'static Case) -> Self {
         let samples = Samples::new(case);
         let explicit = |pair| Method { name: "", pair, integrator: Integrator::Explicit, half_decades: (0, 0, 1) };
@@ -123,7 +123,7 @@ impl Measured {
             Line {
                 label: method.name.trim_end_matches(" 5(4)").to_owned(),
                 points: drawn().map(|point| (point.quantile_m, point.evaluations as f64)).collect(),
-                ringed: drawn().position(|point| point.tolerance_m == PROMISED_M),
+                highlighted: drawn().position(|point| point.tolerance_m == PROMISED_M),
             }
         };
         Panel {
@@ -136,8 +136,12 @@ impl Measured {
 
 /// Evaluations, and factorizations where there are any.
 fn work(evaluations: f64, factorizations: f64) -> String {
-    let evaluations = thousands(evaluations);
-    if factorizations == 0.0 { evaluations } else { format!("{evaluations} and {}", thousands(factorizations)) }
+    let evaluations = with_thousands_separators(evaluations);
+    if factorizations == 0.0 {
+        evaluations
+    } else {
+        format!("{evaluations} and {}", with_thousands_separators(factorizations))
+    }
 }
 
 fn capitalised(text: &str) -> String {

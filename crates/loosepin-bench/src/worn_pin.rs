@@ -11,7 +11,7 @@ const REPLICATES: usize = 8;
 /// The study of the case.
 ///
 /// # Panics
-/// Where it is not there or is no study.
+/// If it is not there or is no study.
 pub fn study() -> Study {
     let case = case_file("slider_crank_worn_pin", "study.toml");
     Study::from_path(&case).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
@@ -20,8 +20,8 @@ pub fn study() -> Study {
 /// Points of a low-discrepancy set inside the box of the unknown inputs, as shares of it.
 ///
 /// # Panics
-/// Where too many inputs are unknown for such a set.
-pub fn inside_the_box(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
+/// If too many inputs are unknown for such a set.
+pub fn low_discrepancy_fractions(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
     let sobol = ScrambledSobol::try_new(seed, study.epistemic.len()).expect("few dimensions");
     let point = |index| {
         let mut fractions = vec![0.0; study.epistemic.len()];
@@ -36,10 +36,10 @@ pub fn values_at(study: &Study, fractions: &[f64]) -> Vec<f64> {
     study.epistemic.iter().zip(fractions).map(|(input, &fraction)| input.variable.at(fraction)).collect()
 }
 
-/// The study with the unknown inputs known: so many mechanisms at one value of u.
+/// The study with the unknown inputs fixed at one value of u, with this number of mechanisms.
 ///
 /// # Panics
-/// Where a value is not finite, or the study has no result.
+/// If a value is not finite, or the study has no result.
 pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyRun {
     let mut known = study.clone();
     known.seed = seed;
@@ -51,10 +51,10 @@ pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyR
     crate::run(&known)
 }
 
-/// The values of a column in the runs of the double loop; failed ones are not a number.
+/// The values of a column in the runs of the double loop; NaN for failed runs.
 ///
 /// # Panics
-/// Where there is no such column of numbers.
+/// If there is no such column of numbers.
 pub fn double_loop(runs: &RunsTable, name: &str) -> Vec<f64> {
     let column = |name: &str| {
         let found = runs.columns.iter().find(|column| column.name == name);

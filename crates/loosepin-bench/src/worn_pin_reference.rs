@@ -1,4 +1,4 @@
-//! The reference for bounds of `cases/slider_crank_worn_pin`: what it is of, how its numbers are estimated, and the file that keeps them.
+//! The reference for bounds of `cases/slider_crank_worn_pin`: its quantities, the estimates of its numbers, and its file.
 
 use crate::worn_pin;
 use loosepin::bounds::Statistic;
@@ -6,11 +6,11 @@ use loosepin::study::{Deviation, Reduction, Study, Where};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// What is bounded, by the name that the file has for it.
+/// A bounded quantity, with the name that the file has for it.
 pub struct Asked {
     /// In the file.
     pub name: &'static str,
-    /// Of the total deviation of the slider over the turn.
+    /// Reduction of the total deviation of the slider over the turn.
     pub reduction: Reduction,
     /// Over mechanisms.
     pub statistic: Statistic,
@@ -42,7 +42,7 @@ pub const ENDS: [&str; 2] = ["lower", "upper"];
 /// The study, asked for these two numbers of a turn alone, as its file asks for them.
 ///
 /// # Panics
-/// Where the study does not ask for them.
+/// If the study does not ask for them.
 pub fn study() -> Study {
     let mut study = worn_pin::study();
     let is_one = |location: &Where| REDUCTIONS.iter().any(|&reduction| *location == Where::Reduced(reduction));
@@ -53,7 +53,7 @@ pub fn study() -> Study {
     study
 }
 
-/// A statistic of values; not a number of too few.
+/// A statistic of values; NaN if there are too few.
 pub fn estimate(statistic: Statistic, values: &[f64]) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -79,7 +79,7 @@ fn quantile(values: &[f64], probability: f64) -> f64 {
     sorted[below as usize] + (rank - below) * (above - sorted[below as usize])
 }
 
-/// The standard error of an estimate from so many independent parts of equal size, one after the other in `values`: the jackknife
+/// The standard error of an estimate from this number of independent parts of equal size, one after the other in `values`: the jackknife
 /// that leaves one part out at a time (M. H. Quenouille 1956). It serves quantiles too, since a part has more than √N values.
 pub fn standard_error(statistic: Statistic, values: &[f64], parts: usize) -> f64 {
     let size = values.len() / parts;
@@ -100,7 +100,7 @@ pub struct ReferenceEnd {
     pub end: usize,
     /// The statistic at the witness.
     pub value_si: f64,
-    /// Of the value.
+    /// Standard error of the value.
     pub standard_error_si: f64,
     /// Clearance, m, and restitution.
     pub witness: [f64; 2],
@@ -108,7 +108,7 @@ pub struct ReferenceEnd {
     pub mechanisms: usize,
 }
 
-/// Where the reference is kept.
+/// Path of the stored reference.
 pub fn file() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("references/worn_pin.csv")
 }
@@ -133,7 +133,7 @@ pub fn written(notes: &[String], ends: &[ReferenceEnd]) -> String {
 /// Reads the text of such a file.
 ///
 /// # Panics
-/// Where it is none.
+/// If it is none.
 pub fn read(text: &str) -> Vec<ReferenceEnd> {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.next(), Some(HEAD), "the head of the reference");

@@ -59,7 +59,7 @@ pub use plan::evaluate::{EvaluateError, Function, Response, evaluate, execute};
 pub use plan::promise::{
     PROMISE_MISS, PromiseError, PromisePlan, PromiseRequest, PromiseSettings, PromisedBound, least_promise_runs,
 };
-pub use plan::refinement::{Assessment, Goal, Refinement, Standing};
+pub use plan::refinement::{Assessment, Goal, Refinement, RefinementStatus};
 pub use readings::bounds::Bounds;
 pub use readings::coverage::{Coverage, CoveragePoint};
 pub use readings::pinching::{PinchedInput, Pinching};

@@ -4,7 +4,7 @@ use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{
     Condensed, Mechanism, NodalGeometry, PlayGeometry, Sample, TreeBeam, TreeNodalBeam,
 };
-use loosepin_mechanics::model::{Body, BodyId, Lump, Model, PlayId, Values};
+use loosepin_mechanics::model::{Body, BodyId, LumpedMass, Model, PlayId, Values};
 use loosepin_simulate::{estimate_bending, other_formulation};
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted, counted_or_no, format_value, listed};
@@ -26,7 +26,7 @@ fn evaluations_1_s(frequency_hz: f64, damping_ratio: f64) -> f64 {
     12.0 * (omega_rad_s / 5.961).max(decay_1_s / 6.394)
 }
 
-/// Shapes, frequencies, Euler load and stiffness of each flexible body; nothing where there are none.
+/// Shapes, frequencies, Euler load and stiffness of each flexible body; `None` if there are none.
 pub fn beams(mechanism: &Mechanism, values: &Values, turn_s: f64) -> Option<Section> {
     let real = &mechanism.real;
     let sample = Sample::<f64>::new(mechanism, values).ok()?;
@@ -133,7 +133,7 @@ fn floating_lines((mechanism, sample): (&Mechanism, &Sample<f64>), index: usize,
 /// The lumps of a body, each with its mass and its point.
 fn lumps_in_words(model: &Model, place: &TreeBeam, values: &Values) -> Vec<String> {
     let Body { points, beam, .. } = &model.bodies[place.body.0];
-    let in_words = |lump: &Lump| {
+    let in_words = |lump: &LumpedMass| {
         let mass = format_value(values[lump.mass_kg], Dimension::MASS);
         format!("{mass} ('{}') at '{}'", lump.name, points[lump.point].name)
     };

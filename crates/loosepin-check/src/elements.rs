@@ -3,19 +3,19 @@
 use std::fmt::Write;
 
 use loosepin_mechanics::model::{
-    Control, Course, Elasticity, FeedForward, JointId, Load, Model, PointId, Spring, SpringKind, TableCurve, Values,
+    Control, Elasticity, FeedForward, JointId, Load, Model, PointId, Spring, SpringKind, TableCurve, TimeCourse, Values,
 };
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted, format_value};
 
-use super::names::NamesOf;
+use super::names::ModelNames;
 
 /// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them; no
 /// section where there are none.
 pub fn elements(model: &Model, values: &Values, coupling_lines: &[Vec<String>]) -> Vec<Section> {
     let couplings = model.couplings.iter().zip(coupling_lines).map(|(coupling, lines)| {
         let name = coupling.path.rsplit('.').next().unwrap_or_default();
-        Fact::new(name, std::iter::once(coupling.words(&NamesOf { model, values })).chain(lines.iter().cloned()))
+        Fact::new(name, std::iter::once(coupling.words(&ModelNames { model, values })).chain(lines.iter().cloned()))
     });
     let springs = model.springs.iter().map(|spring| Fact::new(&spring.name, [spring_words(model, spring, values)]));
     let loads = model.loads.iter().map(|load| Fact::new(&load.name, [load_words(model, load, values)]));
@@ -85,19 +85,19 @@ fn load_words(model: &Model, load: &Load, values: &Values) -> String {
         (Some(course), Some(size)) => course_words(model, course, load.joint, size.dimension, values),
         (None, _) | (_, None) => String::new(),
     };
-    load.kind.words(&NamesOf { model, values }, &size)
+    load.kind.words(&ModelNames { model, values }, &size)
 }
 
 fn course_words(
     model: &Model,
-    course: &Course,
+    course: &TimeCourse,
     joint: Option<JointId>,
     dimension: Dimension,
     values: &Values,
 ) -> String {
     match course {
-        Course::Constant(id) => format_value(values[*id], dimension),
-        Course::Harmonic { mean, amplitude, frequency, phase_rad } => {
+        TimeCourse::Constant(id) => format_value(values[*id], dimension),
+        TimeCourse::Harmonic { mean, amplitude, frequency, phase_rad } => {
             let mut words = format!(
                 "{} up and down at {}",
                 format_value(values[*amplitude], dimension),
@@ -111,7 +111,7 @@ fn course_words(
             }
             words
         }
-        Course::Table(table) => {
+        TimeCourse::Table(table) => {
             let over = match (table.variable, joint) {
                 (0, _) | (_, None) => "the time".to_owned(),
                 (1, Some(joint)) => {
@@ -130,7 +130,7 @@ fn course_words(
             }
             words
         }
-        Course::Function(_) => match joint {
+        TimeCourse::Function(_) => match joint {
             Some(joint) => format!("an expression over time and joint '{}'", model.joints[joint.0].name),
             None => "an expression over time".to_owned(),
         },
@@ -155,14 +155,16 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     match &control.feed_forward {
         FeedForward::None => {}
         FeedForward::InverseDynamics => words.push_str(", inverse dynamics fed forward"),
-        FeedForward::Course(Course::Function(_) | Course::Table(_)) => words.push_str(", an expression fed forward"),
-        FeedForward::Course(Course::Constant(id) | Course::Harmonic { mean: id, .. }) => {
+        FeedForward::TimeCourse(TimeCourse::Function(_) | TimeCourse::Table(_)) => {
+            words.push_str(", an expression fed forward")
+        }
+        FeedForward::TimeCourse(TimeCourse::Constant(id) | TimeCourse::Harmonic { mean: id, .. }) => {
             let _ = write!(words, ", {} fed forward", format_value(values[*id], effort));
         }
     }
     if let Some(id) = control.limit {
         let _ = write!(words, ", at most {}", format_value(values[id], effort));
     }
-    let _ = write!(words, "; the reference goes {}", control.reference.words(&NamesOf { model, values }));
+    let _ = write!(words, "; the reference goes {}", control.reference.words(&ModelNames { model, values }));
     words
 }

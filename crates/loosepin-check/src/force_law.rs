@@ -51,7 +51,7 @@ pub fn force_laws(
 }
 
 /// The joints whose force is an output of the model, in file order.
-pub fn joints_of_forces(model: &Model) -> impl Iterator<Item = JointId> {
+pub fn joints_with_force_output(model: &Model) -> impl Iterator<Item = JointId> {
     model.outputs.iter().filter_map(|output| match output.kind.recorded() {
         Recorded::Number(reading) => reading.force_in(),
         Recorded::Path(_) | Recorded::Wear(..) => None,

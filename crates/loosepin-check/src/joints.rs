@@ -9,7 +9,7 @@ use loosepin_mechanics::model::{
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value, listed};
 
-use super::names::NamesOf;
+use super::names::ModelNames;
 
 /// Each joint with its drive, its friction, its wear and its play.
 pub fn joints(mechanism: &Mechanism, values: &Values) -> Section {
@@ -29,7 +29,7 @@ fn joint_lines(
     values: &Values,
 ) -> Vec<String> {
     let model = &mechanism.model;
-    let names = NamesOf { model, values };
+    let names = ModelNames { model, values };
     let mut lines = vec![format!("{}{}", joint.kind.words(&names), drive_words(model, id, values))];
     if let Some(friction) = &joint.friction {
         let what = if joint.kind.slides() { "a guide length of" } else { "a pin radius of" };
@@ -50,7 +50,7 @@ fn joint_lines(
     lines
 }
 
-/// What the play of each coupling is; no line for those that have none.
+/// Lines on the play of each coupling; none for couplings without play.
 pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
     let model = &mechanism.model;
     let sample = Sample::<f64>::new(mechanism, values).ok();
@@ -59,7 +59,7 @@ pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>
         let Some(place) = mechanism.plays.iter().position(|play| *play == PlayId::Coupling(index)) else {
             return vec!["ideal, because its backlash is 0 mm".to_owned()];
         };
-        let words = play.words(&NamesOf { model, values });
+        let words = play.words(&ModelNames { model, values });
         let numbers = sample.as_ref().map(|sample| &sample.plays[place]);
         let contact = contact_lines(model, &model.contacts[play.contact.0], None, values, numbers);
         std::iter::once(words).chain(contact).collect()
@@ -69,7 +69,7 @@ pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    format!(", driven by '{}' {}", drive.name, drive.law.words(&NamesOf { model, values }))
+    format!(", driven by '{}' {}", drive.name, drive.law.words(&ModelNames { model, values }))
 }
 
 fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {

@@ -10,18 +10,18 @@ use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value
 
 use super::beams::beams;
 use super::elements::elements;
-use super::force_law::{force_laws, joints_of_forces};
+use super::force_law::{force_laws, joints_with_force_output};
 use super::joints::{coupling_lines, joints};
 use super::names::{SHOWN_ANGLE_RAD, angle_words};
-use super::trial::Trial;
+use super::trial::TrialResult;
 
 /// Other ways of assembling that are shown: loops that close in two ways each double their number.
 const SHOWN_ASSEMBLIES: usize = 16;
 /// Lengths of positions are shown to this, m.
 const SHOWN_LENGTH_M: f64 = 1e-8;
 
-/// All that is known of a mechanism before it runs.
-pub fn article(mechanism: &Mechanism, values: &Values, tried: &Trial) -> Article {
+/// The report on a mechanism before it runs.
+pub fn article(mechanism: &Mechanism, values: &Values, tried: &TrialResult) -> Article {
     let model = &mechanism.model;
     let mut sections = vec![bodies(model, values)];
     sections.extend(beams(mechanism, values, tried.turn_s));
@@ -31,7 +31,7 @@ pub fn article(mechanism: &Mechanism, values: &Values, tried: &Trial) -> Article
     if !tried.is_run && !model.missing_for_runs.is_empty() {
         sections.push(missing(model));
     }
-    sections.extend(force_laws(model, values, joints_of_forces(model), &[]));
+    sections.extend(force_laws(model, values, joints_with_force_output(model), &[]));
     Article { title: model.name.clone(), sections }
 }
 
@@ -54,7 +54,7 @@ fn bodies(model: &Model, values: &Values) -> Section {
     Section::of_facts("bodies", heading, moving.iter().map(of_body).chain([Fact::nameless(gravity)]))
 }
 
-/// Loops, degrees of freedom, and what holds them.
+/// Loops, degrees of freedom, and the constraints that remove them.
 fn mobility(mechanism: &Mechanism) -> Section {
     let model = &mechanism.model;
     let name = |play: &PlayId| format!("'{}'", model.play_name(*play));
@@ -125,8 +125,8 @@ fn offset_words(model: &Model, values: &Values) -> String {
     if all.is_empty() { String::new() } else { format!(", also {}", listed(&all, "and")) }
 }
 
-/// Where the bodies start, and how else they could be assembled.
-fn start(mechanism: &Mechanism, values: &Values, tried: &Trial) -> Section {
+/// Initial positions of the bodies, and other ways to assemble them.
+fn start(mechanism: &Mechanism, values: &Values, tried: &TrialResult) -> Section {
     let model = &mechanism.model;
     let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
     let given = (!mechanism.is_driven()).then(|| "as given under [initial]".to_owned());
@@ -166,7 +166,7 @@ fn start_of_drive(mechanism: &Mechanism, id: DriveId, values: &Values) -> String
 }
 
 /// The guess that picks another assembly: the angles of all bodies that stand differently in it.
-fn guess_words(model: &Model, other_rad: &[f64], tried: &Trial) -> String {
+fn guess_words(model: &Model, other_rad: &[f64], tried: &TrialResult) -> String {
     let turned = |body: usize| ((other_rad[body] - tried.start[body].angle_rad) / 2.0).sin().abs() > SHOWN_ANGLE_RAD;
     let guesses: Vec<String> = (1..model.bodies.len())
         .map(BodyId)
@@ -177,7 +177,7 @@ fn guess_words(model: &Model, other_rad: &[f64], tried: &Trial) -> String {
 }
 
 /// How long a run is, what it gives, and whether a first stretch of it succeeds.
-fn run(mechanism: &Mechanism, tried: &Trial) -> Section {
+fn run(mechanism: &Mechanism, tried: &TrialResult) -> Section {
     let model = &mechanism.model;
     let cycle = &model.cycle;
     let (one, many) = match cycle.span {
@@ -208,7 +208,7 @@ fn run(mechanism: &Mechanism, tried: &Trial) -> Section {
 }
 
 /// What the first motion showed.
-fn ending_words(mechanism: &Mechanism, tried: &Trial) -> String {
+fn ending_words(mechanism: &Mechanism, tried: &TrialResult) -> String {
     match (mechanism.is_driven(), tried.is_run) {
         (true, true) => "The loops close over the whole cycle, and the first steps of the run succeed.".to_owned(),
         (false, true) => "The first steps of the run succeed.".to_owned(),
@@ -223,7 +223,7 @@ fn ending_words(mechanism: &Mechanism, tried: &Trial) -> String {
     }
 }
 
-/// What the model lacks for a run, a line for each entry.
+/// Entries that the model lacks for a run, one per line.
 pub fn missing(model: &Model) -> Section {
     let lines = model.missing_for_runs.iter().map(|missing| {
         let line =

@@ -7,14 +7,14 @@ use loosepin_text::units::{Dimension, format_value};
 pub const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
 
 /// Names and numbers of a model for the words of its joints, couplings and drives.
-pub struct NamesOf<'m> {
+pub struct ModelNames<'m> {
     /// The model.
     pub model: &'m Model,
     /// Its values.
     pub values: &'m Values,
 }
 
-impl PartNames for NamesOf<'_> {
+impl PartNames for ModelNames<'_> {
     fn point(&self, point: PointId) -> String {
         self.model.point(point)
     }
@@ -32,7 +32,7 @@ impl PartNames for NamesOf<'_> {
     }
 }
 
-impl Names for NamesOf<'_> {
+impl Names for ModelNames<'_> {
     fn value_si(&self, id: QuantityId) -> f64 {
         self.values[id]
     }

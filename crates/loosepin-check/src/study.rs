@@ -12,9 +12,9 @@ use loosepin_uncertainty::EpistemicVariable;
 
 use super::force_law::force_laws;
 use super::mechanism::missing;
-use super::trial::Trial;
+use super::trial::TrialResult;
 
-/// The values of the model with every interval input in the middle of its interval, every number of a list at the first.
+/// The values of the model with every unknown input in the middle of its interval or, of a list, at the first member.
 ///
 /// # Errors
 /// They are impossible together.
@@ -30,7 +30,7 @@ pub fn middle_values(study: &Study) -> Result<Values, Diagnostics> {
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
-pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article, Diagnostics> {
+pub fn article(study: &Study, values: &Values, tried: &TrialResult) -> Result<Article, Diagnostics> {
     let of_model = format!("of {}: {}", study.model_path.display(), study.model.name);
     let questions = format!(
         "{} and {}",
@@ -47,14 +47,14 @@ pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article,
     if !is_complete {
         sections.push(missing(&study.model));
     } else if study.has_questions() {
-        sections.extend(force_laws(&study.model, values, joints_of_forces(study), &listed_laws(study)));
+        sections.extend(force_laws(&study.model, values, joints_with_force_bound(study), &listed_laws(study)));
         sections.push(plan(study, tried)?);
     }
     Ok(Article { title: study.name.clone(), sections })
 }
 
 /// A run, what is promised, and how long all runs take.
-fn plan(study: &Study, tried: &Trial) -> Result<Section, Diagnostics> {
+fn plan(study: &Study, tried: &TrialResult) -> Result<Section, Diagnostics> {
     let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.diagnostic(&study.model),
         error => error.diagnostic(study),
@@ -96,7 +96,7 @@ fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
 }
 
 /// The joints whose force is asked about or limited.
-fn joints_of_forces(study: &Study) -> impl Iterator<Item = JointId> {
+fn joints_with_force_bound(study: &Study) -> impl Iterator<Item = JointId> {
     let asked = study.asks.iter().map(|ask| ask.output);
     let required = study.requirements.iter().map(|requirement| requirement.output);
     asked.chain(required).filter_map(|output| study.outputs[output].seen.force_in())
@@ -130,7 +130,7 @@ fn format_percent(share: f64) -> String {
     format!("{} %", format_number(100.0 * share))
 }
 
-/// What scatters with a known distribution, and what is known as an interval, a list or so.
+/// Random inputs with their distributions, and unknown inputs as intervals, lists and other structures.
 fn inputs(study: &Study) -> Section {
     let dimension = |id: QuantityId| study.model.quantities[id].dimension;
     let random = study.random.iter().map(|input| {
@@ -156,7 +156,7 @@ fn inputs(study: &Study) -> Section {
 
 fn unknown_heading(study: &Study) -> String {
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
-    let intervals = counted_or_no(study.epistemic.len() - lists, "interval input", "interval inputs");
+    let intervals = counted_or_no(study.epistemic.len() - lists, "unknown input", "unknown inputs");
     let of_lists = counted_or_no(lists, "input from a list", "inputs from lists");
     match (lists < study.epistemic.len(), lists > 0) {
         (true, true) => format!("{intervals}, {of_lists}"),
@@ -165,7 +165,7 @@ fn unknown_heading(study: &Study) -> String {
     }
 }
 
-/// What is known of an input.
+/// Description of an input.
 fn known_words(study: &Study, input: &EpistemicInput) -> String {
     if let Some(of) = input.members_written(&study.model) {
         return format!("any of {}", of.join(", "));

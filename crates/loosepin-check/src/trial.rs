@@ -28,7 +28,7 @@ const MIN_EVALUATIONS: f64 = 26.0;
 
 /// Result of the trial.
 #[derive(Debug)]
-pub struct Trial {
+pub struct TrialResult {
     /// Positions of all points of each body at the start, m, and the angle of the body, rad; the ground first.
     pub start: Vec<BodyStart>,
     /// Duration of a turn of the cycle's drive, s.
@@ -37,7 +37,7 @@ pub struct Trial {
     pub is_run: bool,
 }
 
-/// Where a body is at the start.
+/// Initial position of a body.
 #[derive(Debug)]
 pub struct BodyStart {
     /// Angle of the body's x axis from the ground's, rad.
@@ -58,7 +58,7 @@ pub fn check_run(mechanism: &Mechanism, values: &Values) -> Result<(), RunFailur
 ///
 /// # Errors
 /// The first position that does not close, or why the run failed.
-pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailure> {
+pub fn run_trial(mechanism: &Mechanism, values: &Values) -> Result<TrialResult, RunFailure> {
     let turn_s = input(mechanism, values, mechanism.model.cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
     let start = if mechanism.is_driven() {
@@ -77,7 +77,7 @@ pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailu
     };
     let has_dynamics = mechanism.model.missing_for_runs.is_empty();
     let is_run = has_dynamics && first_steps(mechanism, &sample, turn_s)?;
-    Ok(Trial { start, turn_s, is_run })
+    Ok(TrialResult { start, turn_s, is_run })
 }
 
 /// Closes the ideal mechanism in all positions of its cycle until they repeat themselves; gives where it starts.

@@ -16,7 +16,7 @@ use crate::console::message;
 /// Interval between updates of the remaining time.
 const TICK: Duration = Duration::from_millis(500);
 
-/// A progress bar with the remaining time on standard error; nothing if that is not a terminal.
+/// A progress bar with the remaining time on standard error; it shows nothing if that is not a terminal.
 pub struct Bar {
     bar: ProgressBar,
     pace: Arc<Mutex<Pace>>,
@@ -47,11 +47,11 @@ impl Pace {
 impl Bar {
     /// A bar that is empty until the first report.
     pub fn new() -> Bar {
-        Bar::going_on(0)
+        Bar::resumed(0)
     }
 
     /// A bar of a study that continues with `kept` finished runs.
-    pub fn going_on(kept: usize) -> Bar {
+    pub fn resumed(kept: usize) -> Bar {
         Bar::of("runs", kept)
     }
 

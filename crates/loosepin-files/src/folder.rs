@@ -1,4 +1,4 @@
-//! Open folders, and what is read in them.
+//! Open folders, and reading in them.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -36,12 +36,12 @@ impl Folder {
         &self.path
     }
 
-    /// What is known of the folder itself.
+    /// Information about the folder itself.
     ///
     /// # Errors
     /// An error of the file system.
-    pub fn own_info(&self) -> io::Result<FileInfo> {
-        self.directory.own_info()
+    pub fn metadata(&self) -> io::Result<FileInfo> {
+        self.directory.metadata()
     }
 
     /// The folder at `relative`, names below this one. No link is followed.
@@ -110,7 +110,7 @@ impl Folder {
         Ok((self.open_below(relative.parent().unwrap_or(Path::new("")))?, name))
     }
 
-    /// What is known of the entry at `relative`, a link itself included; `None` if there is none.
+    /// Information about the entry at `relative`, a link itself included; `None` if there is none.
     ///
     /// # Errors
     /// The path leads elsewhere, or through a link; an error of the file system.
@@ -123,19 +123,19 @@ impl Folder {
         found_or_none(self.directory.info(name))
     }
 
-    /// Opens a plain file to be read; what is known of it is asked of the open file.
+    /// Opens a plain file to be read; its information is that of the open file.
     ///
     /// # Errors
     /// There is none, it is a link or no plain file; the path leads elsewhere.
     pub fn open_file(&self, relative: &Path) -> io::Result<(File, FileInfo)> {
         let (folder, name) = self.parent_of(relative)?;
-        let file = folder.directory.open_to_read(name).map_err(|error| folder.link_or(name, error))?;
+        let file = folder.directory.open_to_read(name).map_err(|error| folder.open_error(name, error))?;
         let info = file_info(&file)?;
         info.require_file()?;
         Ok((file, info))
     }
 
-    /// The content of a plain file of at most so many bytes.
+    /// The content of a plain file of at most `limit_bytes`.
     ///
     /// # Errors
     /// As for [`Self::open_file`]; a file that is larger.
@@ -153,7 +153,7 @@ impl Folder {
     }
 
     /// The reason why `name` could not be opened: that it is a link, or no file, where the system has only a number for it.
-    pub(crate) fn link_or(&self, name: &OsStr, error: io::Error) -> io::Error {
+    pub(crate) fn open_error(&self, name: &OsStr, error: io::Error) -> io::Error {
         match self.directory.info(name).map(|found| found.kind) {
             Ok(FileKind::Link) => Refused::Link.into(),
             Ok(FileKind::Other) if error.kind() != io::ErrorKind::PermissionDenied => Refused::NotAFile.into(),
@@ -190,7 +190,7 @@ fn names(relative: &Path) -> io::Result<impl DoubleEndedIterator<Item = &OsStr>>
     Ok(relative.iter())
 }
 
-/// The content of an open file of at most so many bytes.
+/// The content of an open file of at most `limit_bytes`.
 pub(crate) fn read_limited(file: File, info: &FileInfo, limit_bytes: u64) -> io::Result<Vec<u8>> {
     let too_large = |size_bytes| io::Error::from(Refused::TooLarge { limit_bytes, size_bytes });
     if info.size_bytes > limit_bytes {

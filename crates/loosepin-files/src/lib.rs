@@ -5,7 +5,7 @@
 //! * Kind and size of a file are checked on the open handle: a plain file, no larger than stated. Opening a pipe or a device does not block.
 //! * Files that other processes read are written under a lock of their folder, by a [`FolderLock`]: under a random name, flushed to the
 //!   device and renamed, so that a file is there whole or not at all. Files that only this process reads need no lock
-//!   ([`unnamed_file`], [`create_private`]).
+//!   ([`anonymous_file`], [`create_private`]).
 //! * Before each rename the lock is compared with the lock file in the folder: a process whose folder was emptied and taken by another one
 //!   changes nothing more. Taking the lock removes the temporary files of its earlier holders, so that a process that lost it between the
 //!   comparison and the rename has nothing left to rename.
@@ -27,8 +27,8 @@ pub use entry::{Entry, FileInfo, FileKind, Identity};
 pub use folder::Folder;
 pub use lock::{FolderLock, LockError, LockKind};
 pub use named::{
-    PrivateFile, create_private, lock_texts, may_write, read_named, read_named_text, read_stream, replace_named,
-    unnamed_file, write_new_files,
+    PrivateFile, anonymous_file, create_private, lock_texts, may_write, read_named, read_named_text, read_stream,
+    replace_named, write_new_files,
 };
 pub use refused::{FULL_OR_LIMITED, Refused, io_error_words, is_file_size_limited};
 pub use temporary::TemporaryKind;

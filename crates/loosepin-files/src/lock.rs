@@ -26,10 +26,10 @@ pub struct FolderLock {
     made: MadeFolders,
 }
 
-/// What a folder is locked for. The two locks of a folder do not exclude each other.
+/// The purpose of a lock. The two locks of a folder do not exclude each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LockKind {
-    /// A result, for as long as it is made.
+    /// A result, while it is being made.
     Result,
     /// Texts, for the moment in which they are written.
     Text,
@@ -319,7 +319,7 @@ impl LockFile {
     /// Opens it, or makes it.
     fn open(folder: &Folder, kind: LockKind) -> io::Result<Self> {
         let name = OsStr::new(kind.file_name());
-        let of_kind = |error| folder.link_or(name, error);
+        let of_kind = |error| folder.open_error(name, error);
         let old = |file: File, is_read_only| {
             file_info(&file)?.require_file()?;
             Ok(Self { file, is_new: false, is_read_only })

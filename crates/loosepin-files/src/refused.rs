@@ -13,11 +13,11 @@ pub enum Refused {
     Link,
     /// A folder, pipe, socket or device where a file is due.
     NotAFile,
-    /// A file that is larger than what is read.
+    /// A file above the size limit of reading.
     TooLarge {
         /// The largest size, bytes.
         limit_bytes: u64,
-        /// Its size, or what was read of it, bytes.
+        /// Its size, or the number of bytes read from it.
         size_bytes: u64,
     },
     /// A file whose mode lets nobody write it.

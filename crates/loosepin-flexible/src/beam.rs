@@ -45,13 +45,13 @@ pub struct Inertia<T> {
     pub mass: Vec<T>,
     /// h.
     pub bias: Vec<T>,
-    /// ∂d/∂q at the point at hand.
+    /// ∂d/∂q at the current point.
     partials: Vec<Vec2<T>>,
 }
 
 /// The shapes of one kind.
-struct Part<'s, T> {
-    /// Their coordinates.
+struct ShapeGroup<'s, T> {
+    /// Range of their coordinates.
     range: Range<usize>,
     /// K without dimension, row by row.
     stiffness: &'s [f64],
@@ -71,7 +71,7 @@ impl<T: Real> Inertia<T> {
         }
     }
 
-    /// Adds a matrix over the shapes, row by row, to that part of M; nothing where it is empty.
+    /// Adds a matrix over the shapes, row by row, to that part of M; an empty one adds nothing.
     pub fn add_to_shapes(&mut self, added: &[T]) {
         let count = self.size - 3;
         for (row, of_row) in added.chunks_exact(count.max(1)).enumerate() {
@@ -132,7 +132,8 @@ impl<T: Real> Beam<T> {
         -(self.length_m * form(&station.shortening, b, b))
     }
 
-    /// What (F2) adds to the acceleration of the frame and -ω² d where q̈ = 0: 2ω k×(D q̇) + (-f ḃᵀHḃ, 0), m/s², for D q̇ = `rate_m_s`.
+    /// Relative acceleration, m/s², that (F2) adds to the acceleration of the frame and -ω² d where q̈ = 0: 2ω k×(D q̇) + (-f ḃᵀHḃ, 0), for
+    /// D q̇ = `rate_m_s`.
     pub fn relative_acceleration_m_s2(
         &self,
         station: &Station,
@@ -243,11 +244,15 @@ impl<T: Real> Beam<T> {
     }
 
     /// The axial shapes, then the lateral ones.
-    fn parts<'s>(&self, shapes: &'s Shapes) -> [Part<'s, T>; 2] {
+    fn parts<'s>(&self, shapes: &'s Shapes) -> [ShapeGroup<'s, T>; 2] {
         let (axial, count) = (shapes.axial(), shapes.count());
         [
-            Part { range: 0..axial, stiffness: &shapes.axial_stiffness, stiffness_unit: self.axial_stiffness_n_m },
-            Part {
+            ShapeGroup {
+                range: 0..axial,
+                stiffness: &shapes.axial_stiffness,
+                stiffness_unit: self.axial_stiffness_n_m,
+            },
+            ShapeGroup {
                 range: axial..count,
                 stiffness: &shapes.bending_stiffness,
                 stiffness_unit: self.bending_stiffness_n_m,

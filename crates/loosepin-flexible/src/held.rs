@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// A mass at a section of a beam, which carries it as a rigid arm.
 #[derive(Debug, Clone, Copy)]
-pub struct Lump<'s> {
+pub struct LumpedMass<'s> {
     /// The shapes at the section.
     pub station: &'s Station,
     /// Centre of mass from the point of the axis there, along the axis and across it, m.
@@ -38,7 +38,7 @@ pub struct HeldBeam {
 
 impl HeldBeam {
     /// The matrices of a beam with lumps.
-    pub fn new(beam: &Beam<f64>, shapes: &Shapes, lumps: &[Lump<'_>]) -> Self {
+    pub fn new(beam: &Beam<f64>, shapes: &Shapes, lumps: &[LumpedMass<'_>]) -> Self {
         let (axial, lateral, count) = (shapes.axial(), shapes.lateral(), shapes.count());
         let mut found = Self { axial, count, mass: vec![0.0; count * count], stiffness: vec![0.0; count * count] };
         for MassPoint { station, weight } in &shapes.points {

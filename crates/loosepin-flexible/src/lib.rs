@@ -21,8 +21,8 @@ pub use basis::{Basis, Span};
 pub use beam::{Beam, Inertia};
 pub use cuts::Cuts;
 pub use functions::Frame;
-pub use held::{HeldBeam, Lump};
-pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, Nodal, NodalBeam, NotBalanced, Rule, TipLoad};
+pub use held::{HeldBeam, LumpedMass};
+pub use nodal::{ClampedRoot, ElementMatrix, MassEntries, Mesh, NoStableEquilibrium, Nodal, NodalBeam, Rule, TipLoad};
 pub use shapes::{MassPoint, Shapes};
 pub use station::{AxialFunction, LateralFunction, Station, even_shares};
 

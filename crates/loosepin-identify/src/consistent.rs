@@ -15,10 +15,10 @@ use super::rig::Rig;
 
 /// A reading as two rows.
 #[derive(Debug, Clone)]
-pub(crate) struct Row {
+pub(crate) struct ReadingRow {
     /// Factors of the play inputs: least, nominal, largest.
     pub factors: Vec<[f64; 3]>,
-    /// What does not depend on the plays, SI: least and largest.
+    /// Terms that do not depend on the plays, SI: least and largest.
     pub constant_si: [f64; 2],
     /// Mean of the reading, with the independent error taken and added, SI.
     pub interval_si: [f64; 2],
@@ -32,7 +32,7 @@ pub(crate) struct Row {
 pub(crate) struct ConsistentSet {
     pub intervals_si: Vec<[f64; 2]>,
     pub instruments: usize,
-    pub rows: Vec<Row>,
+    pub rows: Vec<ReadingRow>,
 }
 
 /// An end of a bound: its value, and plays at which it is attained.
@@ -42,7 +42,7 @@ pub(crate) struct End {
     pub plays_si: Vec<f64>,
 }
 
-impl Row {
+impl ReadingRow {
     /// The rows of a reading with this influence.
     pub fn new(rig: &Rig<'_>, influence: &Influence, interval_si: [f64; 2], common_si: f64, instrument: usize) -> Self {
         let mut factors = vec![[0.0; 3]; rig.plays.len()];
@@ -70,7 +70,7 @@ impl ConsistentSet {
         let mut program = LinearProgram::new(self.variables());
         for (_, row) in self.rows.iter().enumerate().filter(|(index, _)| !leaves_out(*index)) {
             for (coefficients, limit) in self.two_rows(row, 1.0) {
-                program.demand(coefficients, limit);
+                program.add_constraint(coefficients, limit);
             }
         }
         program
@@ -81,7 +81,7 @@ impl ConsistentSet {
     }
 
     /// The two rows of a reading over the unit box, its errors multiplied by `errors`.
-    fn two_rows(&self, row: &Row, errors: f64) -> [(Vec<f64>, f64); 2] {
+    fn two_rows(&self, row: &ReadingRow, errors: f64) -> [(Vec<f64>, f64); 2] {
         let [lower, upper] = row.interval_si;
         let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower) * errors);
         let common_si = row.common_si * errors;
@@ -126,7 +126,8 @@ impl ConsistentSet {
                         let direction = if is_down { -1.0 } else { 1.0 };
                         side * direction * factor * (high - low)
                     };
-                    program.demand(row.factors.iter().zip(&self.intervals_si).enumerate().map(of).collect(), 0.0);
+                    program
+                        .add_constraint(row.factors.iter().zip(&self.intervals_si).enumerate().map(of).collect(), 0.0);
                 }
             }
             let mut objective = vec![0.0; self.intervals_si.len()];
@@ -140,13 +141,13 @@ impl ConsistentSet {
         let mut program = LinearProgram::new(self.variables());
         for row in &self.rows {
             for (coefficients, limit) in self.two_rows(row, errors) {
-                program.demand(coefficients, limit);
+                program.add_constraint(coefficients, limit);
             }
         }
         program.is_empty()
     }
 
-    /// Lower and upper end of Σ weight · play; nothing where no plays are consistent.
+    /// Lower and upper end of Σ weight · play; `None` if no plays are consistent.
     pub fn bounds(&self, weights: &[f64]) -> Option<[End; 2]> {
         let program = self.program(|_| false);
         Some([self.end(&program, weights, -1.0)?, self.end(&program, weights, 1.0)?])
@@ -167,9 +168,9 @@ impl ConsistentSet {
         self.intervals_si.iter().zip(point).map(|([low, high], share)| low + share * (high - low)).collect()
     }
 
-    /// What a further reading of `row` could say, SI: from the least to the largest travel, its common error included. The readings
+    /// Possible values of a further reading of `row`, SI: from the least to the largest travel, its common error included. The readings
     /// that `leaves_out` names do not count.
-    pub fn expected_si(&self, row: &Row, leaves_out: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
+    pub fn expected_si(&self, row: &ReadingRow, leaves_out: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
         let program = self.program(leaves_out);
         let mut ends = [0.0; 2];
         for (end, (sign, which)) in ends.iter_mut().zip([(-1.0, 0), (1.0, 2)]) {
@@ -186,8 +187,8 @@ impl ConsistentSet {
         Some(ends)
     }
 
-    /// What the intervals of the study alone allow for a reading without any error, SI.
-    pub fn allowed_si(&self, row: &Row) -> [f64; 2] {
+    /// Values of an error-free reading that the intervals of the study alone allow, SI.
+    pub fn allowed_si(&self, row: &ReadingRow) -> [f64; 2] {
         let mut ends = row.constant_si;
         for (factors, interval) in row.factors.iter().zip(&self.intervals_si) {
             ends[0] += f64::min(factors[0] * interval[0], factors[0] * interval[1]);
@@ -199,10 +200,10 @@ impl ConsistentSet {
 
 #[cfg(test)]
 mod tests {
-    use super::{ConsistentSet, Row};
+    use super::{ConsistentSet, ReadingRow};
 
     fn set(rows: &[[f64; 2]], loose: f64) -> ConsistentSet {
-        let row = |factors: &[f64; 2]| Row {
+        let row = |factors: &[f64; 2]| ReadingRow {
             factors: factors.iter().map(|factor| [factor - loose, *factor, factor + loose]).collect(),
             constant_si: [0.0; 2],
             interval_si: [1e-4, 1.1e-4],

@@ -5,7 +5,7 @@
 //! with the error of the ones that were made would shrink the plays if all were normal (aᵀ M⁻¹ a/e², M the information so far); the
 //! best of each place and output are then computed in full, as if the reading came out in the middle of what is possible.
 
-use super::consistent::{ConsistentSet, End, Row};
+use super::consistent::{ConsistentSet, End, ReadingRow};
 use super::influence::Influence;
 use super::locked::{Test, locked_at, pushed};
 use super::nominal::Nominal;
@@ -13,7 +13,7 @@ use super::rig::Rig;
 use super::states::States;
 use loosepin_math::solve_square;
 use loosepin_mechanics::model::{Axis, BodyId, Motion, PointId, Position, Relative};
-use loosepin_result::identification::{FurtherReading, Searched};
+use loosepin_result::identification::{FurtherReading, ReadingSearch};
 use loosepin_simulate::accuracy::{PositionOutput, position_outputs};
 use loosepin_simulate::{Reading, relative_words};
 use loosepin_study::{Measured, Push};
@@ -61,17 +61,17 @@ struct Usual {
     friction: Option<f64>,
 }
 
-/// The readings that were looked at, and the best; nothing where none narrows. Poses in which the mechanism cannot be locked are left out.
+/// The examined readings, and the best; `None` if none narrows a bound. Poses in which the mechanism cannot be locked are left out.
 pub(crate) fn further(
     rig: &Rig<'_>,
     set: &ConsistentSet,
     bounds: &[[End; 2]],
     readings: &[&Measured],
-) -> (Searched, Option<FurtherReading>) {
+) -> (ReadingSearch, Option<FurtherReading>) {
     let usual = Usual::of(rig, set, readings);
     let information = information(set);
     let (candidates, tried) = candidates(rig, &usual, &information);
-    let searched = Searched { candidates: tried, in_full: candidates.len() };
+    let searched = ReadingSearch { candidates: tried, in_full: candidates.len() };
     let middle = middle(bounds);
     let now: Vec<f64> = bounds[..rig.plays.len()].iter().map(|[low, high]| high.value_si - low.value_si).collect();
     let mut best: Option<(f64, FurtherReading)> = None;
@@ -89,7 +89,7 @@ pub(crate) fn further(
         let error_si = usual.error_si(&candidate.read.unit);
         // An instrument of its own: nothing is known of what it has in common with the others.
         let mut with = set.clone();
-        let mut row = Row::new(rig, &influence, [0.0; 2], error_si, with.instruments);
+        let mut row = ReadingRow::new(rig, &influence, [0.0; 2], error_si, with.instruments);
         with.instruments += 1;
         let at = |which: usize| -> f64 {
             row.constant_si[which / 2] + row.factors.iter().zip(&middle).map(|(f, play)| f[which] * play).sum::<f64>()

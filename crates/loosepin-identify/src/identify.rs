@@ -1,7 +1,7 @@
 //! From the readings of a study to its answer.
 
 use super::combinations::{IdentifiableSums, identifiable_sums};
-use super::consistent::{ConsistentSet, End, Row};
+use super::consistent::{ConsistentSet, End, ReadingRow};
 use super::error::{Failure, IdentifyProblem, MAX_CONFIDENCE};
 use super::further::further;
 use super::influence::Influence;
@@ -11,7 +11,7 @@ use super::motion::{MotionValues, ProgressCallback, identify_motion};
 use super::rig::Rig;
 use super::states::States;
 use loosepin_result::identification::{
-    Combination, Consistent, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
+    Combination, ConsistentPlays, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
 };
 use loosepin_result::repeat::Repeat;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
@@ -48,7 +48,7 @@ pub struct Options {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set of a motion (default: no).
     pub with_posterior: bool,
-    /// Whether mechanisms that agree with what was measured of a motion are drawn (default: no).
+    /// Whether mechanisms that agree with the measured motion are drawn (default: no).
     pub with_lengths: bool,
 }
 
@@ -220,7 +220,7 @@ fn of_readings(
             let reading = readings[index];
             let interval_si = [-1.0, 1.0].map(|sign| reading.dead_travel_si + sign * independent[index]);
             let instrument = instruments.iter().position(|known| *known == reading.instrument).unwrap_or(0);
-            Row::new(rig, influence, interval_si, reading.error_si, instrument)
+            ReadingRow::new(rig, influence, interval_si, reading.error_si, instrument)
         };
         ConsistentSet {
             intervals_si: rig.plays.iter().map(|play| play.interval_si).collect(),
@@ -303,7 +303,7 @@ fn of_readings(
             let further = looks_further.then(|| further(rig, &set, &bounds, readings));
             let searched = further.as_ref().map(|(searched, _)| *searched);
             let further = further.and_then(|(_, further)| further);
-            Outcome::Consistent(Consistent {
+            Outcome::ConsistentPlays(ConsistentPlays {
                 plays,
                 combinations,
                 alike: sums_of_plays.alike.clone(),
@@ -337,7 +337,7 @@ fn sole(weights: &[f64]) -> Option<usize> {
     held.next().map(|(play, _)| play).filter(|_| held.next().is_none())
 }
 
-/// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is shown beside them.
+/// Adds the sum of all plays where every play is determined by itself: their sum is determined as well, and often far better.
 fn add_whole_sum(rig: &Rig<'_>, sums_of_plays: &mut IdentifiableSums) {
     let plays = rig.plays.len();
     let is_of_one_unit = rig.plays.iter().all(|play| play.unit == rig.plays[0].unit);
@@ -346,7 +346,7 @@ fn add_whole_sum(rig: &Rig<'_>, sums_of_plays: &mut IdentifiableSums) {
     }
 }
 
-/// Bounds of all objectives; nothing where no plays are consistent.
+/// Bounds of all objectives; `None` if no plays are consistent.
 fn all_bounds(set: &ConsistentSet, objectives: &[Vec<f64>]) -> Option<Vec<[End; 2]>> {
     if set.is_empty() {
         return None;
@@ -354,7 +354,7 @@ fn all_bounds(set: &ConsistentSet, objectives: &[Vec<f64>]) -> Option<Vec<[End; 
     objectives.iter().map(|weights| set.bounds(weights)).collect()
 }
 
-/// The ends of a bound, cut to what was known before.
+/// The ends of a bound, cut to the interval known before.
 fn within(before_si: [f64; 2], [lower, upper]: &[End; 2]) -> [f64; 2] {
     [lower.value_si.max(before_si[0]), upper.value_si.min(before_si[1])]
 }

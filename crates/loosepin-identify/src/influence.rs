@@ -23,7 +23,7 @@ pub(crate) struct Influence {
     /// 2 max(|g_y|, |g_θ|/a) at guides, where one corner may give way further than the other: the block then lies across and tilted. Zero
     /// at other joints.
     guide_factors: Vec<f64>,
-    /// What the exact loops differ by from Σ |nominal| · (clearance + yield), as a share, at most.
+    /// Largest difference of the exact loops from Σ |nominal| · (clearance + yield), as a share.
     pub linearisation_share: f64,
 }
 
@@ -42,16 +42,17 @@ impl Influence {
         let radii_m: Vec<[f64; 2]> =
             (0..yields_m.len()).map(|k| [0, 1].map(|end| (clearances_m[k][end] + yields_m[k][end]).max(0.0))).collect();
         let together = |state: &State| {
-            let least = state.nominal.least_together(&state.friction, &radii_m);
+            let least = state.nominal.uniformly_reduced_factors(&state.friction, &radii_m);
             least.unwrap_or_else(|| alone(state, 0))
         };
         // Either holds; the one that says more in the middle of the box is kept.
         let sum = |factors: &[f64]| -> f64 {
             factors.iter().zip(&radii_m).map(|(factor, [low, high])| factor * 0.5 * (low + high)).sum()
         };
-        let [least_alone, least_together] =
+        let [least_alone, uniformly_reduced_factors] =
             [states.furthest(-1.0, |state| alone(state, 0)), states.furthest(-1.0, together)];
-        let least = if sum(&least_together) > sum(&least_alone) { least_together } else { least_alone };
+        let least =
+            if sum(&uniformly_reduced_factors) > sum(&least_alone) { uniformly_reduced_factors } else { least_alone };
         let largest = states.furthest(1.0, |state| alone(state, 2));
         let nominal = &states.middle.nominal;
         let factors = (0..least.len()).map(|k| [least[k], nominal.factors[k], largest[k]]).collect();
@@ -65,7 +66,7 @@ impl Influence {
         Ok(influence)
     }
 
-    /// By what share of Σ |factor| · (clearance + yield) the exact loops miss the linear model at some plays.
+    /// Share of Σ |factor| · (clearance + yield) by which the exact loops miss the linear model at some plays.
     pub fn missed_share(&self, rig: &Rig<'_>, test: &Test, plays_si: &[f64]) -> Result<f64, AccuracyError> {
         let clearances_m = rig.clearances_m(plays_si);
         let radii_m: Vec<f64> =
@@ -76,7 +77,7 @@ impl Influence {
         Ok(if size > 0.0 { (exact - sum).abs() / size } else { 0.0 })
     }
 
-    /// Whether a push makes any play move what is read, friction apart.
+    /// Whether a push makes any play move the reading, friction apart.
     pub fn is_moved(&self) -> bool {
         self.factors.iter().any(|[_, nominal, _]| *nominal != 0.0)
     }

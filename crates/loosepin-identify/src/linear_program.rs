@@ -2,18 +2,18 @@
 
 /// Entries of a tableau below this size are round-off: rows and variables are scaled to order one.
 const ROUND_OFF: f64 = 1e-11;
-/// Pivots, at most, for each row and column: Bland's rule ends before, and round-off shall not go on for ever.
+/// Pivots, at most, for each row and column: Bland's rule ends before, but round-off could cycle.
 const PIVOTS: usize = 200;
 
 /// max c·y over 0 <= y <= 1 and a_j·y <= b_j.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LinearProgram {
     variables: usize,
-    rows: Vec<Row>,
+    rows: Vec<Inequality>,
 }
 
 #[derive(Debug, Clone)]
-struct Row {
+struct Inequality {
     coefficients: Vec<f64>,
     limit: f64,
 }
@@ -24,7 +24,7 @@ pub(crate) struct Largest {
     /// A number that no point of the set exceeds: bᵀλ + Σ max(0, c - Aᵀλ), the dual objective at the multipliers λ >= 0 that
     /// the simplex method ended with. It bounds from above for any λ >= 0, so that round-off widens it at most.
     pub value: f64,
-    /// Where it is attained, to round-off.
+    /// The point where it is attained, to round-off.
     pub point: Vec<f64>,
 }
 
@@ -35,15 +35,15 @@ impl LinearProgram {
     }
 
     /// Demands coefficients·y <= limit. Rows are scaled, so that their units do not matter.
-    pub fn demand(&mut self, coefficients: Vec<f64>, limit: f64) {
+    pub fn add_constraint(&mut self, coefficients: Vec<f64>, limit: f64) {
         debug_assert_eq!(coefficients.len(), self.variables, "a coefficient for each variable");
         let size = coefficients.iter().fold(limit.abs(), |size, entry| size.max(entry.abs()));
         let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         let coefficients = coefficients.into_iter().map(|entry| entry * scale).collect();
-        self.rows.push(Row { coefficients, limit: limit * scale });
+        self.rows.push(Inequality { coefficients, limit: limit * scale });
     }
 
-    /// The largest `objective`·y over the set; nothing where the set is empty.
+    /// The largest `objective`·y over the set; `None` if the set is empty.
     pub fn largest(&self, objective: &[f64]) -> Option<Largest> {
         let mut tableau = Tableau::new(self);
         if !tableau.find_feasible() {
@@ -253,8 +253,8 @@ mod tests {
     #[test]
     fn analytic_corner_of_two_limits() {
         let mut program = LinearProgram::new(2);
-        program.demand(vec![2.0, 1.0], 1.3);
-        program.demand(vec![1.0, 3.0], 1.9);
+        program.add_constraint(vec![2.0, 1.0], 1.3);
+        program.add_constraint(vec![1.0, 3.0], 1.9);
         // 2x + y = 1.3 and x + 3y = 1.9 meet at (0.4, 0.5).
         let largest = program.largest(&[0.7, 0.6]).expect("the set holds zero");
         assert!((largest.value - 0.58).abs() < TOLERANCE, "{largest:?}");
@@ -264,8 +264,8 @@ mod tests {
     #[test]
     fn analytic_slab_away_from_zero() {
         let mut program = LinearProgram::new(3);
-        program.demand(vec![1.0, 1.0, 1.0], 1.1);
-        program.demand(vec![-1.0, -1.0, -1.0], -0.9);
+        program.add_constraint(vec![1.0, 1.0, 1.0], 1.1);
+        program.add_constraint(vec![-1.0, -1.0, -1.0], -0.9);
         let sum = program.largest(&[1.0, 1.0, 1.0]).expect("there are points");
         let least = program.largest(&[-1.0, -1.0, -1.0]).expect("there are points");
         assert!((sum.value - 1.1).abs() < TOLERANCE && (least.value + 0.9).abs() < TOLERANCE);
@@ -276,27 +276,27 @@ mod tests {
     #[test]
     fn contradictions_are_empty() {
         let mut program = LinearProgram::new(2);
-        program.demand(vec![-1.0, -1.0], -0.7);
+        program.add_constraint(vec![-1.0, -1.0], -0.7);
         assert!(!program.is_empty());
-        program.demand(vec![1.0, 0.4], 0.2);
+        program.add_constraint(vec![1.0, 0.4], 0.2);
         // x + y >= 0.7 and x + 0.4 y <= 0.2: y = 1 leaves x <= -0.2 or, at x = 0, y <= 0.5.
         assert!(program.is_empty());
         assert_eq!(program.largest(&[1.0, 0.0]), None);
         let mut beyond = LinearProgram::new(1);
-        beyond.demand(vec![-1e-4], -1.2e-4);
+        beyond.add_constraint(vec![-1e-4], -1.2e-4);
         assert!(beyond.is_empty(), "no y <= 1 reaches 1.2");
     }
 
     #[test]
     fn identity_no_multipliers_prove_a_set_with_points_empty_and_some_prove_an_empty_one() {
         let mut program = LinearProgram::new(2);
-        program.demand(vec![-1.0, -1.0], -0.7);
-        program.demand(vec![1.0, 0.4], 0.3);
+        program.add_constraint(vec![-1.0, -1.0], -0.7);
+        program.add_constraint(vec![1.0, 0.4], 0.3);
         // (0.02, 0.68) keeps both rows, to two parts in a thousand.
         for multipliers in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.4, 1.0], [1.0, 2.5], [1e9, 2.5e9]] {
             assert!(!program.is_proof_of_emptiness(&multipliers), "{multipliers:?}");
         }
-        program.demand(vec![0.0, 1.0], 0.5);
+        program.add_constraint(vec![0.0, 1.0], 0.5);
         // x >= 0.2 and 0.3 - 0.2 >= x: 1.0 of the first, 1.0 of the second, 0.6 of the third say 0 <= -0.1.
         assert!(program.is_proof_of_emptiness(&[1.0, 1.0, 0.6]) && program.is_empty());
         // Multipliers of a simplex method that stopped early prove nothing.
@@ -317,7 +317,7 @@ mod tests {
             let mut program = LinearProgram::new(2);
             for _ in 0..5 {
                 let line = ([2.0 * random() - 1.0, 2.0 * random() - 1.0], random() - 0.35);
-                program.demand(line.0.to_vec(), line.1);
+                program.add_constraint(line.0.to_vec(), line.1);
                 lines.push(line);
             }
             let objective = [2.0 * random() - 1.0, 2.0 * random() - 1.0];

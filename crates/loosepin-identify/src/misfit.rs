@@ -1,7 +1,7 @@
 //! Which reading no plays explain, and by how much.
 
 use super::consistent::ConsistentSet;
-use loosepin_result::identification::{Culprit, Misfit};
+use loosepin_result::identification::{InconsistentReading, Misfit};
 
 /// Largest factor of the errors that is looked for.
 const MAX_FACTOR: f64 = 1e9;
@@ -25,7 +25,13 @@ pub(crate) fn misfit(set: &ConsistentSet) -> Misfit {
         let Some(expected_si) = expected else { continue };
         let apart_si = apart(expected_si, found_si(reading));
         if apart_si > 0.0 {
-            culprits.push(Culprit { reading, is_alone, expected_si, found_si: found_si(reading), apart_si });
+            culprits.push(InconsistentReading {
+                reading,
+                is_alone,
+                expected_si,
+                found_si: found_si(reading),
+                apart_si,
+            });
         }
     }
     if culprits.iter().any(|culprit| culprit.is_alone) {
@@ -55,7 +61,7 @@ fn apart(expected: [f64; 2], found: [f64; 2]) -> f64 {
     f64::max(found[0] - expected[1], expected[0] - found[1]).max(0.0)
 }
 
-/// The factor by which all errors have to grow for the set not to be empty; nothing where none is large enough.
+/// The factor by which all errors have to grow for the set not to be empty; `None` if none is large enough.
 fn error_factor(set: &ConsistentSet) -> Option<f64> {
     let (mut low, mut high) = (1.0, 2.0);
     while set.is_empty_with(high) {

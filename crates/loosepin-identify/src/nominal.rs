@@ -60,7 +60,7 @@ impl Nominal {
     /// Least factors with friction where it is read where it is pushed: the same share of all nominal ones. Friction does not turn
     /// all joints furthest at once, so that the sum falls by less than its terms may. The share is the least of
     /// Σ A_j cos t_j r_j / Σ A_j r_j over the corners of the radii r, where a ratio of linear functions is least.
-    pub fn least_together(&self, friction: &Friction, radii_m: &[[f64; 2]]) -> Option<Vec<f64>> {
+    pub fn uniformly_reduced_factors(&self, friction: &Friction, radii_m: &[[f64; 2]]) -> Option<Vec<f64>> {
         /// Round-off of 2 |g| beside the factor.
         const SAME: f64 = 1e-9;
         let joints = self.factors.len();

@@ -1,7 +1,7 @@
-//! The narrowed study of a specimen, with the mechanisms that agree with what was measured of it.
+//! The narrowed study of a specimen, with the mechanisms that agree with its measurement.
 
 use super::error::IdentifyProblem;
-use super::narrowed::{Narrowed, known_bounds, narrowed};
+use super::narrowed_interval::{NarrowedInterval, known_bounds, narrowed};
 use loosepin_result::identification::Identification;
 use loosepin_result::motion_identification::{MechanismRows, SpecimenLengths};
 use loosepin_study::Study;
@@ -11,13 +11,13 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A study with what is known of its specimen.
+/// A study narrowed to its specimen.
 #[derive(Debug)]
 pub struct SpecimenStudy {
     /// Its text.
     pub text: String,
     /// The intervals that became narrower.
-    pub narrowed: Vec<Narrowed>,
+    pub narrowed: Vec<NarrowedInterval>,
     /// Name and text of the file of mechanisms that stands beside it, where lengths were conditioned.
     pub mechanisms: Option<[String; 2]>,
     /// The study itself.

@@ -23,11 +23,11 @@ pub use x86_64::multiply_add;
 /// Runs `work` compiled for vectors with fused multiply-adds where this processor has them, so that its loops over arrays, with
 /// `f64::mul_add`, become vector instructions. `work` and all that it calls must be `#[inline(always)]`.
 #[inline(always)]
-pub fn on_vectors<R>(work: impl FnOnce() -> R) -> R {
+pub fn with_vector_instructions<R>(work: impl FnOnce() -> R) -> R {
     #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
     if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
         // SAFETY: the processor has both, and the operating system keeps their registers.
-        return unsafe { x86_64::on_avx2(work) };
+        return unsafe { x86_64::with_avx2(work) };
     }
     work()
 }
@@ -62,7 +62,7 @@ mod x86_64 {
 
     /// `work`, which is inlined here, with instructions of AVX2 and FMA.
     #[target_feature(enable = "avx2,fma")]
-    pub fn on_avx2<R>(work: impl FnOnce() -> R) -> R {
+    pub fn with_avx2<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
 

@@ -22,11 +22,11 @@ pub use functions::pieces::Pieces;
 pub use functions::spline::{
     clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline, resting_spline,
 };
-pub use functions::whole_range::{any_exponential, any_logarithm, any_power};
-pub use fused::on_vectors;
+pub use functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
+pub use fused::with_vector_instructions;
 pub use numbers::Numbers;
 pub use real::Real;
-pub use solve::four_rows::{FourRows, beside_one_another, dots_of_each};
+pub use solve::four_rows::{FourRows, interleaved, pairwise_dots};
 pub use solve::gauss::{legendre_coefficient, legendre_rule, orthonormal_values, symmetric_gauss_rule};
 pub use solve::gram::GramSystem;
 pub use solve::ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};

@@ -25,7 +25,7 @@ pub trait Real:
 
     /// The constant `value`, with zero derivative.
     fn from_f64(value: f64) -> Self;
-    /// The number without its derivatives; not a number where it is only written down.
+    /// The number without its derivatives; NaN if it is only written down.
     fn to_f64(self) -> f64;
     /// `self · factor + addend` with one rounding: a fused multiply-add on every processor.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
@@ -36,11 +36,11 @@ pub trait Real:
     /// `self` raised to `exponent`, for `self > 0`; zero where `self` is zero. Other exponents than 1 and 3/2: within the limits
     /// of [`crate::power`].
     fn powf(self, exponent: f64) -> Self;
-    /// eˣ, of any number: [`crate::any_exponential`].
+    /// eˣ, of any number: [`crate::full_range_exponential`].
     fn exponential(self) -> Self;
-    /// The natural logarithm; not a number for zero and below: [`crate::any_logarithm`].
+    /// The natural logarithm; NaN for zero and below: [`crate::full_range_logarithm`].
     fn logarithm(self) -> Self;
-    /// `self` raised to any exponent: [`crate::any_power`].
+    /// `self` raised to any exponent: [`crate::full_range_power`].
     fn power(self, exponent: Self) -> Self;
     /// The smaller of the two.
     fn min(self, other: Self) -> Self;

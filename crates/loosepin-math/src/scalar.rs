@@ -4,7 +4,7 @@ use super::fused::multiply_add;
 use super::real::Real;
 use crate::functions::angle::sin_cos;
 use crate::functions::exponential::power;
-use crate::functions::whole_range::{any_exponential, any_logarithm, any_power};
+use crate::functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
 
 impl Real for f64 {
     type Mask = bool;
@@ -42,15 +42,15 @@ impl Real for f64 {
     }
     #[inline(always)]
     fn exponential(self) -> Self {
-        any_exponential(self)
+        full_range_exponential(self)
     }
     #[inline(always)]
     fn logarithm(self) -> Self {
-        any_logarithm(self)
+        full_range_logarithm(self)
     }
     #[inline(always)]
     fn power(self, exponent: Self) -> Self {
-        any_power(self, exponent)
+        full_range_power(self, exponent)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

@@ -108,7 +108,7 @@ pub fn evaluate<'py>(
             table.push(inputs, Ok(&row.to_vec())).map_err(|error| fail(error.into()))?;
         }
     }
-    let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
+    let answers = without_gil(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
     let given = answer(py, &answers, &names, &table)?;
     plan.tell(&given)?;
@@ -142,7 +142,7 @@ pub fn input_names(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<(Vec<Str
 }
 
 /// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
-pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+pub fn without_gil<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
     raised.map_or(Ok(result), Err)
 }

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{Failure, SampleTable};
-use loosepin::study::{FurtherOutputs, RunMaker, RunOptions, Study, StudyError};
+use loosepin::study::{FurtherOutputs, RunOptions, RunProvider, Study, StudyError};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -11,13 +11,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::raise;
-use crate::function_bounds::{Names, answer, requests, unlocked};
+use crate::function_bounds::{Names, answer, requests, without_gil};
 use crate::growing_samples::{Accuracy, GrowingSamples};
-use crate::made_in_python::MadeInPython;
+use crate::python_run_provider::PythonRunProvider;
 use crate::waiting::{RunCounts, wait_for};
 
 /// Questions about a function.
-pub struct Asked<'a> {
+pub struct FunctionRequests<'a> {
     /// Its columns.
     pub columns: &'a [String],
     /// Column, statistic, and its number.
@@ -27,11 +27,11 @@ pub struct Asked<'a> {
 }
 
 /// Who makes the runs.
-pub struct MadeBy {
+pub struct RunBackend {
     /// Threads of this process.
     pub threads: usize,
     /// Others in their place.
-    pub maker: Option<MadeInPython>,
+    pub provider: Option<PythonRunProvider>,
 }
 
 /// Bounds of the statistics of the columns of `function`, which is given a dict with an array for each input and each recorded
@@ -40,25 +40,25 @@ pub fn bounds<'py>(
     py: Python<'py>,
     study: &Study,
     function: &Bound<'py, PyAny>,
-    asked: &Asked<'_>,
-    by: &MadeBy,
+    asked: &FunctionRequests<'_>,
+    by: &RunBackend,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Asked { columns, statistics, accuracy } = *asked;
+    let FunctionRequests { columns, statistics, accuracy } = *asked;
     let fail = |error: StudyError| match error {
         StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
         error => raise(error.diagnostic(study)),
     };
     let asked = requests(statistics)?;
-    let further = unlocked(py, || FurtherOutputs::new(study))?.map_err(fail)?;
+    let further = without_gil(py, || FurtherOutputs::new(study))?.map_err(fail)?;
     let plan = GrowingSamples::try_new(further.problem(columns.len(), asked), accuracy);
     let mut plan = plan.map_err(|error| fail(error.into()))?;
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
     let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
-    let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
-    let options = RunOptions { maker, ..RunOptions::new(by.threads, &counts, &stop) };
+    let provider = by.provider.as_ref().map(|provider| provider as &dyn RunProvider);
+    let options = RunOptions { provider, ..RunOptions::new(by.threads, &counts, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
         let round = plan.next_round(py, &table, |error| fail(error.into()))?;
@@ -68,7 +68,7 @@ pub fn bounds<'py>(
         let counts_of_runs = [table.len(), plan.most_runs(&table)];
         let work = || further.run(&round, counts_of_runs, &options);
         let (runs, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), work);
-        if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
+        if let Some(error) = by.provider.as_ref().and_then(PythonRunProvider::take_exception).or(raised) {
             return Err(error);
         }
         let runs = runs.map_err(fail)?;
@@ -98,7 +98,7 @@ pub fn bounds<'py>(
             table.push(inputs, outcome).map_err(|error| fail(error.into()))?;
         }
     }
-    let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
+    let answers = without_gil(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
     counts.tell(py, progress)?;
     let given = answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)?;
     plan.tell(&given)?;

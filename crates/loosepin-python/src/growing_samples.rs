@@ -1,13 +1,13 @@
 //! Samples of a function of Python that grow until its bounds are as accurate as stated.
 
 use loosepin::bounds::{
-    self, Assessment, Bounds, Goal, PlanError, Problem, Refinement, Request, RunInputs, SampleTable, Standing,
+    self, Assessment, Bounds, Goal, PlanError, Problem, Refinement, RefinementStatus, Request, RunInputs, SampleTable,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::function_bounds::unlocked;
+use crate::function_bounds::without_gil;
 
 /// By how much bounds may be widened, and how many runs may be made for it, as Python states them.
 #[derive(FromPyObject)]
@@ -58,7 +58,7 @@ impl GrowingSamples {
         table: &SampleTable,
         fail: impl Fn(PlanError) -> PyErr,
     ) -> PyResult<Vec<RunInputs>> {
-        let round = unlocked(py, || self.plan.next_round(table))?.map_err(fail)?;
+        let round = without_gil(py, || self.plan.next_round(table))?.map_err(fail)?;
         self.is_budget_spent = self.is_asked && table.len() + round.len() > self.budget;
         match (self.is_budget_spent, table.is_empty()) {
             (true, true) => Err(PyValueError::new_err(format!(
@@ -81,10 +81,10 @@ impl GrowingSamples {
 
     /// Adds how the accuracy was approached to the answers of Python, `None` if none was asked for.
     pub fn tell(&self, answers: &Bound<'_, PyDict>) -> PyResult<()> {
-        let stop = match self.plan.standing() {
+        let stop = match self.plan.status() {
             _ if self.is_budget_spent => "budget",
-            Standing::Reached => "reached",
-            Standing::Growing | Standing::Exhausted => "exhausted",
+            RefinementStatus::Reached => "reached",
+            RefinementStatus::Growing | RefinementStatus::Exhausted => "exhausted",
         };
         let step = |step: &Assessment| (step.runs, step.outer, step.inner, step.share);
         let steps: Vec<_> = self.plan.history().iter().map(step).collect();

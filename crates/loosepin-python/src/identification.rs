@@ -1,4 +1,4 @@
-//! What readings and motion of a rig say of the unknowns of a study.
+//! Identification of the unknowns of a study from readings and motion of a rig.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -47,8 +47,8 @@ impl Identification {
     }
 }
 
-/// What is asked of readings and motion.
-pub struct Asked {
+/// Request for an identification from readings and motion.
+pub struct IdentificationRequest {
     /// Values that are tested, confidence, threads.
     pub values: MotionValues,
     /// Specimen, or all.
@@ -59,10 +59,10 @@ pub struct Asked {
 pub fn identified(
     py: Python<'_>,
     study: &study::Study,
-    asked: &Asked,
+    asked: &IdentificationRequest,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Identification> {
-    let Asked { values, specimen } = asked;
+    let IdentificationRequest { values, specimen } = asked;
     let MotionValues { confidence, points, threads, with_posterior, with_lengths } = *values;
     let specimen = specimen.clone();
     let options = Options { confidence, points, threads, with_posterior, with_lengths, specimen, ..Options::default() };
@@ -70,11 +70,11 @@ pub fn identified(
     Ok(Identification { answer, study: study.clone() })
 }
 
-/// What features of the motion of `study` would tell: JSON, and the table of the terminal.
+/// Expected information in features of the motion of `study`: JSON, and the table of the terminal.
 pub fn planned(
     py: Python<'_>,
     study: &study::Study,
-    asked: &Asked,
+    asked: &IdentificationRequest,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<(String, String)> {
     let plan = with_progress(py, progress, |heard| {
@@ -85,7 +85,7 @@ pub fn planned(
     Ok((json, text))
 }
 
-/// Does `work`, which hears of values that have their runs, while Python listens to Ctrl-C.
+/// Does `work`, with a callback for values whose runs are made, while Python listens to Ctrl-C.
 fn with_progress<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,

@@ -108,7 +108,7 @@ impl Model {
             with_states: states,
             lyapunov_turns: None,
             second_run,
-            overrides: Override::of_settings(&set),
+            overrides: Override::from_settings(&set),
         };
         let stop = AtomicBool::new(false);
         let work = || {

@@ -1,22 +1,22 @@
-//! A study in a folder of results: what the command `loosepin study` leaves there, and goes on with.
+//! A study in a folder of results, as the command `loosepin study` writes and resumes it.
 
 use std::path::PathBuf;
 use std::time::SystemTime;
 
 use loosepin::diagnostics::{Diagnostics, Problem};
 use loosepin::report::study_page;
-use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, RunStore};
+use loosepin::results::{Claim, Destination, InputsHash, ResultKind, ResultsFolder};
+use loosepin::store::{ExistingRuns, RunStore};
 use loosepin::study::RunsTable;
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::{
-    Begun, Concluded, RunOptions, SavedSurrogates, Study, StudyError, StudyRun, begin_in_folder, conclude, run_study,
-    store_identity,
+    ClaimOutcome, RunOptions, SavedSurrogates, Study, StudyError, StudyOutcome, StudyRun, begin_in_folder, conclude,
+    run_study, store_identity,
 };
 
 /// How a folder that holds something is met.
 #[derive(Clone, Copy)]
-pub struct Meeting {
+pub struct ExistingFolderOptions {
     /// Finished runs of the same study are taken over.
     pub with_resume: bool,
     /// Whether existing results are replaced.
@@ -24,20 +24,20 @@ pub struct Meeting {
 }
 
 /// How a study ended.
-pub enum Ended {
-    /// It is finished.
+pub enum StudyEnd {
+    /// The study is finished.
     Finished(Box<StudyRun>),
-    /// It was interrupted; the words say what is kept.
+    /// The study was interrupted; the words say what is kept.
     Interrupted(String),
 }
 
 /// Runs `study` without leaving anything on disk.
-pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Diagnostics> {
+pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<StudyEnd, Diagnostics> {
     match run_study(study, &inputs.to_string(), options) {
-        Ok(run) => Ok(Ended::Finished(run.into())),
+        Ok(run) => Ok(StudyEnd::Finished(run.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
-            Ok(Ended::Interrupted(format!("{words}; nothing is kept without a folder")))
+            Ok(StudyEnd::Interrupted(format!("{words}; nothing is kept without a folder")))
         }
         Err(error) => Err(error.diagnostic(study).into()),
     }
@@ -48,33 +48,33 @@ pub fn run_in_folder(
     study: &Study,
     inputs: InputsHash,
     folder: PathBuf,
-    meeting: Meeting,
+    meeting: ExistingFolderOptions,
     options: &RunOptions<'_>,
-) -> Result<Ended, Diagnostics> {
+) -> Result<StudyEnd, Diagnostics> {
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
         inputs,
-        place: Place::Folder(folder),
+        destination: Destination::Folder(folder),
         with_force: meeting.with_force,
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     if !claim.is_finished().map_err(report)? {
         loosepin::study::plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
-    let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
+    let beginning = ExistingRuns::from_options(meeting.with_force, meeting.with_resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
-        Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
+        ClaimOutcome::Open(folder, store) => (folder, store),
+        ClaimOutcome::Finished(folder) => return Ok(StudyEnd::Finished(read(&folder)?.into())),
     };
     let started = SystemTime::now();
     let outcome = run_study(study, &claim.inputs.to_string(), &RunOptions { store: Some(&store), ..*options });
     match conclude(study, folder, store, outcome, &study_page, (started, options.threads))? {
-        Concluded::Finished { run, .. } => Ok(Ended::Finished(run)),
-        Concluded::Interrupted { finished, most_runs, folder } => {
+        StudyOutcome::Finished { run, .. } => Ok(StudyEnd::Finished(run)),
+        StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
-            Ok(Ended::Interrupted(format!(
+            Ok(StudyEnd::Interrupted(format!(
                 "{words}; they are kept in {path}: the same call with resume=True continues"
             )))
         }

@@ -4,19 +4,19 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::identify::MotionValues;
-use loosepin::study::{self, FurtherOutputs, InputFile, RunMaker, RunOptions, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, RunOptions, RunProvider, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{Diagnostic, raise};
-use crate::further_outputs::{self, Asked, MadeBy};
+use crate::further_outputs::{self, FunctionRequests, RunBackend};
 use crate::growing_samples::Accuracy;
 use crate::identification::{self, Identification, identified, planned};
-use crate::made_in_python::MadeInPython;
 use crate::model::Model;
+use crate::python_run_provider::PythonRunProvider;
 use crate::result::StudyResult;
-use crate::results_folder::{Ended, Meeting, run_in_folder, run_in_memory};
+use crate::results_folder::{ExistingFolderOptions, StudyEnd, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
 use crate::waiting::{RunCounts, wait_for};
 
@@ -84,7 +84,7 @@ impl Study {
 
     /// Runs it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, maker))]
+    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, provider))]
     fn run(
         &self,
         py: Python<'_>,
@@ -95,33 +95,33 @@ impl Study {
         progress: Option<Py<PyAny>>,
         accuracy: Vec<String>,
         budget: Option<String>,
-        maker: Option<Py<PyAny>>,
+        provider: Option<Py<PyAny>>,
     ) -> PyResult<StudyResult> {
         let threads = count_threads(threads)?;
         let study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
-        let maker = maker.map(MadeInPython::new);
-        let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
+        let provider = provider.map(PythonRunProvider::new);
+        let made = provider.as_ref().map(|provider| provider as &dyn RunProvider);
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
-        let options = RunOptions { maker: made, ..RunOptions::new(threads, &counts, &stop) };
-        let meeting = Meeting { with_resume: resume, with_force: force };
+        let options = RunOptions { provider: made, ..RunOptions::new(threads, &counts, &stop) };
+        let meeting = ExistingFolderOptions { with_resume: resume, with_force: force };
         let work = || match folder {
             Some(folder) => run_in_folder(&study, inputs, folder, meeting, &options),
             None => run_in_memory(&study, &inputs, &options),
         };
         let (outcome, raised) = wait_for(py, &stop, |py| counts.tell(py, progress.as_ref()), work);
-        if let Some(error) = maker.as_ref().and_then(MadeInPython::raised) {
+        if let Some(error) = provider.as_ref().and_then(PythonRunProvider::take_exception) {
             return Err(error);
         }
         match (outcome, raised) {
-            (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+            (Ok(StudyEnd::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
                 Err(PyKeyboardInterrupt::new_err(words))
             }
             // What went wrong is told even where a signal came as well.
             (Err(diagnostics), _) => Err(raise(diagnostics)),
             (_, Some(error)) => Err(error),
-            (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
-            (Ok(Ended::Finished(run)), None) => {
+            (Ok(StudyEnd::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
+            (Ok(StudyEnd::Finished(run)), None) => {
                 counts.tell(py, progress.as_ref())?;
                 StudyResult::new(py, *run)
             }
@@ -159,7 +159,7 @@ impl Study {
             with_lengths: lengths,
             ..motion_values(points, confidence, threads)?
         };
-        let asked = identification::Asked { values, specimen };
+        let asked = identification::IdentificationRequest { values, specimen };
         identified(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -173,7 +173,8 @@ impl Study {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(String, String)> {
-        let asked = identification::Asked { values: motion_values(MIN_POINTS, confidence, threads)?, specimen };
+        let asked =
+            identification::IdentificationRequest { values: motion_values(MIN_POINTS, confidence, threads)?, specimen };
         planned(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -186,7 +187,7 @@ impl Study {
 
     /// Bounds of a function of what its runs record.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (function, columns, requests, accuracy, threads, progress, maker))]
+    #[pyo3(signature = (function, columns, requests, accuracy, threads, progress, provider))]
     fn bounds<'py>(
         &self,
         py: Python<'py>,
@@ -196,10 +197,10 @@ impl Study {
         accuracy: Accuracy,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-        maker: Option<Py<PyAny>>,
+        provider: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = Asked { columns: &columns, statistics: &requests, accuracy: &accuracy };
-        let by = MadeBy { threads: count_threads(threads)?, maker: maker.map(MadeInPython::new) };
+        let asked = FunctionRequests { columns: &columns, statistics: &requests, accuracy: &accuracy };
+        let by = RunBackend { threads: count_threads(threads)?, provider: provider.map(PythonRunProvider::new) };
         further_outputs::bounds(py, &self.0, &function, &asked, &by, progress.as_ref())
     }
 }

@@ -53,7 +53,7 @@ pub use medium::article_text::article_text;
 pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{motion_page, motion_text};
-pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, among_cut, among_percentile, tagged};
+pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
 pub use simulation::{simulation_page, simulation_text, wear_text};
 pub use study::page::{KnownValue, known_values, study_excerpt, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};

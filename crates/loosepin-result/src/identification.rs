@@ -7,7 +7,7 @@ use crate::repeat::Repeat;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 
-/// What the readings of a study say of its plays.
+/// Identification of the plays of a study from its readings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Identification {
     /// Name of the study.
@@ -28,10 +28,10 @@ pub struct Identification {
     /// The specimens whose motion was measured, in the order of the file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub motion: Vec<MotionSpecimen>,
-    /// What features of the motion would tell, where that was asked for.
+    /// Expected information in features of the motion, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<MotionPlan>,
-    /// What the narrower intervals gain, where that was asked for.
+    /// Gain by the narrower intervals, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gain: Option<Gain>,
     /// How it is made again.
@@ -53,20 +53,20 @@ pub struct InputRange {
 /// A mechanism that was measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Specimen {
-    /// Its name; nothing where the file does not say.
+    /// Its name; `None` if the file does not say.
     pub name: Option<String>,
     /// Its readings, in the order of the file.
     pub readings: Vec<TestReading>,
-    /// What is consistent with them.
+    /// Values consistent with them.
     pub outcome: Outcome,
 }
 
-/// What is consistent with all readings of a specimen.
+/// Values consistent with all readings of a specimen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// Some values of the plays.
-    Consistent(Consistent),
+    ConsistentPlays(ConsistentPlays),
     /// No value of the plays.
     Misfit(Misfit),
 }
@@ -98,29 +98,29 @@ pub struct TestReading {
     pub compliance_si: [f64; 2],
     /// Share by which the exact loops differ from the linear model, at most.
     pub linearisation_share: f64,
-    /// What the study's own intervals allow, SI.
+    /// Range that the study's own intervals allow, SI.
     pub allowed_before_si: [f64; 2],
 }
 
-/// What is known of the plays.
+/// Bounds of the plays.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Consistent {
+pub struct ConsistentPlays {
     /// Each play by itself.
     pub plays: Vec<PlayBounds>,
     /// The combinations of plays that the readings fix.
     pub combinations: Vec<Combination>,
     /// Plays that enter every reading alike, by their places among the plays; each group has two or more.
     pub alike: Vec<Vec<usize>>,
-    /// The reading that would narrow most; nothing where none would.
+    /// The reading that would narrow most; `None` if none would.
     pub further: Option<FurtherReading>,
-    /// The readings that were looked at for it; nothing where it was not looked for.
+    /// The readings that were looked at for it; `None` if it was not looked for.
     #[serde(default)]
-    pub searched: Option<Searched>,
+    pub searched: Option<ReadingSearch>,
 }
 
 /// Readings among which the best further one was looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Searched {
+pub struct ReadingSearch {
     /// Number that was ranked by nominal factors.
     pub candidates: usize,
     /// Number that looked best there and was computed in full.
@@ -143,7 +143,7 @@ pub struct Combination {
 /// A reading that was not made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FurtherReading {
-    /// What is read: an output of the model, or a coordinate of a point that the model has no output for.
+    /// The measured quantity: an output of the model, or a coordinate of a point that the model has no output for.
     pub reads: String,
     /// Whether the model has an output for it.
     pub has_output: bool,
@@ -151,7 +151,7 @@ pub struct FurtherReading {
     pub pose_rad: f64,
     /// The point that is pushed, or the body that a moment turns.
     pub pushed: String,
-    /// Direction of the push from the ground's x axis, rad; nothing for a moment.
+    /// Direction of the push from the ground's x axis, rad; `None` for a moment.
     pub direction_rad: Option<f64>,
     /// The error that was assumed, of either sign, in the unit of the reading.
     pub error_si: f64,
@@ -168,13 +168,13 @@ pub struct FurtherReading {
 /// Readings that no value of the plays explains.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Misfit {
-    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. None where the
+    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. Empty if the
     /// others contradict one another whichever is left out.
-    pub culprits: Vec<Culprit>,
+    pub culprits: Vec<InconsistentReading>,
     /// Pairs that contradict each other without any other reading, by their places; looked for where there are no culprits.
     #[serde(default)]
     pub pairs: Vec<[usize; 2]>,
-    /// Factor by which the errors of all readings had to be larger for the readings to be consistent; nothing where none is enough.
+    /// Factor by which the errors of all readings had to be larger for the readings to be consistent; `None` if none is enough.
     pub error_factor: Option<f64>,
     /// Readings that would then lie at the end of their error, by their places.
     pub strained: Vec<usize>,
@@ -182,14 +182,14 @@ pub struct Misfit {
 
 /// A reading that is at odds with the others, or with the intervals of the study alone.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Culprit {
+pub struct InconsistentReading {
     /// Its place among the readings.
     pub reading: usize,
     /// Whether the study's own intervals exclude it, without any other reading.
     pub is_alone: bool,
-    /// What the others leave for it, SI.
+    /// Range of the reading by the others, SI.
     pub expected_si: [f64; 2],
-    /// What it says with its errors, SI.
+    /// Range of the reading by itself, with its errors, SI.
     pub found_si: [f64; 2],
     /// How far the two are apart, SI, > 0.
     pub apart_si: f64,

@@ -5,16 +5,16 @@ use loosepin_text::units::{SiUnit, listed};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What the features of a measured motion say of a specimen.
+/// Identification of a specimen from the features of a measured motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionSpecimen {
-    /// Its name; nothing where the file does not say.
+    /// Its name; `None` if the file does not say.
     pub name: Option<String>,
     /// Its features, in the order of the file.
     pub features: Vec<MotionFeature>,
     /// The unknowns: interval of the study, and outer interval of the consistent set. Of an empty set both are that of the study.
     pub unknowns: Vec<PlayBounds>,
-    /// Of each unknown that is one of a list its members.
+    /// Members of each unknown that is one of a list.
     pub lists: Vec<ConsistentMembers>,
     /// Share of the box that is consistent: cells whose middle is, and these with all cells beside them.
     pub share_of_box: [f64; 2],
@@ -32,17 +32,17 @@ pub struct MotionSpecimen {
     pub failed: usize,
     /// Whether the refinement ended at its budget of points and not at its resolution.
     pub is_coarse: bool,
-    /// Why no value is consistent; nothing where some are.
+    /// Why no value is consistent; `None` if some are.
     pub misfit: Option<MotionMisfit>,
     /// How probable the values are, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub posterior: Option<MotionPosterior>,
-    /// Mechanisms that agree with what was measured, where that was asked for.
+    /// Mechanisms that agree with the measurement, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lengths: Option<SpecimenLengths>,
 }
 
-/// The random inputs of the specimen, given what was measured: prior of the unknowns uniform over the consistent set.
+/// The random inputs of the specimen, given the measurement: prior of the unknowns uniform over the consistent set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SpecimenLengths {
@@ -52,7 +52,7 @@ pub enum SpecimenLengths {
     Refused(LengthsRefusal),
 }
 
-/// Mechanisms that agree with what was measured, each as probable as any other.
+/// Mechanisms that agree with the measurement, each with the same probability.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MechanismRows {
     /// The random inputs, in the order of the study.
@@ -69,9 +69,9 @@ pub struct MechanismRows {
     pub effective_rows: f64,
     /// Lengths that trade off against an unknown.
     pub tied: Vec<TiedLength>,
-    /// Unknowns that trade off against lengths together, though none of these by itself is told.
+    /// Unknowns that trade off against lengths together, though no single one of these is determined.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub tied_together: Vec<TiedTogether>,
+    pub tied_together: Vec<TiedToLengths>,
 }
 
 /// A random input of the series, and of the specimen.
@@ -96,20 +96,20 @@ pub struct TiedLength {
     pub column: usize,
     /// Place of the unknown.
     pub unknown: usize,
-    /// Their rank correlation (Spearman) over the mechanisms.
+    /// Rank correlation (Spearman) over the mechanisms.
     pub rank_correlation: f64,
 }
 
 /// An unknown that the measurement knows only with all lengths together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TiedTogether {
+pub struct TiedToLengths {
     /// Place of the unknown.
     pub unknown: usize,
     /// Multiple correlation of its rank with those of all lengths, over the mechanisms.
     pub rank_correlation: f64,
 }
 
-/// Why there are no mechanisms that agree with what was measured.
+/// Why there are no mechanisms that agree with the measurement.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LengthsRefusal {
@@ -124,14 +124,14 @@ pub enum LengthsRefusal {
     },
     /// Features without independent error, which a mechanism would have to meet exactly.
     NotScattered {
-        /// Their names.
+        /// Names of the features.
         features: Vec<String>,
     },
     /// Too many runs failed.
     Failed {
         /// How many.
         failed: usize,
-        /// Of so many.
+        /// Total number of runs.
         runs: usize,
         /// Largest share that is allowed.
         most: f64,
@@ -164,7 +164,7 @@ pub struct Posterior {
     pub probability: f64,
     /// Number of equally probable values that would carry as much as the tested ones do: 1/Σ p².
     pub effective_values: f64,
-    /// Runs at so many values.
+    /// Number of runs at the effective values.
     pub effective_runs: f64,
     /// The distribution of each unknown by itself, in their order.
     pub marginals: Vec<Marginal>,
@@ -175,7 +175,7 @@ pub struct Posterior {
 pub struct Marginal {
     /// Probabilities of cells of equal width over the interval of the study, or of the members of a list.
     pub shares: Vec<f64>,
-    /// Its numbers; nothing of a list.
+    /// Its numbers; `None` for a list.
     pub summary: Option<MarginalSummary>,
 }
 
@@ -198,16 +198,16 @@ pub enum PosteriorRefusal {
     Misfit,
     /// Neither a random input nor an independent error scatters.
     NothingScatters,
-    /// Too few runs at each value for the covariance of so many features.
+    /// Too few runs at each value for the covariance of the features.
     FewRuns {
         /// Runs that ended, at the value with the fewest.
         runs: usize,
-        /// Runs that so many features need, at least.
+        /// Least number of runs for these features.
         least: usize,
     },
     /// Too many of the runs that carry the weight failed.
     Failed {
-        /// Their share, by weight.
+        /// Share of the runs, by weight.
         share: f64,
         /// Largest share that is allowed.
         most: f64,
@@ -263,7 +263,7 @@ pub struct ConsistentMembers {
     pub unknown: usize,
     /// All members as the file writes them: laws by their names.
     pub before: Vec<String>,
-    /// Those that are consistent; of an empty set none.
+    /// Members that are consistent; empty for an empty set.
     pub after: Vec<String>,
 }
 
@@ -282,7 +282,7 @@ pub struct MotionFeature {
     pub found_si: [f64; 2],
     /// Least and largest of all runs at all tested values, independent error included, SI.
     pub predicted_before_si: [f64; 2],
-    /// The same at the consistent values; nothing where there are none.
+    /// The same at the consistent values; `None` if there are none.
     pub predicted_after_si: Option<[f64; 2]>,
 }
 
@@ -303,31 +303,31 @@ pub struct MotionMisfit {
     /// The least distance of all tested values, in distances of the run at the confidence: > 1.
     pub least_distance: f64,
     /// Features that lie outside all predictions by themselves.
-    pub culprits: Vec<MotionCulprit>,
+    pub culprits: Vec<InconsistentFeature>,
 }
 
 /// A feature that lies outside the predictions at all tested values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MotionCulprit {
+pub struct InconsistentFeature {
     /// Its place among the features.
     pub feature: usize,
     /// How far the measurement, with its common error, lies from the nearest prediction, SI: below it where negative.
     pub apart_si: f64,
 }
 
-/// What features would tell, before anything is measured.
+/// Expected information in features, before anything is measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionPlan {
     /// Name of the study.
     pub study: String,
     /// The unknowns.
     pub unknowns: Vec<PlannedUnknown>,
-    /// What each feature alone would leave, the most telling first.
+    /// Remaining range by each feature alone, the most informative first.
     pub features: Vec<PlannedFeature>,
-    /// What all features together would leave.
+    /// Remaining range by all features together.
     pub together: PlannedFeature,
-    /// Pairs of members of a list that the features do not tell apart.
-    pub not_distinguishable: Vec<AlikeMembers>,
+    /// Pairs of members of a list that the features do not distinguish.
+    pub not_distinguishable: Vec<IndistinguishableMembers>,
     /// Values that were tried.
     pub points: usize,
     /// Measurements that were to be imagined at all of them together.
@@ -349,7 +349,7 @@ pub struct PlannedUnknown {
     pub is_list: bool,
 }
 
-/// What a feature would leave.
+/// Expected result of a feature.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlannedFeature {
     /// Its name.
@@ -362,11 +362,11 @@ pub struct PlannedFeature {
 
 /// Two members of a list that imitate each other.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct AlikeMembers {
+pub struct IndistinguishableMembers {
     /// Place of the unknown.
     pub unknown: usize,
     /// The true member and the one that is taken for it, as the file writes them: laws by their names.
     pub members: [String; 2],
-    /// Share of measurements of the true one in which the other one is told to be wrong.
+    /// Share of measurements of the true member in which the other one is recognised as wrong.
     pub told: f64,
 }

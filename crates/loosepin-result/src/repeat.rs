@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 use loosepin_text::diagnostics::Source;
 use serde::{Deserialize, Serialize};
 
-/// Stands for a folder whose name no file tells.
+/// Name for a folder that no file names.
 const UNNAMED_FOLDER: &str = "inputs";
 /// Folder for a file of the command line whose name another one has.
 const FOLDER_OF_MEASURED: &str = "measured";
@@ -25,14 +25,14 @@ pub struct Repeat {
 pub struct InputText {
     /// Its name, with the folders by which the files name each other: `parts/pin.csv`. Parts are separated by `/`, and none is `..`.
     pub name: String,
-    /// What it is.
+    /// Role of the file.
     #[serde(default)]
     pub role: InputRole,
-    /// What it says, byte for byte.
+    /// Text of the file, byte for byte.
     pub text: String,
 }
 
-/// What an input file is.
+/// Role of an input file.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputRole {
@@ -56,8 +56,8 @@ impl Repeat {
     ) -> Self {
         let sources: Vec<(InputRole, &Source)> = sources.into_iter().collect();
         let folder = sources.first().and_then(|(_, first)| Path::new(first.name()).parent()).unwrap_or(Path::new(""));
-        let places: Vec<Place> =
-            sources.iter().map(|(_, source)| Place::of(Path::new(source.name()), folder)).collect();
+        let places: Vec<RelativePath> =
+            sources.iter().map(|(_, source)| RelativePath::of(Path::new(source.name()), folder)).collect();
         // So far above the folder of the first file the files reach.
         let above = places.iter().map(|place| place.above).max().unwrap_or(0);
         let mut repeat = Self::default();
@@ -100,25 +100,27 @@ impl Repeat {
     }
 }
 
-/// Where a file stands against the folder of the first one.
-struct Place {
+/// Path of a file relative to the folder of the first one.
+struct RelativePath {
     /// Steps up from that folder.
     above: usize,
     /// Names from there.
     names: Vec<String>,
 }
 
-impl Place {
+impl RelativePath {
     /// The names by which `path` is reached from `folder`. A file that is named without it, by a path of its own, counts as beside the first.
     fn of(path: &Path, folder: &Path) -> Self {
-        let mut place = Place { above: 0, names: Vec::new() };
-        let Ok(rest) = path.strip_prefix(folder) else { return Place { names: vec![file_name(path)], ..place } };
+        let mut place = RelativePath { above: 0, names: Vec::new() };
+        let Ok(rest) = path.strip_prefix(folder) else { return RelativePath { names: vec![file_name(path)], ..place } };
         for component in rest.components() {
             match component {
                 Component::Normal(name) => place.names.push(name.to_string_lossy().into_owned()),
                 Component::ParentDir if place.names.pop().is_none() => place.above += 1,
                 Component::ParentDir | Component::CurDir => {}
-                Component::RootDir | Component::Prefix(_) => return Place { above: 0, names: vec![file_name(path)] },
+                Component::RootDir | Component::Prefix(_) => {
+                    return RelativePath { above: 0, names: vec![file_name(path)] };
+                }
             }
         }
         place

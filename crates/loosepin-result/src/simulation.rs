@@ -1,4 +1,4 @@
-//! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
+//! Record of one run for pages, tables and files: plain data in SI, no physics.
 
 mod control;
 mod drawing;
@@ -14,7 +14,7 @@ use crate::contact_basis::{ContactBasis, LongPinForce};
 use crate::repeat::Repeat;
 use crate::study::Deviation;
 use crate::study::accuracy::is_zero_count;
-pub use control::{ControlHistory, Swing, SwingCourse};
+pub use control::{ControlHistory, ErrorOscillation, OscillationTrend};
 pub use drawing::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
     PointReference, PoseTable,
@@ -118,7 +118,7 @@ pub struct BendingRecord {
     /// Whether it is described in absolute nodal coordinates; the angle is then that of any node from the way from root to tip.
     #[serde(default)]
     pub is_nodal: bool,
-    /// What the other formulation asks for.
+    /// Demands of the other formulation.
     #[serde(default)]
     pub other_formulation: OtherFormulation,
     /// Its condensed shapes; absent, and not written, where none may be condensed.
@@ -144,7 +144,7 @@ pub enum OtherFormulation {
 }
 
 impl OtherFormulation {
-    /// Keys with which a body in absolute nodal coordinates can have a floating frame; nothing where it can have none.
+    /// Keys with which a body in absolute nodal coordinates can have a floating frame; `None` if it can have none.
     pub fn floating_frame(self) -> Option<&'static str> {
         match self {
             Self::FreeAtTo => None,
@@ -157,7 +157,7 @@ impl OtherFormulation {
 /// Condensed shapes of a flexible body: they keep their static flexibility.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CondensedRecord {
-    /// Their number.
+    /// Number of shapes.
     pub shapes: usize,
     /// The frequency above which they are, and which they have instead.
     #[serde(with = "extended")]
@@ -201,8 +201,8 @@ pub struct Override {
 }
 
 impl Override {
-    /// Those of settings `path=value`.
-    pub fn of_settings(settings: &[String]) -> Vec<Override> {
+    /// The overrides of settings `path=value`.
+    pub fn from_settings(settings: &[String]) -> Vec<Override> {
         let pairs = settings.iter().filter_map(|text| text.split_once('='));
         pairs.map(|(path, written)| Override { path: path.trim().into(), written: written.trim().into() }).collect()
     }
@@ -267,7 +267,7 @@ pub struct RunCounters {
 pub struct OutputHistory {
     /// Name of the output.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
@@ -320,7 +320,7 @@ pub struct ImpactRecord {
     pub separation_speed_m_s: Option<f64>,
 }
 
-/// What happened in one clearance joint.
+/// Summary of one clearance joint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointSummary {
     /// Name of the joint.
@@ -330,7 +330,7 @@ pub struct JointSummary {
     pub radial_clearance_m: f64,
     /// Name of the contact law.
     pub law: String,
-    /// What its force rests on; absent in records of older versions.
+    /// Assumptions behind its force; absent in records of older versions.
     #[serde(default)]
     pub basis: Option<ContactBasis>,
     /// The largest force as a line-contact law would have it; absent beside other than point-contact laws of pins.
@@ -435,7 +435,7 @@ pub struct EnergyAccount {
     /// Work of drives and loads up to the sample time.
     #[serde(with = "extended")]
     pub supplied_j: Vec<f64>,
-    /// What does not add up at the sample times.
+    /// Residual of the energy account at the sample times.
     #[serde(with = "extended")]
     pub residual_j: Vec<f64>,
 }

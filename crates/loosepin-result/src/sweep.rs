@@ -1,4 +1,4 @@
-//! What a sweep found, as pages and files read it. SI.
+//! Result of a sweep, as pages and files read it. SI.
 
 use crate::repeat::Repeat;
 use crate::simulation::Override;
@@ -12,7 +12,7 @@ pub struct SweepRecord {
     pub model: String,
     /// Version of the program.
     pub version: String,
-    /// What was set on the command line.
+    /// Values set on the command line.
     pub overrides: Vec<Override>,
     /// How it is made again; empty in records of older versions.
     #[serde(default, skip_serializing_if = "Repeat::is_empty")]
@@ -46,7 +46,7 @@ pub struct SweepRecord {
 pub struct SweptOutput {
     /// Its name.
     pub name: String,
-    /// What it is, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Its unit.
     pub unit: SiUnit,
@@ -59,7 +59,7 @@ pub struct SweepPoint {
     pub value_si: f64,
     /// Why the run failed; then the lists below are empty.
     pub failure: Option<String>,
-    /// Turns after which the motion repeats itself; none where it did not within half of the turns looked at.
+    /// Turns after which the motion repeats itself; `None` if it did not within half of the turns looked at.
     pub period_turns: Option<u32>,
     /// By output: its deviation from the ideal motion of the same dimensions, once a turn.
     pub sections_si: Vec<Vec<f64>>,

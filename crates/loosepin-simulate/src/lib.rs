@@ -20,7 +20,7 @@ mod resume;
 mod settings;
 mod start;
 mod stepping;
-mod watched;
+mod stoppable_observer;
 mod wear;
 
 pub use engine::{demand_dynamics, run, run_batch};

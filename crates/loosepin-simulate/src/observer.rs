@@ -1,9 +1,9 @@
-//! Observers of a run while it goes on.
+//! Observers of a run in progress.
 
 use super::resume::MotionState;
 use crate::recording::work::KinematicAccount;
 use crate::stepping::gap::GapJet;
-use crate::stepping::motion::{Account, Motion};
+use crate::stepping::motion::{EnergyTotals, Motion};
 use crate::stepping::projection::Projection;
 use loosepin_math::Quintic;
 use loosepin_mechanics::contact::{Foundation, FoundationMotion};
@@ -78,7 +78,7 @@ pub struct Step<'s, 'a> {
     pub outputs: &'s [[[f64; 3]; 2]],
 }
 
-/// Where the states of a step come from.
+/// Source of the states of a step.
 pub(super) enum Source<'s, 'a> {
     /// Dense output of an integrated step, put into the equations of motion of one lane.
     Integrated {
@@ -96,7 +96,7 @@ pub(super) enum Source<'s, 'a> {
         motion: &'s mut Motion<'a, f64>,
         ideal: &'s mut IdealMotion<'a>,
         failure: &'s mut Option<SampleError>,
-        /// Where springs or loads act.
+        /// Account of springs and loads, if there are any.
         account: Option<&'s KinematicAccount>,
     },
 }
@@ -146,7 +146,7 @@ impl<'a> Step<'_, 'a> {
     }
 
     /// The elastic foundation of a joint with play whose contact is `contact`, its motion at `time_s` within the step, and 1/v0, s/m;
-    /// none where it has no foundation.
+    /// `None` if it has no foundation.
     pub(super) fn foundation(&mut self, contact: usize, play: usize, time_s: f64) -> Option<FoundationAt> {
         let dynamics = self.look(time_s, false);
         let foundation = dynamics.sample().plays[play].foundation.clone()?;
@@ -159,7 +159,7 @@ impl<'a> Step<'_, 'a> {
         })
     }
 
-    /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.
+    /// State at the end of the step, from which another run can resume; `None` if the motion is solved instead of integrated.
     pub(super) fn last_state(&mut self) -> Option<MotionState> {
         self.look(self.end_s, false);
         let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };
@@ -171,9 +171,9 @@ impl<'a> Step<'_, 'a> {
         Some(MotionState::new(&view.layout, state, self.end_s, contacts))
     }
 
-    /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. None where the work
+    /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. `None` if the work
     /// of the drives is the change of mechanical energy.
-    pub(super) fn account(&mut self, time_s: f64) -> Option<Account<f64>> {
+    pub(super) fn account(&mut self, time_s: f64) -> Option<EnergyTotals<f64>> {
         match &mut self.source {
             Source::Integrated { view, state, .. } => Some(view.layout.account(state)),
             Source::Kinematic { motion, ideal, failure, account } => {

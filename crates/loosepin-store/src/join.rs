@@ -38,9 +38,9 @@ pub(super) fn join(
         let mut waiting: Vec<(u32, u64, StoredRun)> = Vec::new();
         part.for_each(|list, place, run| {
             if !shard.makes(place) {
-                let maker = Shard::maker(place, shard.of());
+                let owner = Shard::index_for_run(place, shard.of());
                 return Err(damaged(format!(
-                    "run {place} of list {list} is one of shard {maker}/{}, not of {shard}",
+                    "run {place} of list {list} is one of shard {owner}/{}, not of {shard}",
                     shard.of()
                 )));
             }
@@ -69,7 +69,7 @@ pub(super) fn join(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beginning, InputsKey, RunStore};
+    use crate::{ExistingRuns, InputsKey, RunStore};
     use loosepin_files::{FolderLock, LockKind};
     use std::sync::Arc;
 
@@ -103,7 +103,7 @@ mod tests {
 
     /// How many rows of `shards` were new to the store in a locked folder.
     fn join_stores(lock: &Arc<FolderLock>, shards: &[(Shard, Folder)]) -> Result<u64, StoreError> {
-        RunStore::begin_joined(lock, &identity(), Beginning::GoOn, shards).map(|(_, added)| added)
+        RunStore::begin_joined(lock, &identity(), ExistingRuns::GoOn, shards).map(|(_, added)| added)
     }
 
     #[test]

@@ -38,6 +38,6 @@ pub use error::StoreError;
 pub use files::{PUBLISHED_FILE, STORE_COMPANIONS, STORE_FILE, remove_store};
 pub use identity::StoreIdentity;
 pub use row::{InputsKey, StoredRun};
-pub use run_store::{Beginning, RunStore};
+pub use run_store::{ExistingRuns, RunStore};
 pub use shard::{Shard, ShardError};
 pub use writer::LONGEST_UNSAVED;

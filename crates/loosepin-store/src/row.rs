@@ -33,14 +33,14 @@ impl StoredRun {
         self.outcome.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
     }
 
-    /// The numbers that these bytes are; nothing where they are none.
+    /// The numbers that these bytes are; `None` if they are none.
     pub(super) fn numbers(bytes: &[u8]) -> Option<Vec<f64>> {
         let (numbers, rest) = bytes.as_chunks::<8>();
         rest.is_empty().then(|| numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())
     }
 }
 
-/// Of a row: its list and place, the key of its inputs, the reason of failure, its numbers.
+/// Checksum of a row: its list and place, the key of its inputs, the reason of failure, its numbers.
 pub(super) fn checksum(list: u32, place: u64, inputs: &[u8], failure: Option<u16>, numbers: &[u8]) -> [u8; 16] {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&list.to_le_bytes()).update(&place.to_le_bytes()).update(inputs);

@@ -23,18 +23,18 @@ const NO_THREAD: &str = "the system refused to start a thread for it";
 
 /// The fate of runs that a store holds already when a study begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Beginning {
-    /// They are taken over.
+pub enum ExistingRuns {
+    /// Existing runs are reused.
     GoOn,
-    /// They are dropped, whosever they are.
+    /// Existing runs are dropped, whatever study they belong to.
     Anew,
     /// There must be none.
     Empty,
 }
 
-impl Beginning {
-    /// As whoever calls has stated: to replace what is there, or to go on with it.
-    pub fn stated(with_force: bool, with_resume: bool) -> Self {
+impl ExistingRuns {
+    /// Policy from the options of the caller: replace existing runs, or resume with them.
+    pub fn from_options(with_force: bool, with_resume: bool) -> Self {
         match (with_force, with_resume) {
             (true, _) => Self::Anew,
             (false, true) => Self::GoOn,
@@ -103,7 +103,11 @@ impl RunStore {
     ///
     /// # Errors
     /// As for [`RunStore::open`], and [`StoreError::HoldsRuns`] where there were to be none.
-    pub fn begin(lock: &Arc<FolderLock>, identity: &StoreIdentity, beginning: Beginning) -> Result<Self, StoreError> {
+    pub fn begin(
+        lock: &Arc<FolderLock>,
+        identity: &StoreIdentity,
+        beginning: ExistingRuns,
+    ) -> Result<Self, StoreError> {
         Self::begin_beside(lock, None, identity, beginning)
     }
 
@@ -115,18 +119,18 @@ impl RunStore {
         lock: &Arc<FolderLock>,
         published: Option<&Folder>,
         identity: &StoreIdentity,
-        beginning: Beginning,
+        beginning: ExistingRuns,
     ) -> Result<Self, StoreError> {
         let opened = Self::open_beside(lock, published, identity);
         match (beginning, opened) {
             (_, Err(error @ StoreError::InUse { .. })) => Err(error),
-            (Beginning::Anew, opened) => {
+            (ExistingRuns::Anew, opened) => {
                 drop(opened);
                 remove_store(lock)?;
                 // What was published belongs to what is begun anew.
                 Self::open_beside(lock, None, identity)
             }
-            (Beginning::Empty, Ok(store)) if store.runs_at_start > 0 => {
+            (ExistingRuns::Empty, Ok(store)) if store.runs_at_start > 0 => {
                 Err(StoreError::HoldsRuns { path: store.path.clone(), runs: store.runs_at_start })
             }
             (_, opened) => opened,
@@ -142,7 +146,7 @@ impl RunStore {
     pub fn begin_joined(
         lock: &Arc<FolderLock>,
         identity: &StoreIdentity,
-        beginning: Beginning,
+        beginning: ExistingRuns,
         shards: &[(Shard, Folder)],
     ) -> Result<(Self, u64), StoreError> {
         drop(Self::begin(lock, identity, beginning)?);
@@ -151,7 +155,7 @@ impl RunStore {
         Ok((Self::serve(lock, file, None)?, added))
     }
 
-    /// Where it is.
+    /// Path of the store.
     pub fn path(&self) -> &Path {
         &self.path
     }

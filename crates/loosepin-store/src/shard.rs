@@ -27,7 +27,7 @@ pub struct ShardError {
 }
 
 impl Shard {
-    /// Shard `index` of `of`, counted from 1; nothing where there is no such shard.
+    /// Shard `index` of `of`, counted from 1; `None` if there is no such shard.
     pub fn new(index: u32, of: u32) -> Option<Self> {
         (index >= 1 && index <= of && of <= MAX_SHARDS).then_some(Self { index, of })
     }
@@ -48,19 +48,19 @@ impl Shard {
     }
 
     /// The number of the shard, of `of`, that makes the run at `place`.
-    pub fn maker(place: u64, of: u32) -> u32 {
+    pub fn index_for_run(place: u64, of: u32) -> u32 {
         // Below `of`, which is 32 bits wide.
         (place % u64::from(of)) as u32 + 1
     }
 
-    /// Where it writes when the study goes to `results`: `results.shard-2-of-7`.
+    /// Folder of the shard when the study goes to `results`: `results.shard-2-of-7`.
     pub fn folder(self, results: &Path) -> PathBuf {
         let mut name = results.as_os_str().to_owned();
         name.push(self.suffix());
         PathBuf::from(name)
     }
 
-    /// Where the study goes when this shard writes to `folder`; nothing where that has another name than its own.
+    /// Destination of the study when this shard writes to `folder`; `None` if that has another name than its own.
     pub fn results(self, folder: &Path) -> Option<PathBuf> {
         let name = folder.file_name()?.to_str()?.strip_suffix(&self.suffix())?;
         (!name.is_empty()).then(|| folder.with_file_name(name))
@@ -93,11 +93,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn identity_every_run_has_one_maker() {
+    fn identity_every_run_has_one_shard() {
         for of in [1, 2, 7, 11] {
             for place in 0..40 {
-                let makers: Vec<u32> = (1..=of).filter(|&index| Shard::new(index, of).unwrap().makes(place)).collect();
-                assert_eq!(makers, [Shard::maker(place, of)]);
+                let shards: Vec<u32> = (1..=of).filter(|&index| Shard::new(index, of).unwrap().makes(place)).collect();
+                assert_eq!(shards, [Shard::index_for_run(place, of)]);
             }
         }
     }

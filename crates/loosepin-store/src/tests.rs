@@ -7,7 +7,7 @@ use std::sync::Arc;
 use loosepin_files::{FolderLock, LockKind, Refused};
 
 use super::results::LOCK_FILE;
-use super::{Beginning, InputsKey, RunStore, STORE_FILE, StoreError, StoreIdentity, StoredRun, remove_store};
+use super::{ExistingRuns, InputsKey, RunStore, STORE_FILE, StoreError, StoreIdentity, StoredRun, remove_store};
 
 /// Rows of the stores of these tests.
 const ROWS: u64 = 300;
@@ -86,7 +86,7 @@ fn what_is_kept_is_written_without_being_asked_for() {
 fn a_second_one_is_refused_while_the_first_is_open() {
     let (_folder, lock, path) = folder();
     let store = RunStore::open(&lock, &identity()).unwrap();
-    for beginning in [Beginning::GoOn, Beginning::Anew, Beginning::Empty] {
+    for beginning in [ExistingRuns::GoOn, ExistingRuns::Anew, ExistingRuns::Empty] {
         let error = RunStore::begin(&lock, &identity(), beginning).unwrap_err();
         assert_eq!(error, StoreError::InUse { path: path.clone() });
     }
@@ -103,9 +103,9 @@ fn runs_of_another_study_or_version_are_refused_by_name() {
     assert!(said.ends_with("contains runs of another version (0.3.7; this one is 0.3.8)"), "{said}");
     let said = refused(StoreIdentity { inputs: "77aa00bb11".to_owned(), ..identity() });
     assert!(said.ends_with("contains runs of another study (8c1f0d2a; this one is 77aa00bb)"), "{said}");
-    let error = RunStore::begin(&lock, &identity(), Beginning::Empty).unwrap_err();
+    let error = RunStore::begin(&lock, &identity(), ExistingRuns::Empty).unwrap_err();
     assert_eq!(error, StoreError::HoldsRuns { path: path.clone(), runs: 2 * ROWS });
-    let anew = RunStore::begin(&lock, &identity(), Beginning::Anew).unwrap();
+    let anew = RunStore::begin(&lock, &identity(), ExistingRuns::Anew).unwrap();
     assert_eq!(anew.runs_at_start(), 0);
 }
 

@@ -1,4 +1,4 @@
-//! What the page asks takes time that grows as the texts do, and no faster: texts that somebody wrote to be slow.
+//! Requests of the page take time in proportion to the length of the texts, also for texts that were written to be slow.
 //!
 //! `LOOSEPIN_MEASURE_LENGTHS=1 cargo test -p loosepin-studio --lib lengths -- --ignored --nocapture` prints the times of longer texts.
 
@@ -11,10 +11,10 @@ use crate::drawing::still::NamedPoses;
 use crate::edit::{Edit, restructured, set_uncertainty};
 use crate::files::folder::Folder;
 use crate::messages::{Grip, Held, Look, SentText};
-use crate::view::look::look_until;
+use crate::view::look::answer_look;
 use crate::view::texts::Texts;
 
-/// A text of eight times the length may take so many times as long: a cost by the square of the length takes 64 times as long.
+/// Largest factor of the time for a text of eight times the length: a quadratic cost takes 64 times as long.
 const MAX_TIMES: f64 = 16.0;
 /// Length of the shorter text, bytes.
 const SHORT: usize = 4_000;
@@ -25,30 +25,30 @@ const IN_TURN: [&str; 4] = ["drag a pin", "know in part", "join", "rename a body
 const LEAST: Duration = Duration::from_millis(2);
 
 /// A line, or a piece of one, by its number.
-type Piece = fn(usize) -> String;
+type NumberedText = fn(usize) -> String;
 
 /// A text that grows by pieces.
 struct Shape {
     name: &'static str,
     /// What is put into the model: before the pieces, each of them, behind them; at the top, before the first table.
-    top: Option<(&'static str, Piece, &'static str)>,
+    top: Option<(&'static str, NumberedText, &'static str)>,
     /// The same at the end of the model.
-    model: Option<(&'static str, Piece, &'static str)>,
+    model: Option<(&'static str, NumberedText, &'static str)>,
     /// The same at the end of the study.
-    study: Option<(&'static str, Piece, &'static str)>,
+    study: Option<(&'static str, NumberedText, &'static str)>,
 }
 
 const PLAIN: Shape = Shape { name: "", top: None, model: None, study: None };
 
-const fn top(name: &'static str, before: &'static str, piece: Piece, behind: &'static str) -> Shape {
+const fn top(name: &'static str, before: &'static str, piece: NumberedText, behind: &'static str) -> Shape {
     Shape { name, top: Some((before, piece, behind)), ..PLAIN }
 }
 
-const fn model(name: &'static str, before: &'static str, piece: Piece, behind: &'static str) -> Shape {
+const fn model(name: &'static str, before: &'static str, piece: NumberedText, behind: &'static str) -> Shape {
     Shape { name, model: Some((before, piece, behind)), ..PLAIN }
 }
 
-const fn study(name: &'static str, before: &'static str, piece: Piece, behind: &'static str) -> Shape {
+const fn study(name: &'static str, before: &'static str, piece: NumberedText, behind: &'static str) -> Shape {
     Shape { name, study: Some((before, piece, behind)), ..PLAIN }
 }
 
@@ -267,7 +267,7 @@ const STUDY: &str = "name = \"hostile\"\nmodel = \"model.toml\"\nseed = 1\n[samp
     [random]\n\"parameter.crank_length\" = { normal = { mean = \"80 mm\", standard_deviation = \"0.015 mm\" } }\n\
     [epistemic]\n\"joint.rocker_pin.radial_clearance\" = { interval = [\"0.03 mm\", \"0.15 mm\"] }\n";
 
-fn grown((before, piece, behind): (&str, Piece, &str), bytes: usize) -> String {
+fn grown((before, piece, behind): (&str, NumberedText, &str), bytes: usize) -> String {
     let mut text = before.to_owned();
     let mut number = 0;
     while text.len() < bytes {
@@ -278,12 +278,13 @@ fn grown((before, piece, behind): (&str, Piece, &str), bytes: usize) -> String {
 }
 
 impl Shape {
-    /// Model and study of about so many bytes.
+    /// Model and study of about `bytes` bytes.
     fn texts(&self, bytes: usize) -> (String, String) {
         let four_bar = find_template("four-bar").unwrap().model;
         let (head, tables) = four_bar.split_once("[parameter]").unwrap();
-        let of =
-            |part: Option<(&'static str, Piece, &'static str)>| part.map_or(String::new(), |part| grown(part, bytes));
+        let of = |part: Option<(&'static str, NumberedText, &'static str)>| {
+            part.map_or(String::new(), |part| grown(part, bytes))
+        };
         let top = of(self.top);
         let (top, tables) = match top.strip_prefix("[parameter]") {
             // Those of the template come with them.
@@ -301,7 +302,7 @@ impl Shape {
     }
 }
 
-/// What is asked of texts.
+/// A request on texts.
 type Question = (&'static str, fn(&Folder, &str, &str));
 
 fn sent(path: &str, text: &str) -> SentText {
@@ -314,7 +315,7 @@ fn looked(folder: &Folder, model: &str, study: &str, held: Option<Held>) {
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
     let poses = Some(NamedPoses::from([("crank".to_owned(), [0.0, 0.0, 30.0])]));
     let stop = AtomicBool::new(false);
-    let seen = look_until(folder, &Look { seq: 1, model, study, positions: 12, grip, poses }, &stop);
+    let seen = answer_look(folder, &Look { seq: 1, model, study, positions: 12, grip, poses }, &stop);
     assert!(!serde_json::to_string(&seen).unwrap().is_empty());
 }
 

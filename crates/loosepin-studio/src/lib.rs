@@ -34,4 +34,4 @@ mod studio;
 mod view;
 
 pub use network::server::{Serving, StudioError, serve, serve_within};
-pub use network::times::Times;
+pub use network::times::Timeouts;

@@ -1,4 +1,4 @@
-//! Where mechanisms and uncertainty meet: a study file, its runs, its results.
+//! Mechanisms with uncertainty: a study file, its runs, its results.
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 
@@ -43,14 +43,14 @@ pub use response::outputs::OutputSource;
 pub use response::sampled_feature::sampled_feature;
 pub use response::study_response::MAX_COLUMNS;
 pub use run_options::RunOptions;
-pub use runs::elsewhere::{AskedRuns, RunMaker};
+pub use runs::external_runs::{RequestedRuns, RunProvider};
 pub use runs::memory_at_hand::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS, MemoryKind, STATED_BYTES};
-pub use runs::part::{OpenRound, Part};
 pub use runs::run_rows::RunRows;
+pub use runs::run_subset::{OpenRound, RunSubset};
 pub use runs::table::{RunColumn, RunData, RunsTable};
 pub use study_run::run_study;
 pub use written::export::{ExportError, export_networks};
-pub use written::folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
+pub use written::folder::{ClaimOutcome, StudyOutcome, begin_in_folder, conclude, store_identity};
 pub use written::input_file::{InputFile, InputFileProblem};
 pub use written::inputs::{add_model, add_study, study_inputs};
 pub use written::single_run::{FinishedRun, run_inputs, run_into, witness_run};

@@ -1,12 +1,12 @@
-//! With what a study is run.
+//! Options for running a study.
 
 use crate::drafts::progress::Progress;
-use crate::runs::elsewhere::RunMaker;
-use crate::runs::part::Part;
+use crate::runs::external_runs::RunProvider;
+use crate::runs::run_subset::RunSubset;
 use loosepin_store::RunStore;
 use std::sync::atomic::AtomicBool;
 
-/// With what a study is run. The result is the same for any of them.
+/// Options for running a study. The result is the same for any of them.
 #[derive(Clone, Copy)]
 pub struct RunOptions<'a> {
     /// Number of threads.
@@ -15,17 +15,17 @@ pub struct RunOptions<'a> {
     pub progress: &'a dyn Progress,
     /// Stops it when set.
     pub stop: &'a AtomicBool,
-    /// Where finished runs are kept and found again; nowhere if omitted.
+    /// Store of finished runs; none if omitted.
     pub store: Option<&'a RunStore>,
     /// Which of the runs are made here. A part that is not the whole needs a store.
-    pub part: Part,
+    pub run_subset: RunSubset,
     /// Makes the runs in place of the threads.
-    pub maker: Option<&'a dyn RunMaker>,
+    pub provider: Option<&'a dyn RunProvider>,
 }
 
 impl<'a> RunOptions<'a> {
-    /// All runs made here, on so many threads, and kept nowhere.
+    /// All runs made here, on `threads` threads, without a store.
     pub fn new(threads: usize, progress: &'a dyn Progress, stop: &'a AtomicBool) -> Self {
-        Self { threads, progress, stop, store: None, part: Part::Whole, maker: None }
+        Self { threads, progress, stop, store: None, run_subset: RunSubset::Whole, provider: None }
     }
 }

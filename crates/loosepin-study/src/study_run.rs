@@ -11,7 +11,7 @@ use crate::planning::goals::goals;
 use crate::planning::plans::{Plans, refuse_time};
 use crate::response::study_response::StudyResponse;
 use crate::runs::all_runs::Runs;
-use crate::runs::part::Part;
+use crate::runs::run_subset::RunSubset;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{SampleTable, TableError};
 
@@ -20,10 +20,10 @@ use loosepin_bounds::{SampleTable, TableError};
 ///
 /// # Errors
 /// See [`StudyError`]; failed runs are no error as long as some succeed. [`StudyError::RoundOpen`] where runs are missing that are made
-/// elsewhere, [`StudyError::NotMade`] if their maker stops.
+/// elsewhere, [`StudyError::NotMade`] if their provider stops.
 pub fn run_study(study: &Study, input_hash: &str, options: &RunOptions<'_>) -> Result<StudyRun, StudyError> {
-    let RunOptions { threads, progress, store, part, .. } = *options;
-    if part != Part::Whole {
+    let RunOptions { threads, progress, store, run_subset, .. } = *options;
+    if run_subset != RunSubset::Whole {
         refuse_time(study)?;
     }
     if !study.has_questions() {

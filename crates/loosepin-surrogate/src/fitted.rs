@@ -35,7 +35,7 @@ impl Kind {
     }
 }
 
-/// A fitted number: mean + deviation times what was fitted to the scaled values.
+/// A fitted number: mean + deviation times the fit to the scaled values.
 #[derive(Clone, Serialize, Deserialize)]
 pub struct Fitted {
     mean: f64,
@@ -43,7 +43,7 @@ pub struct Fitted {
     form: Form,
 }
 
-/// What was fitted.
+/// The fitted form.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
@@ -57,8 +57,8 @@ pub enum Form {
     Network(Ensemble),
 }
 
-/// What a fit may take over from one to all runs: not what it learned of them, but where its search begins.
-pub(super) enum Like<'a> {
+/// Start of a fit to all runs from a fit to some of them: not its results, but where its search begins.
+pub(super) enum WarmStart<'a> {
     /// Kernel, trend and first parameters of a process.
     Process(&'a Kriging),
     /// Neurons of a network.
@@ -68,7 +68,7 @@ pub(super) enum Like<'a> {
 }
 
 impl Fitted {
-    /// Fits `values`, with their known variances `noise`, at the points of `design`; nothing where this kind cannot be
+    /// Fits `values`, with their known variances `noise`, at the points of `design`; `None` if this kind cannot be
     /// fitted to them. Only a process makes use of the variances.
     pub(super) fn fit(
         kind: Kind,
@@ -76,7 +76,7 @@ impl Fitted {
         values: &[f64],
         noise: &[f64],
         seed: u64,
-        like: &Like,
+        like: &WarmStart,
     ) -> Option<Self> {
         let (mean, deviation) = mean_and_deviation(values);
         if kind == Kind::Constant || deviation == 0.0 {
@@ -87,12 +87,12 @@ impl Fitted {
             Kind::Constant => Form::Constant,
             Kind::Chaos => Form::Chaos(Chaos::fit(design, &standard)),
             Kind::Kriging => {
-                let like = if let Like::Process(process) = like { Some(*process) } else { None };
+                let like = if let WarmStart::Process(process) = like { Some(*process) } else { None };
                 let noise: Vec<f64> = noise.iter().map(|variance| variance / (deviation * deviation)).collect();
                 Form::Kriging(Box::new(Kriging::fit(&design.scaled, &standard, &noise, like)?))
             }
             Kind::Network => {
-                let neurons = if let Like::Neurons(neurons) = like { *neurons } else { 6 };
+                let neurons = if let WarmStart::Neurons(neurons) = like { *neurons } else { 6 };
                 Form::Network(Ensemble::fit(design, &standard, neurons, seed))
             }
         };
@@ -110,7 +110,7 @@ impl Fitted {
         (self.mean + self.deviation * value, self.deviation * spread)
     }
 
-    /// What was fitted.
+    /// The fitted form.
     pub fn form(&self) -> &Form {
         &self.form
     }
@@ -130,12 +130,12 @@ impl Fitted {
         (self.mean, self.deviation)
     }
 
-    /// Where a fit to some of the runs may begin.
-    pub(super) fn like(&self) -> Like<'_> {
+    /// Start for a fit to some of the runs.
+    pub(super) fn warm_start(&self) -> WarmStart<'_> {
         match &self.form {
-            Form::Kriging(process) => Like::Process(process),
-            Form::Network(ensemble) => Like::Neurons(ensemble.neurons()),
-            Form::Constant | Form::Chaos(_) => Like::Nothing,
+            Form::Kriging(process) => WarmStart::Process(process),
+            Form::Network(ensemble) => WarmStart::Neurons(ensemble.neurons()),
+            Form::Constant | Form::Chaos(_) => WarmStart::Nothing,
         }
     }
 }

@@ -5,7 +5,7 @@
 //! of a Gaussian process, and the number of neurons, which is itself chosen by this error.
 
 use super::design::Design;
-use super::fitted::{Fitted, Form, Kind, Like};
+use super::fitted::{Fitted, Form, Kind, WarmStart};
 use super::modes::Modes;
 use super::options::Options;
 use crate::network::ensemble::Ensemble;
@@ -14,7 +14,7 @@ use loosepin_uncertainty::hash;
 /// Folds, and the number of different points below which each point is a fold of its own.
 const FOLDS: usize = 5;
 const LEAVE_ONE_OUT_BELOW: usize = 16;
-/// Below so many runs ten folds instead: four fifths of few runs are too few to stand for all.
+/// Number of runs below which there are ten folds: four fifths of few runs are too few to stand for all.
 const MORE_FOLDS_BELOW: usize = 80;
 const MORE_FOLDS: usize = 10;
 
@@ -37,7 +37,7 @@ pub(super) struct Runs<'a> {
 pub(super) struct Fold {
     pub held_out: Vec<usize>,
     pub learned: Vec<usize>,
-    /// Of the learned runs alone.
+    /// Modes of the learned runs alone.
     pub modes: Modes,
 }
 
@@ -80,7 +80,7 @@ impl<'a> Runs<'a> {
         modes.scores(self.curves[run]).get(mode).copied().unwrap_or(0.0)
     }
 
-    /// `mode` fitted by `kind`; nothing where that cannot be fitted.
+    /// `mode` fitted by `kind`; `None` if that cannot be fitted.
     pub fn candidate(&self, mode: usize, kind: Kind) -> Option<Candidate> {
         let values: Vec<f64> = (0..self.curves.len()).map(|run| self.score(&self.modes, run, mode)).collect();
         let seed = hash(self.seed, mode as u64);
@@ -88,7 +88,7 @@ impl<'a> Runs<'a> {
             let sizes = Ensemble::sizes(self.design.inputs(), values.len(), self.most_neurons);
             let mut best: Option<(usize, HeldOut, f64)> = None;
             for neurons in sizes {
-                let (held_out, square) = self.hold_out(mode, kind, &Like::Neurons(neurons), seed, 1.0)?;
+                let (held_out, square) = self.hold_out(mode, kind, &WarmStart::Neurons(neurons), seed, 1.0)?;
                 // A larger network that is no better ends the search: the next one costs eight times as much.
                 if best.as_ref().is_some_and(|(_, _, least)| square >= *least) {
                     break;
@@ -96,17 +96,17 @@ impl<'a> Runs<'a> {
                 best = Some((neurons, held_out, square));
             }
             let (neurons, held_out, square) = best?;
-            let fit = Fitted::fit(kind, &self.design, &values, &self.noise, seed, &Like::Neurons(neurons))?;
+            let fit = Fitted::fit(kind, &self.design, &values, &self.noise, seed, &WarmStart::Neurons(neurons))?;
             return Some(Candidate { kind, fit, held_out, square });
         }
-        let fit = Fitted::fit(kind, &self.design, &values, &self.noise, seed, &Like::Nothing)?;
-        let (held_out, square) = self.hold_out(mode, kind, &fit.like(), seed, 1.0)?;
+        let fit = Fitted::fit(kind, &self.design, &values, &self.noise, seed, &WarmStart::Nothing)?;
+        let (held_out, square) = self.hold_out(mode, kind, &fit.warm_start(), seed, 1.0)?;
         Some(Candidate { kind, fit, held_out, square })
     }
 
     /// Held-out value and spread of the score of every run, and the sum of squared errors, where the fits see only the share
     /// `share` of the runs that they may learn from.
-    pub fn hold_out(&self, mode: usize, kind: Kind, like: &Like, seed: u64, share: f64) -> Option<(HeldOut, f64)> {
+    pub fn hold_out(&self, mode: usize, kind: Kind, like: &WarmStart, seed: u64, share: f64) -> Option<(HeldOut, f64)> {
         let mut held_out = vec![(0.0, 0.0); self.curves.len()];
         let mut square = 0.0;
         for fold in &self.folds {

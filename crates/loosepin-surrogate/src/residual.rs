@@ -1,4 +1,4 @@
-//! What is left of the runs, and whether more runs would make it smaller.
+//! Residual of the runs, and whether more runs would make it smaller.
 //!
 //! The held-out errors of fits to a quarter, a half and all of the runs that may be learned from, at the same held-out runs:
 //! where the step from half to all does not make them smaller, or the three errors continue to a limit that is not far below
@@ -31,7 +31,7 @@ const SCALE_SIGNIFICANCE: f64 = 3.0;
 /// The rest as part of a surrogate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
-    /// What the errors say.
+    /// Verdict of the errors.
     pub verdict: SurrogateVerdict,
     /// Learned runs and held-out root mean square error, for each of [`SHARES`]; empty where too few runs.
     pub learning: Vec<(usize, f64)>,
@@ -51,7 +51,7 @@ impl Residual {
         libm::exp(parts.map(|((c, z), m)| c * (z - m)).sum())
     }
 
-    /// The error of the run that `share` in \[0, 1) of the runs lie before, at the scale of z; nothing where the rest falls.
+    /// The error of the run that `share` in \[0, 1) of the runs lie before, at the scale of z; `None` if the rest falls.
     pub(super) fn draw(&self, scaled: &[f64], share: f64) -> Option<Vec<f64>> {
         if self.errors.is_empty() {
             return None;

@@ -3,7 +3,7 @@
 
 use crate::native::{Graph, Mask, Slot, Value};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use loosepin_math::{Real, any_exponential, any_logarithm, any_power, power, sin_cos};
+use loosepin_math::{Real, full_range_exponential, full_range_logarithm, full_range_power, power, sin_cos};
 use std::cell::RefCell;
 
 thread_local! {
@@ -99,13 +99,13 @@ impl Real for Traced {
         }
     }
     fn exponential(self) -> Self {
-        any_exponential(self)
+        full_range_exponential(self)
     }
     fn logarithm(self) -> Self {
-        any_logarithm(self)
+        full_range_logarithm(self)
     }
     fn power(self, exponent: Self) -> Self {
-        any_power(self, exponent)
+        full_range_power(self, exponent)
     }
     fn min(self, other: Self) -> Self {
         write(|graph| graph.minimum(self.0, other.0))

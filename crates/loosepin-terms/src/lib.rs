@@ -13,7 +13,7 @@ pub use purpose::Purpose;
 pub use reading::Reading;
 pub use side::Side;
 pub use statistic::{
-    Description, Estimation, Event, Form, Mirrored, MovedBy, Number, NumberKind, Statistic, StatisticKind,
+    Description, ErrorEffect, Estimation, Event, Form, Mirrored, Number, NumberKind, Statistic, StatisticKind,
     between_order_statistics,
 };
 pub use surrogate_verdict::SurrogateVerdict;

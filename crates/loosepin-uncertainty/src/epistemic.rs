@@ -55,7 +55,7 @@ impl Members {
         &self.values
     }
 
-    /// Which member `value` is; nothing where it is none.
+    /// Which member `value` is; `None` if it is none.
     pub fn index_of(&self, value: f64) -> Option<usize> {
         self.values.iter().position(|&member| member == value)
     }
@@ -67,27 +67,27 @@ impl Members {
     }
 }
 
-/// All that is known of an epistemic input.
+/// Structure of an epistemic input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum EpistemicVariable {
-    /// It lies between two ends.
+    /// A number between two ends.
     Interval(Interval),
-    /// It is an angle, or the phase of something that repeats itself: the interval is one period, its two ends are the same.
+    /// An angle, or the phase of a periodic process: the interval is one period, its two ends are the same.
     Periodic(Interval),
-    /// It is one of a few numbers.
+    /// One of a few numbers.
     OneOf(Members),
-    /// It lies in one of a few intervals, each with a mass.
+    /// A number in one of a few intervals, each with a mass.
     Evidence(Evidence),
-    /// It is a parameter of which it is known how probable each value is.
+    /// A parameter with a distribution over its values.
     SecondOrder(SecondOrder),
-    /// It lies in nested intervals, each with a degree of possibility.
+    /// A number in nested intervals, each with a degree of possibility.
     Fuzzy(FuzzyNumber),
 }
 
 impl EpistemicVariable {
-    /// The value at `fraction` in \[0, 1\] where what is known is taken as probability: along an interval, or the member
-    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A uniform
-    /// fraction therefore takes every interval as uniform and every member as equally probable.
+    /// The value at `fraction` in \[0, 1\] where the structure is taken as probability: along an interval, or the member whose equal share
+    /// it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A
+    /// uniform fraction therefore takes every interval as uniform and every member as equally probable.
     pub fn at(&self, fraction: f64) -> f64 {
         match self {
             Self::Interval(interval) | Self::Periodic(interval) => interval.at(fraction),
@@ -98,7 +98,7 @@ impl EpistemicVariable {
         }
     }
 
-    /// The interval that holds all possible values; nothing where it is one of a list.
+    /// The interval that holds all possible values; `None` if it is one of a list.
     pub fn range(&self) -> Option<Interval> {
         match self {
             Self::Interval(interval) | Self::Periodic(interval) => Some(*interval),
@@ -138,13 +138,13 @@ impl EpistemicVariable {
 
     /// The same, held at [`EpistemicVariable::middle`].
     #[must_use]
-    pub fn held(&self) -> Self {
+    pub fn at_middle(&self) -> Self {
         let middle = self.middle();
         Interval::try_new(middle, middle).map_or_else(|_| self.clone(), Self::Interval)
     }
 
     /// Values that show its range: the ends of an interval, every member of a list.
-    pub fn shown(&self) -> Vec<f64> {
+    pub fn representative_values(&self) -> Vec<f64> {
         match self {
             Self::OneOf(members) => members.values.clone(),
             _ => self.ends().to_vec(),

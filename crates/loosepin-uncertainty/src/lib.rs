@@ -35,5 +35,5 @@ pub use points::sobol::{MAXIMUM_DIMENSIONS, ScrambledSobol, SobolError};
 pub use variables::distribution::{Distribution, DistributionError};
 pub use variables::parameter::{EpistemicParameter, Parameter};
 pub use variables::random_variable::{QuantileLevel, RandomVariable};
-pub use variables::sample_fit::{FEWEST_FITTED, FittedFamily, Goodness, SampleFit, SampleFitError};
+pub use variables::sample_fit::{FEWEST_FITTED, FittedFamily, GoodnessOfFit, SampleFit, SampleFitError};
 pub use variables::second_order::SecondOrder;

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use loosepin::files::{Folder, FolderLock, LockKind};
 use loosepin::store::{
-    Beginning, RunStore, STORE_COMPANIONS, STORE_FILE, Shard, StoreError, StoreIdentity, remove_store,
+    ExistingRuns, RunStore, STORE_COMPANIONS, STORE_FILE, Shard, StoreError, StoreIdentity, remove_store,
 };
 
 use super::log::with_right_checksums;
@@ -86,7 +86,7 @@ fn lay_out(bytes: &[u8], path: &Path) -> bool {
 
 /// Opens the store to go on with it, and looks rows up.
 fn read_rows(lock: &Arc<FolderLock>) -> Result<(), StoreError> {
-    let store = RunStore::begin(lock, &identity(), Beginning::GoOn)?;
+    let store = RunStore::begin(lock, &identity(), ExistingRuns::GoOn)?;
     for list in 0..LISTS {
         let found = store.find(list, 0..PLACES)?;
         assert_eq!(found.len() as u64, PLACES);
@@ -99,7 +99,7 @@ fn join_rows(shard: &Folder, folder: &Path) -> Result<(), StoreError> {
     let joined = lock(folder);
     remove_store(&joined)?;
     let all = Shard::new(1, 1).into_iter().map(|number| (number, shard.clone())).collect::<Vec<_>>();
-    let (store, added) = RunStore::begin_joined(&joined, &identity(), Beginning::GoOn, &all)?;
+    let (store, added) = RunStore::begin_joined(&joined, &identity(), ExistingRuns::GoOn, &all)?;
     assert_eq!(store.runs_at_start(), added);
     store.remove()
 }

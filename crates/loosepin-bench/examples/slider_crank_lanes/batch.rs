@@ -25,7 +25,7 @@ pub struct Plan {
 
 /// A finished run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finished {
+pub struct FinishedRun {
     /// Which one.
     pub index: usize,
     /// Position of the slider at the times of the plan, m; none without account.
@@ -42,7 +42,7 @@ pub struct Finished {
 #[derive(Debug, Clone)]
 pub struct CompletedBatch {
     /// In the order of the plan.
-    pub runs: Vec<Finished>,
+    pub runs: Vec<FinishedRun>,
     /// Evaluations of the equations, of the lanes with a run.
     pub evaluations: u64,
     /// Steps that were good.
@@ -459,7 +459,7 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
         let mut all = run.readings.into_flattened();
         all.truncate(readings);
         let residual = self.largest_residual.get(lane) / self.largest_exchange.get(lane);
-        self.completed.runs.push(Finished {
+        self.completed.runs.push(FinishedRun {
             index: run.index,
             readings: all,
             energy_residual: if ACCOUNT { residual } else { 0.0 },

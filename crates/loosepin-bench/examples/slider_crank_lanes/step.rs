@@ -10,13 +10,13 @@ use crate::equations::{
 };
 use crate::model::SliderCrank;
 use crate::vector::Lanes;
-use loosepin::integrate::{DOP853, ErrorEstimate, Row};
+use loosepin::integrate::{DOP853, ErrorEstimate, TableauRow};
 
 /// Stages of a step.
 pub const STAGES: usize = 12;
 
 /// A row of the tableau with its zeros.
-const fn dense(row: Row) -> [f64; STAGES] {
+const fn dense(row: TableauRow) -> [f64; STAGES] {
     let mut all = [0.0; STAGES];
     let mut place = 0;
     while place < row.len() {

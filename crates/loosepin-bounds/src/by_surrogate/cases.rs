@@ -9,8 +9,8 @@ use super::{
 use crate::Function;
 use crate::cases::exact::{STANDARD_NORMAL, paired, problem};
 use crate::{
-    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Reading, Request, Response, RunInputs, SampleTable,
-    Sampling, Standing, Statistic, evaluate, execute,
+    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Reading, RefinementStatus, Request, Response,
+    RunInputs, SampleTable, Sampling, Statistic, evaluate, execute,
 };
 use loosepin_surrogate::{Choice, Kind, SurrogateError, SurrogateVerdict};
 use loosepin_uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash, normal_cdf};
@@ -37,7 +37,7 @@ fn bounds(problem: Problem, settings: SurrogateSettings, response: &impl Respons
     let found = plan.results(learned, &confirmation, &table).unwrap().with_treatments(&plan).unwrap();
     let first = table.len();
     execute(found.extreme_round(2), response, &mut table).unwrap();
-    found.held_against_extremes(&plan, &table, first).unwrap()
+    found.checked_against_extremes(&plan, &table, first).unwrap()
 }
 
 fn holds(pair: &SurrogatePair, exact: (f64, f64)) {
@@ -473,7 +473,7 @@ fn analytic_runs_are_added_until_bounds_are_as_near_as_asked() {
     let of = Problem { sampling: Sampling { inner: 64, seed: 5, ..Sampling::default() }, ..of };
     let (rounds, found, table) = approach(of, settings(Kind::Kriging, 15), &goals, &Function(slider));
     let history = rounds.history();
-    assert_eq!(rounds.standing(), Standing::Reached, "{history:#?}");
+    assert_eq!(rounds.status(), RefinementStatus::Reached, "{history:#?}");
     for ((pair, (_, most)), exact) in paired(&found.groups[0].pairs, goals).zip(exact) {
         holds(pair, exact);
         let ends = [&pair.pair.lower, &pair.pair.upper];
@@ -495,7 +495,7 @@ fn analytic_noise_is_not_learned_by_more_runs_and_that_is_said() {
     let goals = [(Statistic::Mean, 0.02)];
     let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
     let (rounds, found, table) = approach(of, settings(Kind::Kriging, 60), &goals, &Function(noise));
-    assert_eq!(rounds.standing(), Standing::Exhausted);
+    assert_eq!(rounds.status(), RefinementStatus::Exhausted);
     let training = table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Training).count();
     assert_eq!(training, 135, "sixty are too few to tell, half as many again twice are not");
     holds(&found.groups[0].pairs[0], (0.0, 0.0));

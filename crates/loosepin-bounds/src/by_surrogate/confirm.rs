@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::response::{DeviationsOverX, LearnedFunction};
-use super::search::{FIRST_REACH, Searched, search_group};
+use super::search::{FIRST_REACH, SurrogateSearchBounds, search_group};
 use super::settings::MAX_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
@@ -14,14 +14,14 @@ use crate::estimators::estimate::{Confidence, replicate_error};
 use crate::measures::of_statistic::estimator;
 use loosepin_terms::Statistic;
 
-/// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
+/// ŝ for the runs of a replicate; `None` if the surrogate gave no answer.
 type Answers = Vec<Option<Vec<f64>>>;
-/// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; nothing where a run failed.
+/// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; `None` if a run failed.
 type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
 
 /// Which direct runs the bounds on the surrogates are to be held against.
 pub struct Confirmation {
-    pub(crate) searched: Vec<Vec<Searched>>,
+    pub(crate) searched: Vec<Vec<SurrogateSearchBounds>>,
     /// Values of the epistemic inputs.
     witnesses: Vec<Vec<f64>>,
     /// The runs that are still to be made, in their order.
@@ -71,7 +71,7 @@ impl SurrogatePlan {
 }
 
 /// The bounds whose witnesses are looked at: of a number all, of a curve for each statistic those of the place where it goes furthest.
-fn extreme_bounds(group: &[Searched]) -> Vec<&Bound> {
+fn extreme_bounds(group: &[SurrogateSearchBounds]) -> Vec<&Bound> {
     let mut furthest: Vec<(Statistic, Direction, &Bound)> = Vec::new();
     for searched in group {
         for (request, pair) in searched.values(&searched.bounds.pairs) {
@@ -94,11 +94,11 @@ fn extreme_bounds(group: &[Searched]) -> Vec<&Bound> {
 /// One group at one witness: the surrogate at all inner runs, and direct runs at some of them.
 pub(crate) struct Confirmed {
     epistemic: Vec<f64>,
-    /// Replicate by replicate and run by run, ŝ of every place; nothing where the surrogate gave no answer.
+    /// Replicate by replicate and run by run, ŝ of every place; empty if the surrogate gave no answer.
     surrogate: Vec<Answers>,
     /// Replicate by replicate and run by run, the direct runs: their values, ŝ and σ.
     direct: Vec<DirectAnswers>,
-    /// σ over X; nothing where the surrogate gave no answer.
+    /// σ over X; `None` if the surrogate gave no answer.
     deviations: Option<DeviationsOverX>,
 }
 
@@ -189,18 +189,18 @@ impl Confirmed {
         self.over(|of| of.root_mean_square[place], deviation)
     }
 
-    /// Square of the mean of the error at `place`, and its mean square; nothing where runs are missing.
+    /// Square of the mean of the error at `place`, and its mean square; `None` if runs are missing.
     pub fn squares(&self, place: usize) -> Option<[f64; 2]> {
         let (mean, mean_square) = mean_and_mean_square(&self.errors(place).filter(|errors| !errors.is_empty())?);
         Some([mean * mean, mean_square])
     }
 
-    /// Errors in all replicates; nothing where runs are missing.
+    /// Errors in all replicates; `None` if runs are missing.
     fn errors(&self, place: usize) -> Option<Vec<f64>> {
         Some(self.differences(place).into_iter().collect::<Option<Vec<Vec<f64>>>>()?.concat())
     }
 
-    /// Differences of direct runs from ŝ, replicate by replicate; nothing in those where runs are missing.
+    /// Differences of direct runs from ŝ, replicate by replicate; `None` for replicates with missing runs.
     fn differences(&self, place: usize) -> Vec<Option<Vec<f64>>> {
         let difference = |row: &Option<[Vec<f64>; 3]>| row.as_ref().map(|[direct, own, _]| direct[place] - own[place]);
         self.direct.iter().map(|rows| rows.iter().map(difference).collect()).collect()
@@ -225,7 +225,7 @@ impl Confirmed {
         outside as f64 / inner.max(1) as f64
     }
 
-    /// The mean or probability at `place`, corrected; nothing for statistics that are no mean of a function, and where runs are missing.
+    /// The mean or probability at `place`, corrected; `None` for statistics that are no mean of a function, and where runs are missing.
     /// `known` is that of the surrogate with its error, where it is better known than from the inner runs themselves.
     pub fn corrected(
         &self,

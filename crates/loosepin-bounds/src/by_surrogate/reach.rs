@@ -1,4 +1,4 @@
-//! By how many of its standard deviations σ the surrogate is taken to err where errors average out.
+//! Number of standard deviations σ by which the surrogate is taken to err where errors average out.
 //!
 //! A quantile or a probability moves furthest where every run errs as much as the worst one, to the same side: by the k of the group.
 //! A mean moves by the mean of the error over X, and a deviation by that of the error at most; direct runs at the witnesses
@@ -9,11 +9,12 @@
 
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
-use loosepin_terms::{Estimation, MovedBy, Statistic};
+use loosepin_terms::{ErrorEffect, Estimation, Statistic};
 
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
-/// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
+/// Least error of the surrogate in a mean, in units of its largest σ over X, and in a deviation, in units of σ̄, whatever direct runs have
+/// shown.
 const MIN_REACH_OF_MEAN: f64 = 1.0;
 const MIN_REACH_OF_DEVIATION: f64 = 2.0;
 
@@ -43,18 +44,18 @@ impl SharesOfReach {
         }
     }
 
-    /// That of `statistic`.
+    /// The reach of `statistic`.
     pub fn of(&self, statistic: Statistic) -> f64 {
-        match (statistic.estimation(), statistic.moved_by_errors()) {
+        match (statistic.estimation(), statistic.effect_of_errors()) {
             (Some(Estimation::Mean), _) => self.of_mean,
-            (_, MovedBy::RootMeanSquare) => self.of_deviation,
+            (_, ErrorEffect::RootMeanSquare) => self.of_deviation,
             _ => 1.0,
         }
     }
 }
 
-/// Of the root mean square of the error at `place`, the share that is the same at all X, over all witnesses:
-/// √(Σ E(g - ŝ)²/Σ E((g - ŝ)²)). All of it where runs are missing.
+/// Share of the root mean square error at `place` that is the same at all X, over all witnesses: √(Σ E(g - ŝ)²/Σ E((g - ŝ)²)). All of it
+/// where runs are missing.
 fn share_at_all_x(confirmed: &[Confirmed], place: usize) -> f64 {
     let squares: Option<Vec<[f64; 2]>> = confirmed.iter().map(|at| at.squares(place)).collect();
     let sum = |squares: &[[f64; 2]], of: usize| squares.iter().map(|both| both[of]).sum::<f64>();

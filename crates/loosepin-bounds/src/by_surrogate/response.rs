@@ -54,7 +54,7 @@ impl LearnedFunction<'_> {
         Ok(answers.first().map(|answer| (of(&answer.values), of(&answer.deviations))).unwrap_or_default())
     }
 
-    /// σ at the first inner runs, those of one replicate, at the places; nothing where none has an answer.
+    /// σ at the first inner runs, those of one replicate, at the places; `None` if none has an answer.
     pub fn spread(&self, epistemic: &[f64]) -> Option<DeviationsOverX> {
         let runs = self.plan.direct.runs_at(0, 0, epistemic.to_vec()).filter(|inputs| inputs.replicate == 0);
         let deviations: Vec<Vec<f64>> =
@@ -99,7 +99,7 @@ impl<'a> BandResponse<'a> {
         Self { of, reach, is_at_least_own: false, is_at_single_values, deviations: Mutex::default() }
     }
 
-    /// This response for points that the random inputs do not come to, such as the corners of what they are cut to.
+    /// This response for points outside the distribution of the random inputs, such as the corners of their cut intervals.
     pub fn at_least_own(self) -> Self {
         Self { is_at_least_own: true, ..self }
     }

@@ -5,7 +5,7 @@ use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::reach::{MARGIN, SharesOfReach};
 use super::response::Aspect;
-use super::search::{FIRST_REACH, Searched, search_group};
+use super::search::{FIRST_REACH, SurrogateSearchBounds, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
 use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
 use crate::data::direction::Direction;
@@ -56,7 +56,7 @@ pub struct SurrogateBounds {
     pub training_runs: usize,
     /// Direct runs that it was held against: at witnesses of bounds, and at extremes of treatments.
     pub confirming_runs: usize,
-    /// Those at witnesses of bounds.
+    /// Runs at witnesses of bounds.
     pub runs_at_bounds: usize,
     /// Failed ones of both.
     pub failed_runs: usize,
@@ -113,12 +113,12 @@ impl SurrogateBounds {
         extreme_runs(self.groups.iter().filter_map(|group| group.treatments.as_ref()), round)
     }
 
-    /// These bounds held against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
+    /// Checks these bounds against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
     ///
     /// # Errors
     ///
     /// [`SurrogatePlanError::Evaluate`].
-    pub fn held_against_extremes(
+    pub fn checked_against_extremes(
         mut self,
         plan: &SurrogatePlan,
         table: &SampleTable,
@@ -195,7 +195,7 @@ impl SurrogateBounds {
 fn group_bounds(
     plan: &SurrogatePlan,
     learned: LearnedGroup,
-    searched: &[Searched],
+    searched: &[SurrogateSearchBounds],
     confirmed: &[Confirmed],
     failed: usize,
 ) -> Result<GroupBounds, SurrogatePlanError> {
@@ -239,8 +239,9 @@ fn group_bounds(
     }
     let mut levels = levels.into_iter();
     let pairs = levels.next().map(|(_, pairs)| pairs).unwrap_or_default();
-    let column_of =
-        |searched: &Searched, column: usize| learned.group.columns[searched.places[column / Aspect::ALL.len()]];
+    let column_of = |searched: &SurrogateSearchBounds, column: usize| {
+        learned.group.columns[searched.places[column / Aspect::ALL.len()]]
+    };
     let boxes = searched.iter().flat_map(|searched| {
         let own = searched.bounds.boxes.iter().cloned();
         own.map(|found| ProbabilityBox { column: column_of(searched, found.column), ..found })
@@ -279,7 +280,7 @@ fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     BoundPair::new(request.column, request.statistic, ends, failed_runs)
 }
 
-/// By how much a statistic may be off of which nothing is known, to either side.
+/// Error of a statistic about which nothing is known, to either side.
 fn nothing_known_error(statistic: Statistic) -> f64 {
     if statistic.is_probability() { 1.0 } else { f64::INFINITY }
 }

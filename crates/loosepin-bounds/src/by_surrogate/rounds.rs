@@ -7,7 +7,7 @@ use super::settings::SurrogateSettings;
 use crate::data::bound::Bound;
 use crate::data::problem::{Problem, Sampling};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
-use crate::plan::refinement::{Assessment, Goal, Standing};
+use crate::plan::refinement::{Assessment, Goal, RefinementStatus};
 
 /// Training runs for each combination of the members of lists, at most, where they are not stated to be more: from there on learning
 /// takes longer than most runs.
@@ -49,17 +49,17 @@ pub struct SurrogateRounds {
     training: usize,
     /// Numbers of the training runs of the present step.
     first: usize,
-    /// Where its runs are concentrated.
+    /// Points around which its runs are concentrated.
     near: Vec<Vec<f64>>,
-    /// Error of the surrogates over what is allowed, after each step of training runs.
+    /// Error of the surrogates over the allowed error, after each step of training runs.
     unknown: Vec<f64>,
     history: Vec<Assessment>,
-    standing: Standing,
+    standing: RefinementStatus,
 }
 
 /// One end of a bound that is widened by more than is asked.
 struct Wide<'a> {
-    /// Widening over what is asked.
+    /// Widening over the requested accuracy.
     share: f64,
     /// Of that, what the surrogate does not know.
     surrogate: f64,
@@ -87,7 +87,7 @@ impl SurrogateRounds {
             near: Vec::new(),
             unknown: Vec::new(),
             history: Vec::new(),
-            standing: Standing::Growing,
+            standing: RefinementStatus::Growing,
         })
     }
 
@@ -102,7 +102,7 @@ impl SurrogateRounds {
     }
 
     /// Whether the goals are reached.
-    pub fn standing(&self) -> Standing {
+    pub fn status(&self) -> RefinementStatus {
         self.standing
     }
 
@@ -142,7 +142,7 @@ impl SurrogateRounds {
         }
         let growth = if share <= 1.0 { None } else { self.growth(&wide) };
         let Some(growth) = growth else {
-            self.standing = if share <= 1.0 { Standing::Reached } else { Standing::Exhausted };
+            self.standing = if share <= 1.0 { RefinementStatus::Reached } else { RefinementStatus::Exhausted };
             return Ok(false);
         };
         let mut confirming = self.plan.settings.confirming;
@@ -195,7 +195,7 @@ impl SurrogateRounds {
         }
     }
 
-    /// The largest widening over what is asked, and all ends that are too wide.
+    /// The largest widening over the requested accuracy, and all ends that are too wide.
     fn wide<'f>(&self, found: &'f SurrogateBounds) -> (f64, Vec<Wide<'f>>) {
         let (mut largest, mut wide) = (0.0_f64, Vec::new());
         for Goal { request, most } in &self.goals {

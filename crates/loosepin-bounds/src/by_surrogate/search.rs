@@ -11,11 +11,11 @@ use crate::plan::evaluate::{EvaluateError, evaluate, execute};
 use crate::plan::refinement::{Goal, Refinement};
 use crate::readings::bounds::Bounds;
 use loosepin_surrogate::Surrogate;
-use loosepin_terms::{MovedBy, Statistic};
+use loosepin_terms::{ErrorEffect, Statistic};
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MAX_PLACES: usize = 64;
-/// Of what a bound may be widened by, the share that its double loop on the surrogate may take: that costs no runs.
+/// Share of the allowed widening of a bound that its double loop on the surrogate may take: that costs no runs.
 const FREE_SHARE: f64 = 0.25;
 /// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
 const MAX_GROWTH: usize = 16;
@@ -24,7 +24,7 @@ const MAX_GROWTH: usize = 16;
 pub(crate) const FIRST_REACH: f64 = 3.0;
 
 /// Bounds on the surrogate for some places of a group.
-pub(crate) struct Searched {
+pub(crate) struct SurrogateSearchBounds {
     /// Positions within the group.
     pub places: Vec<usize>,
     /// Meaning of each pair of the bounds: a request of the problem, on an aspect.
@@ -33,12 +33,12 @@ pub(crate) struct Searched {
     pub bounds: Bounds,
 }
 
-/// Searches one group, k of it being `reach`, a number of places at a time; nothing where it was not learned.
+/// Searches one group, k of it being `reach`, a number of places at a time; empty if it was not learned.
 pub(crate) fn search_group(
     plan: &SurrogatePlan,
     group: &LearnedGroup,
     reach: f64,
-) -> Result<Vec<Searched>, EvaluateError> {
+) -> Result<Vec<SurrogateSearchBounds>, EvaluateError> {
     let Ok(surrogates) = &group.surrogates else { return Ok(Vec::new()) };
     let needed = plan.direct.setup.needed_columns();
     let places: Vec<usize> =
@@ -52,7 +52,7 @@ fn search_places(
     surrogates: &[Surrogate],
     places: &[usize],
     reach: f64,
-) -> Result<Searched, EvaluateError> {
+) -> Result<SurrogateSearchBounds, EvaluateError> {
     let direct = plan.problem();
     let column_of = |slot: usize, aspect: Aspect| slot * Aspect::ALL.len() + aspect.position();
     let slot_of = |column: usize| places.iter().position(|&place| group.group.columns[place] == column);
@@ -81,7 +81,7 @@ fn search_places(
     };
     let goals: Vec<Goal> = plan.goals.iter().filter_map(goal).collect();
     let bounds = if goals.is_empty() { evaluate(problem, &response)? } else { refined(problem, goals, &response)? };
-    Ok(Searched { places: places.to_vec(), asked, bounds })
+    Ok(SurrogateSearchBounds { places: places.to_vec(), asked, bounds })
 }
 
 /// The bounds of a double loop that grows as far as `goals` ask, within limits.
@@ -101,16 +101,16 @@ fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> R
 
 /// Questions to a surrogate for a statistic: on its value first, then on the ends of its error.
 fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
-    let error = match statistic.moved_by_errors() {
+    let error = match statistic.effect_of_errors() {
         _ if !statistic.is_single() => Vec::new(),
-        MovedBy::Shifts => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
-        MovedBy::RootMeanSquare => vec![(Aspect::Square, Statistic::of_squared_error())],
-        MovedBy::Unknown => Vec::new(),
+        ErrorEffect::Shifts => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
+        ErrorEffect::RootMeanSquare => vec![(Aspect::Square, Statistic::of_squared_error())],
+        ErrorEffect::Unknown => Vec::new(),
     };
     [(Aspect::Value, statistic)].into_iter().chain(error).collect()
 }
 
-impl Searched {
+impl SurrogateSearchBounds {
     /// The pairs of what is possible at all, and those of every degree.
     pub fn levels(&self) -> Vec<(Option<f64>, &[BoundPair])> {
         let all = (None, &self.bounds.pairs[..]);
@@ -126,7 +126,7 @@ impl Searched {
     /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0. Without
     /// end for a statistic of which it is not known what errors do to it.
     pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
-        if request.statistic.moved_by_errors() == MovedBy::Unknown {
+        if request.statistic.effect_of_errors() == ErrorEffect::Unknown {
             return direction.sign() * f64::INFINITY;
         }
         let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);

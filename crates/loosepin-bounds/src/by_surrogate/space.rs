@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::data::direction::range_of;
 use crate::data::problem::Problem;
 use crate::search::design::corners;
-use crate::search::search_box::{Place, SearchBox};
+use crate::search::search_box::{BoxPoint, SearchBox};
 use loosepin_surrogate::Input;
 use loosepin_uncertainty::{Interval, QuantileLevel, ScrambledSobol, SobolError, hash, normal_quantile};
 
@@ -69,7 +69,7 @@ impl TrainingSpace {
     /// Position and value of the lists among the epistemic inputs, in one combination of their members.
     pub fn members(&self, combination: usize) -> Vec<(usize, f64)> {
         let at = vec![0.0; self.epistemic_box.dimensions()];
-        let values = self.epistemic_box.values_at(&Place { combination, at });
+        let values = self.epistemic_box.values_at(&BoxPoint { combination, at });
         let lists = self.epistemic_box.inputs().iter().enumerate().filter(|(_, input)| input.choices() > 1);
         lists.map(|(index, _)| (index, values[index])).collect()
     }
@@ -142,7 +142,7 @@ impl TrainingSpace {
                 };
                 let epistemic = match near.get((index / 2) % near.len().max(1)) {
                     Some(&near) if index % 2 == 1 => near.clone(),
-                    _ => self.epistemic_box.values_at(&Place { combination, at }),
+                    _ => self.epistemic_box.values_at(&BoxPoint { combination, at }),
                 };
                 let levels: Vec<QuantileLevel> = problem.levels(random).into_iter().map(spread).collect();
                 places.push((problem.random_at(&epistemic, &levels), epistemic));

@@ -1,7 +1,6 @@
 //! Questions, runs and answers: what all other floors speak of.
 //! Plain types: a problem, its table of runs, its bounds. Nothing here estimates or searches.
 
-mod beside;
 pub(crate) mod bound;
 pub(crate) mod defaults;
 pub(crate) mod direction;
@@ -12,3 +11,4 @@ pub(crate) mod random_inputs;
 mod rows;
 pub(crate) mod scratch;
 pub(crate) mod table;
+mod type_map;

@@ -1,6 +1,6 @@
 //! Numbers of runs, row by row.
 
-use super::scratch::{Away, Scratch};
+use super::scratch::{FileRange, Scratch};
 
 /// Numbers of the rows that are written to the scratch file together.
 const NUMBERS_PER_PART: usize = 1 << 19;
@@ -12,7 +12,7 @@ pub(super) struct Rows {
     scratch: Option<Scratch>,
     /// Rows in each part, 0 without a file.
     rows_per_part: usize,
-    parts: Vec<Away>,
+    parts: Vec<FileRange>,
     here: Vec<f64>,
 }
 

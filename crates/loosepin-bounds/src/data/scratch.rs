@@ -31,13 +31,13 @@ pub struct Scratch {
 /// Parts of which pages are in memory, and their sizes together.
 #[derive(Default)]
 struct Read {
-    /// They do not hold the parts, which hold them.
-    parts: Vec<Weak<Part>>,
+    /// Weak references: the parts own this list.
+    parts: Vec<Weak<MappedChunk>>,
     bytes: usize,
 }
 
 /// Numbers that were written together.
-struct Part {
+struct MappedChunk {
     map: Mmap,
     /// Whether it stands among those that were read.
     is_read: AtomicBool,
@@ -48,15 +48,15 @@ struct Part {
 #[derive(Clone)]
 pub(crate) enum Numbers {
     /// In memory.
-    Here(Arc<[f64]>),
+    InMemory(Arc<[f64]>),
     /// In a file: this range of a part.
-    Away(Away),
+    InFile(FileRange),
 }
 
 /// A range of a part.
 #[derive(Clone)]
-pub(crate) struct Away {
-    part: Arc<Part>,
+pub(crate) struct FileRange {
+    part: Arc<MappedChunk>,
     range: Range<usize>,
 }
 
@@ -67,7 +67,7 @@ impl Scratch {
     ///
     /// The file cannot be made.
     pub fn in_folder(folder: &Path) -> io::Result<Self> {
-        Ok(Self { file: Arc::new(Mutex::new(loosepin_files::unnamed_file(folder)?)), read: Arc::default() })
+        Ok(Self { file: Arc::new(Mutex::new(loosepin_files::anonymous_file(folder)?)), read: Arc::default() })
     }
 
     /// Writes `numbers`, of which there are some.
@@ -75,15 +75,15 @@ impl Scratch {
     /// # Errors
     ///
     /// The disk is full, or the system refuses another part.
-    pub(crate) fn put(&self, numbers: &[f64]) -> io::Result<Away> {
+    pub(crate) fn put(&self, numbers: &[f64]) -> io::Result<FileRange> {
         let mut file = lock(&self.file);
         let begin = file.seek(SeekFrom::End(0))?.next_multiple_of(ALIGNMENT);
         let map = map_written(&mut file, begin, numbers).inspect_err(|_| {
             // What was written in part would fill the disk for the results. It is mapped nowhere.
             let _ = file.set_len(begin);
         })?;
-        let part = Part { map, is_read: AtomicBool::new(false), read: Arc::clone(&self.read) };
-        Ok(Away { part: Arc::new(part), range: 0..numbers.len() })
+        let part = MappedChunk { map, is_read: AtomicBool::new(false), read: Arc::clone(&self.read) };
+        Ok(FileRange { part: Arc::new(part), range: 0..numbers.len() })
     }
 }
 
@@ -98,7 +98,7 @@ fn map_written(file: &mut File, begin: u64, numbers: &[f64]) -> io::Result<Mmap>
     unsafe { MmapOptions::new().offset(begin).len(bytes.len()).map(&*file) }
 }
 
-impl Part {
+impl MappedChunk {
     /// All of its numbers. Where too much has been read, what was read before goes out of memory first.
     fn numbers(self: &Arc<Self>) -> &[f64] {
         if !self.is_read.load(Ordering::Relaxed) {
@@ -140,7 +140,7 @@ impl Part {
     fn leave(&self) {}
 }
 
-impl Away {
+impl FileRange {
     /// The part of it at `range`.
     pub fn at(&self, range: Range<usize>) -> Self {
         let begin = self.range.start;
@@ -149,7 +149,7 @@ impl Away {
     }
 }
 
-impl Deref for Away {
+impl Deref for FileRange {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
@@ -162,8 +162,8 @@ impl Deref for Numbers {
 
     fn deref(&self) -> &[f64] {
         match self {
-            Self::Here(numbers) => numbers,
-            Self::Away(away) => away,
+            Self::InMemory(numbers) => numbers,
+            Self::InFile(away) => away,
         }
     }
 }
@@ -174,7 +174,7 @@ impl fmt::Debug for Numbers {
     }
 }
 
-impl fmt::Debug for Away {
+impl fmt::Debug for FileRange {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{} numbers", self.range.len())
     }
@@ -234,7 +234,7 @@ mod tests {
         let scratch = Scratch::in_folder(&folder).expect("a file");
         assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 0);
         let odd = [f64::NAN, -0.0, f64::INFINITY, 5e-324, f64::from_bits(0x7ff8_0000_dead_beef)];
-        let numbers = Numbers::Away(scratch.put(&odd).expect("room"));
+        let numbers = Numbers::InFile(scratch.put(&odd).expect("room"));
         let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&numbers), bits(&odd));
         std::fs::remove_dir_all(&folder).expect("a folder");

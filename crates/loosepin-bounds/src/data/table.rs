@@ -1,11 +1,11 @@
-//! Runs: what goes in, what comes out, one row each.
+//! Runs: inputs and outputs, one row each.
 
 use std::any::Any;
 use std::sync::Arc;
 
-use super::beside::Beside;
 use super::rows::Rows;
 use super::scratch::Scratch;
+use super::type_map::TypeMap;
 pub use loosepin_terms::Purpose;
 use thiserror::Error;
 
@@ -49,7 +49,7 @@ pub struct SampleTable {
     inputs: Arc<Vec<RunInputs>>,
     failures: Vec<Option<Failure>>,
     values: Rows,
-    beside: Beside,
+    beside: TypeMap,
 }
 
 impl SampleTable {
@@ -101,7 +101,7 @@ impl SampleTable {
             let is_finished = self.failures[run].is_none();
             values.push(std::iter::once(if is_finished { of(self.values(run)) } else { f64::NAN }));
         }
-        Self { inputs: Arc::clone(&self.inputs), failures: self.failures.clone(), values, beside: Beside::default() }
+        Self { inputs: Arc::clone(&self.inputs), failures: self.failures.clone(), values, beside: TypeMap::default() }
     }
 
     /// Rounds that the runs were made in, which is the number of the next one.
@@ -144,8 +144,8 @@ impl SampleTable {
         self.failures[run]
     }
 
-    /// What is kept beside the rows for as long as the table lives. Rows are only ever added, so that what is known of some of them stays
-    /// true; a copy of the table begins without.
+    /// Derived values stored with the rows for the lifetime of the table. Rows are only ever added, so that what is known of some of them
+    /// stays true; a copy of the table begins without.
     pub(crate) fn kept<K: Any + Send + Sync + Default>(&self) -> Arc<K> {
         self.beside.get()
     }

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::sample::{Gathering, Sample};
+use super::sample::{Sample, SampleBuilder};
 use crate::data::scratch::Scratch;
 use crate::data::table::{Purpose, SampleTable};
 
-/// So many columns are gathered at once: they lie beside one another in memory, row by row, and are read in long pieces.
+/// Number of columns that are gathered at once: they lie side by side in memory, row by row, and are read in long pieces.
 const COLUMNS_AT_ONCE: usize = 64;
 /// Fewer values of a point than these stay in memory: every part of a file has pages of its own, and systems allow some ten thousand.
 const MIN_MOVED: usize = 1 << 13;
@@ -16,33 +16,33 @@ const MAX_WAITING: usize = 1 << 19;
 
 /// The samples of one point by their columns, and the number of runs that they were gathered from.
 #[derive(Debug, Clone, Default)]
-pub(super) struct OfPoint {
+pub(super) struct PointSamples {
     pub runs: usize,
     pub samples: BTreeMap<usize, Arc<Sample>>,
 }
 
 /// The samples of all points.
 #[derive(Debug, Default)]
-pub(super) struct Gathered(Mutex<BTreeMap<(Purpose, u32), Arc<OfPoint>>>);
+pub(super) struct GatheredSamples(Mutex<BTreeMap<(Purpose, u32), Arc<PointSamples>>>);
 
-impl Gathered {
-    /// Those of `point` that were gathered from as many runs as it has now; none where it has more by now.
-    pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> Arc<OfPoint> {
+impl GatheredSamples {
+    /// The samples of `point` gathered from its current number of `runs`; empty if the point has more runs by now.
+    pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> Arc<PointSamples> {
         let known = self.points().get(&(purpose, point)).filter(|known| known.runs == runs).cloned();
-        known.unwrap_or_else(|| Arc::new(OfPoint { runs, samples: BTreeMap::new() }))
+        known.unwrap_or_else(|| Arc::new(PointSamples { runs, samples: BTreeMap::new() }))
     }
 
     /// Keeps the samples of `point`.
-    pub fn keep(&self, purpose: Purpose, point: u32, samples: Arc<OfPoint>) {
+    pub fn keep(&self, purpose: Purpose, point: u32, samples: Arc<PointSamples>) {
         self.points().insert((purpose, point), samples);
     }
 
-    fn points(&self) -> MutexGuard<'_, BTreeMap<(Purpose, u32), Arc<OfPoint>>> {
+    fn points(&self) -> MutexGuard<'_, BTreeMap<(Purpose, u32), Arc<PointSamples>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl OfPoint {
+impl PointSamples {
     /// The members of `columns` that are missing.
     pub fn missing(&self, columns: impl Iterator<Item = usize>) -> Vec<usize> {
         columns.filter(|column| !self.samples.contains_key(column)).collect()
@@ -55,7 +55,7 @@ impl OfPoint {
         replicates: impl Iterator<Item = &'r Vec<usize>> + Clone,
         missing: &[usize],
     ) {
-        let mut gatherings = vec![Gathering::default(); COLUMNS_AT_ONCE.min(missing.len())];
+        let mut gatherings = vec![SampleBuilder::default(); COLUMNS_AT_ONCE.min(missing.len())];
         let (mut gathered, mut waiting): (Vec<Sample>, Vec<Sample>) = (Vec::with_capacity(missing.len()), Vec::new());
         for columns in missing.chunks(COLUMNS_AT_ONCE) {
             for rows in replicates.clone() {
@@ -65,9 +65,9 @@ impl OfPoint {
                         own.push(values[column]);
                     }
                 }
-                gatherings.iter_mut().for_each(Gathering::end_replicate);
+                gatherings.iter_mut().for_each(SampleBuilder::end_replicate);
             }
-            waiting.extend(gatherings[..columns.len()].iter_mut().map(Gathering::finish));
+            waiting.extend(gatherings[..columns.len()].iter_mut().map(SampleBuilder::finish));
             let values: usize = waiting.iter().map(|sample| sample.values().len()).sum();
             if values >= MAX_WAITING {
                 gathered.extend(moved(std::mem::take(&mut waiting), table.scratch()));
@@ -80,8 +80,8 @@ impl OfPoint {
         self.samples.extend(missing.iter().copied().zip(gathered.into_iter().map(Arc::new)));
     }
 
-    /// Takes over the samples of `other` that are the same as its own: where a column does not depend on what differs between two points,
-    /// nothing is worked out for both.
+    /// Takes over the samples of `other` that are the same as its own: where a column does not depend on the difference between two points,
+    /// nothing is computed twice.
     pub fn share(&mut self, other: &Self) {
         for (column, own) in &mut self.samples {
             if let Some(same) = other.samples.get(column)
@@ -94,7 +94,7 @@ impl OfPoint {
     }
 }
 
-/// `samples` with their values in `scratch`, behind one another; as they are without it, where they are few or it has no room.
+/// `samples` with their values in `scratch`, one behind the other; unchanged without it, if they are few, or if it has no space.
 fn moved(samples: Vec<Sample>, scratch: Option<&Scratch>) -> Vec<Sample> {
     let count: usize = samples.iter().map(|sample| sample.values().len()).sum();
     let Some(scratch) = scratch.filter(|_| count >= MIN_MOVED) else { return samples };

@@ -1,14 +1,14 @@
-//! What has been worked out of a sample. Its values never change, so that nothing is worked out twice, in whatever round, for whatever
-//! answer it is asked.
+//! Cache of the results of a sample. Its values never change, so that nothing is worked out twice, in whatever round, for whatever answer
+//! it is asked.
 
 use std::sync::{Mutex, PoisonError};
 
-use super::estimate::{Confidence, EitherWay};
+use super::estimate::{Confidence, FailureExtremes};
 use loosepin_terms::Statistic;
 
-/// What is asked of a sample.
+/// A query of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Asked {
+pub(crate) enum SampleQuery {
     Mean,
     Variance,
     /// At this probability.
@@ -17,22 +17,26 @@ pub(crate) enum Asked {
     Sampled(Statistic),
 }
 
-/// What is found.
+/// The result of a query.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Found {
-    pub estimate: EitherWay,
-    /// Of a quantile: how fast it rises with the probability.
+pub(crate) struct SampleResult {
+    pub estimate: FailureExtremes,
+    /// Slope of a quantile over the probability.
     pub slope: f64,
 }
 
-/// All that is known of one sample. A copy begins without.
+/// All cached results of one sample. A copy begins without.
 #[derive(Debug, Default)]
-pub(crate) struct Known(Mutex<Vec<(Asked, Confidence, Found)>>);
+pub(crate) struct SampleCache(Mutex<Vec<(SampleQuery, Confidence, SampleResult)>>);
 
-impl Known {
-    /// What has been found before; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find
-    /// the same.
-    pub fn or_find(&self, asked: Asked, confidence: &Confidence, find: impl FnOnce() -> Found) -> Found {
+impl SampleCache {
+    /// The cached result; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find the same.
+    pub fn or_find(
+        &self,
+        asked: SampleQuery,
+        confidence: &Confidence,
+        find: impl FnOnce() -> SampleResult,
+    ) -> SampleResult {
         if let Some(found) = self.get(asked, confidence) {
             return found;
         }
@@ -42,18 +46,18 @@ impl Known {
     }
 
     /// What has been found before.
-    fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
+    fn get(&self, asked: SampleQuery, confidence: &Confidence) -> Option<SampleResult> {
         let list = self.list();
         let own = list.iter().find(|(own, at, _)| *own == asked && at == confidence);
         own.map(|(.., found)| *found)
     }
 
-    fn list(&self) -> std::sync::MutexGuard<'_, Vec<(Asked, Confidence, Found)>> {
+    fn list(&self) -> std::sync::MutexGuard<'_, Vec<(SampleQuery, Confidence, SampleResult)>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Clone for Known {
+impl Clone for SampleCache {
     fn clone(&self) -> Self {
         Self::default()
     }

@@ -30,7 +30,7 @@ use super::tail::{beyond, index_for_mean, index_for_mean_square};
 const TAIL_PER_REPLICATE: usize = 4;
 const MAX_TAIL: f64 = 0.25;
 /// One more run is put where one of this many times N runs would lie.
-const RUNS_FOR_ONE_BEYOND: f64 = 4.0;
+const EXTRAPOLATION_FACTOR: f64 = 4.0;
 
 /// Distances from the mean over a sample to both ends of its confidence interval.
 pub(crate) fn error_of_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> (f64, f64) {
@@ -80,9 +80,9 @@ fn error(means: &[f64], sorted: &[f64], sums: &PowerSums, excess: [f64; 2], conf
     (towards(-1.0, excess[0]), towards(1.0, excess[1]))
 }
 
-/// By how much `of` one more run lies beyond its mean over the largest values, one for each replicate; 0 where these are all equal.
+/// Distance, in terms of `of`, of one more run beyond the mean of the largest values, one for each replicate; 0 if these are all equal.
 fn excess(sorted: &[f64], replicates: usize, index: f64, of: impl Fn(f64) -> f64) -> f64 {
-    let Some((outermost, beyond)) = one_beyond(sorted, replicates, index) else { return 0.0 };
+    let Some((outermost, beyond)) = extrapolated_extreme(sorted, replicates, index) else { return 0.0 };
     let outermost: Vec<f64> = outermost.iter().map(|&value| of(value)).collect();
     (of(beyond) - mean_of(&outermost)).max(0.0)
 }
@@ -94,7 +94,7 @@ pub(super) fn tail_length(sorted: &[f64], replicates: usize) -> usize {
 
 /// The largest values of a sample, one for each replicate, and where one more run would lie beyond them by a tail of this `index`; `None` if
 /// they are all equal, as where the response ends there.
-pub(super) fn one_beyond(sorted: &[f64], replicates: usize, index: f64) -> Option<(&[f64], f64)> {
+pub(super) fn extrapolated_extreme(sorted: &[f64], replicates: usize, index: f64) -> Option<(&[f64], f64)> {
     let (count, tail) = (sorted.len(), tail_length(sorted, replicates));
     let outermost = &sorted[count - replicates.min(tail)..];
     if outermost.first()? == outermost.last()? {
@@ -102,5 +102,5 @@ pub(super) fn one_beyond(sorted: &[f64], replicates: usize, index: f64) -> Optio
     }
     let from = sorted[count - tail - 1];
     let scale = mean_of(&sorted[count - tail..]) - from;
-    Some((outermost, beyond(from, scale, RUNS_FOR_ONE_BEYOND * tail as f64, index)))
+    Some((outermost, beyond(from, scale, EXTRAPOLATION_FACTOR * tail as f64, index)))
 }

@@ -19,4 +19,4 @@ pub(crate) mod sample;
 pub(crate) mod sampled;
 mod stratification;
 pub(crate) mod tail;
-pub(crate) mod unseen;
+pub(crate) mod unsampled_events;

@@ -1,11 +1,11 @@
 //! Mean and variance with their sampling errors.
 
-use super::estimate::{Confidence, EitherWay, Estimate, mean_of, variance_of_mean, variance_with_error};
-use super::known::{Asked, Found};
+use super::estimate::{Confidence, Estimate, FailureExtremes, mean_of, variance_of_mean, variance_with_error};
+use super::known::{SampleQuery, SampleResult};
 use super::mean_error::{error_of_mean, error_of_mean_square};
 use super::ordered::Ordered;
 use super::sample::Sample;
-use super::unseen::Unseen;
+use super::unsampled_events::UnsampledEvents;
 
 /// Mean over the finished runs, with its error ([`super::mean_error`]).
 pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
@@ -14,13 +14,18 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 
 /// [`mean`]
 pub(crate) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
-    once(ordered, Asked::Mean, confidence, find_mean)
+    once(ordered, SampleQuery::Mean, confidence, find_mean)
 }
 
 fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
-        return with_unseen(sample, confidence, smooth.mean(sample.values(), confidence), Unseen::added_to_mean);
+        return with_unseen(
+            sample,
+            confidence,
+            smooth.mean(sample.values(), confidence),
+            UnsampledEvents::added_to_mean,
+        );
     }
     let value = sample.sums().mean;
     if !value.is_finite() {
@@ -30,7 +35,7 @@ fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
         return Estimate::symmetric(value, 0.0);
     }
     let (below, above) = error_of_mean(ordered, confidence);
-    with_unseen(sample, confidence, Estimate { value, below, above }, Unseen::added_to_mean)
+    with_unseen(sample, confidence, Estimate { value, below, above }, UnsampledEvents::added_to_mean)
 }
 
 /// Unbiased variance over the finished runs.
@@ -46,7 +51,7 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
 
 /// [`variance`]
 pub(crate) fn variance_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
-    once(ordered, Asked::Variance, confidence, find_variance)
+    once(ordered, SampleQuery::Variance, confidence, find_variance)
 }
 
 fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
@@ -56,7 +61,7 @@ fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
             sample,
             confidence,
             smooth.variance(sample.values(), confidence),
-            Unseen::added_to_variance,
+            UnsampledEvents::added_to_variance,
         );
     }
     if sample.values().is_empty() {
@@ -71,7 +76,12 @@ fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     let error = error_of_mean_square(ordered, confidence);
     let Estimate { value, below, above } = variance_with_error(sums.square / sums.count + shortfall, error);
     let above = above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall;
-    with_unseen(sample, confidence, Estimate { value, below: below + shortfall, above }, Unseen::added_to_variance)
+    with_unseen(
+        sample,
+        confidence,
+        Estimate { value, below: below + shortfall, above },
+        UnsampledEvents::added_to_variance,
+    )
 }
 
 /// `estimate` with what rare events that the sample does not show may add to its error.
@@ -79,7 +89,7 @@ fn with_unseen(
     sample: &Sample,
     confidence: &Confidence,
     estimate: Estimate,
-    add: impl Fn(&Unseen, Estimate, usize, &Confidence) -> Estimate,
+    add: impl Fn(&UnsampledEvents, Estimate, usize, &Confidence) -> Estimate,
 ) -> Estimate {
     sample.unseen().map_or(estimate, |unseen| add(&unseen, estimate, sample.runs(), confidence))
 }
@@ -87,11 +97,11 @@ fn with_unseen(
 /// What `find` finds where it is not known yet. Failed runs have no part in it.
 fn once(
     ordered: &Ordered<'_>,
-    asked: Asked,
+    asked: SampleQuery,
     confidence: &Confidence,
     find: impl FnOnce(&Ordered<'_>, &Confidence) -> Estimate,
 ) -> Estimate {
-    let find = || Found { estimate: EitherWay::both(find(ordered, confidence)), slope: 0.0 };
+    let find = || SampleResult { estimate: FailureExtremes::both(find(ordered, confidence)), slope: 0.0 };
     ordered.sample.known().or_find(asked, confidence, find).estimate.low
 }
 

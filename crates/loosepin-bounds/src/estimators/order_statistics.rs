@@ -11,11 +11,11 @@ const MORE: f64 = 3.0;
 pub(crate) enum OrderStatistics<'a> {
     /// All of them are in order.
     Whole(&'a [f64]),
-    Part(Part),
+    PartlySorted(PartlySorted),
 }
 
 /// Values of which some are in order.
-pub(crate) struct Part {
+pub(crate) struct PartlySorted {
     keys: Vec<i64>,
     /// First of those that are in order, and the one behind the last.
     first: usize,
@@ -23,7 +23,7 @@ pub(crate) struct Part {
 }
 
 impl<'a> OrderStatistics<'a> {
-    /// Those of the finished runs around the quantile at `probability`.
+    /// The order statistics of the finished runs around the quantile at `probability`.
     pub fn new(ordered: &'a Ordered<'_>, probability: f64) -> Self {
         if let Some(sorted) = ordered.known_order() {
             return Self::Whole(sorted);
@@ -42,14 +42,14 @@ impl<'a> OrderStatistics<'a> {
             keys[first..].select_nth_unstable(behind - first);
         }
         keys[first..behind].sort_unstable();
-        Self::Part(Part { keys, first, behind })
+        Self::PartlySorted(PartlySorted { keys, first, behind })
     }
 
     /// Number of all values.
     pub fn count(&self) -> usize {
         match self {
             Self::Whole(sorted) => sorted.len(),
-            Self::Part(part) => part.keys.len(),
+            Self::PartlySorted(part) => part.keys.len(),
         }
     }
 
@@ -57,12 +57,12 @@ impl<'a> OrderStatistics<'a> {
     pub fn at(&mut self, index: usize) -> f64 {
         match self {
             Self::Whole(sorted) => sorted[index],
-            Self::Part(part) => part.at(index),
+            Self::PartlySorted(part) => part.at(index),
         }
     }
 }
 
-impl Part {
+impl PartlySorted {
     fn at(&mut self, index: usize) -> f64 {
         if index < self.first || index >= self.behind {
             self.keys.sort_unstable();

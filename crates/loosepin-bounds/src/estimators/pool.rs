@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::gathered::{Gathered, OfPoint};
+use super::gathered::{GatheredSamples, PointSamples};
 use super::polynomials::inner_basis::InnerBasis;
 use super::polynomials::single_runs::{Contradiction, SingleRuns};
 use super::polynomials::smoothness::smooth;
@@ -42,8 +42,8 @@ impl Pool {
             *entry = slot;
         }
         let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs_by_point(table, purpose).into_iter().collect();
-        let gathered: Arc<Gathered> = table.kept();
-        let mut samples: Vec<(Arc<OfPoint>, bool)> = runs
+        let gathered: Arc<GatheredSamples> = table.kept();
+        let mut samples: Vec<(Arc<PointSamples>, bool)> = runs
             .par_iter()
             .map(|(point, replicates)| {
                 let mut own = gathered.of_point(purpose, *point, replicates.values().map(Vec::len).sum());
@@ -130,7 +130,7 @@ impl Pool {
         self
     }
 
-    /// The sample of `column` at each point; none for a column that was not gathered.
+    /// The sample of `column` at each point; empty for a column that was not gathered.
     pub fn samples(&self, column: usize) -> Vec<&Sample> {
         self.slots
             .get(&column)

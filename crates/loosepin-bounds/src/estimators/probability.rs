@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
+use super::estimate::{Confidence, Estimate, FailureExtremes, variance_of_mean};
 use super::sample::Sample;
 use crate::data::problem::Sampling;
 use loosepin_terms::Event;
@@ -35,9 +35,14 @@ impl ShareLimits {
 }
 
 /// The probability of `event`, by the polynomials of the sample where it has some, else by counting.
-pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence, limits: &ShareLimits) -> EitherWay {
+pub(crate) fn probability(
+    sample: &Sample,
+    event: Event,
+    confidence: &Confidence,
+    limits: &ShareLimits,
+) -> FailureExtremes {
     match sample.smooth() {
-        Some(smooth) => EitherWay::both(smooth.probability(event, 0.0)),
+        Some(smooth) => FailureExtremes::both(smooth.probability(event, 0.0)),
         None => share_with(sample, confidence, limits, |value| event.holds(value)),
     }
 }
@@ -47,7 +52,7 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 /// The error is that of the interval of Clopper and Pearson for n = p(1 - p)/v runs, v the variance of the share that the replicates
 /// show: it is not 0 when nothing was hit, and holds for a single hit. Where there are fewer than two hits or misses a replicate, or where
 /// the replicates are not clearly better than independent runs, here and over the whole distribution, or single runs show what the sample does not, n = N.
-pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
+pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> FailureExtremes {
     share_with(sample, confidence, &ShareLimits::default(), is_hit)
 }
 
@@ -57,13 +62,13 @@ fn share_with(
     confidence: &Confidence,
     limits: &ShareLimits,
     is_hit: impl Fn(f64) -> bool,
-) -> EitherWay {
+) -> FailureExtremes {
     let count = |values: &[f64]| values.iter().filter(|&&value| is_hit(value)).count();
     let shares: Vec<f64> = sample.replicates().map(|values| count(values) as f64 / values.len() as f64).collect();
     let hits = count(sample.values());
     let runs = sample.runs();
     if runs == 0 {
-        return EitherWay::UNDEFINED;
+        return FailureExtremes::UNDEFINED;
     }
     let effective = effective_runs(sample, confidence, hits, &shares);
     let at = |hits: usize| {
@@ -80,7 +85,7 @@ fn share_with(
         };
         Estimate { value, below: (value - low).max(least), above: (high - value).max(least) }
     };
-    EitherWay { low: at(hits), high: at(hits + sample.failed()) }
+    FailureExtremes { low: at(hits), high: at(hits + sample.failed()) }
 }
 
 /// Runs at each value of the epistemic inputs without which no count shows that a share of at least `share` holds: where none of N runs is

@@ -1,7 +1,7 @@
 //! Quantiles with errors from order statistics.
 
-use super::estimate::{Confidence, EitherWay, Estimate};
-use super::known::{Asked, Found};
+use super::estimate::{Confidence, Estimate, FailureExtremes};
+use super::known::{SampleQuery, SampleResult};
 use super::order_statistics::OrderStatistics;
 use super::ordered::Ordered;
 use super::probability::effective_runs;
@@ -14,7 +14,7 @@ use loosepin_terms::between_order_statistics;
 /// share below it (R. S. Woodruff, "Confidence intervals for medians and other position measures", Journal of the American
 /// Statistical Association 47 (1952) 635-646) for the number of runs that [`super::probability`] takes for independent ones
 /// ([`fewest_below`]); where the interval needs an order statistic that the sample does not have, it is infinite on that side.
-pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> EitherWay {
+pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> FailureExtremes {
     quantile_and_slope(sample, confidence, probability).0
 }
 
@@ -28,7 +28,7 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
 /// The spacings of N independent runs are nearly exponential with mean q'/N, so that the square of k of them together is k (k + 1) (q'/N)²
 /// on average, and q'² has nearly no bias. Runs that fill the range evenly have spacings that differ less: then it is up to k/(k + 1) too
 /// small, and what is taken for noise with it.
-pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, probability: f64) -> (EitherWay, f64) {
+pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, probability: f64) -> (FailureExtremes, f64) {
     quantile_of_ordered(&Ordered::new(sample), confidence, probability)
 }
 
@@ -37,35 +37,35 @@ pub(crate) fn quantile_of_ordered(
     ordered: &Ordered<'_>,
     confidence: &Confidence,
     probability: f64,
-) -> (EitherWay, f64) {
+) -> (FailureExtremes, f64) {
     let find = || {
         let (estimate, slope) = find(ordered, confidence, probability);
-        Found { estimate, slope }
+        SampleResult { estimate, slope }
     };
-    let found = ordered.sample.known().or_find(Asked::Quantile(probability), confidence, find);
+    let found = ordered.sample.known().or_find(SampleQuery::Quantile(probability), confidence, find);
     (found.estimate, found.slope)
 }
 
-fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (EitherWay, f64) {
+fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (FailureExtremes, f64) {
     let sample = ordered.sample;
     if sample.runs() == 0 {
-        return (EitherWay::UNDEFINED, 0.0);
+        return (FailureExtremes::UNDEFINED, 0.0);
     }
     let finished = sample.values().len() as f64;
     if finished == 0.0 {
         // Every run failed: it may be anything.
         let [low, high] = [f64::NEG_INFINITY, f64::INFINITY].map(|end| Estimate::symmetric(end, 0.0));
-        return (EitherWay { low, high }, 0.0);
+        return (FailureExtremes { low, high }, 0.0);
     }
     if sample.runs() == 1 {
-        return (EitherWay::both(Estimate::symmetric(sample.values()[0], 0.0)), 0.0);
+        return (FailureExtremes::both(Estimate::symmetric(sample.values()[0], 0.0)), 0.0);
     }
     let sorted = &mut OrderStatistics::new(ordered, probability);
     let central = interpolate(sorted, probability * finished);
     if let Some(smooth) = sample.smooth()
         && let Some(at) = smooth.quantile(probability, central, smooth.deviation(sample.values()))
     {
-        return (EitherWay::both(at), 0.0);
+        return (FailureExtremes::both(at), 0.0);
     }
     let (runs, failed) = (sample.runs() as f64, sample.failed() as f64);
     let hits = sample.count_up_to(central);
@@ -86,11 +86,11 @@ fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (Ei
         let above = if value.is_finite() { (high - value).max(0.0) } else { 0.0 };
         Estimate { value, below, above }
     };
-    let either = EitherWay { low: at(failed), high: at(0.0) };
+    let either = FailureExtremes { low: at(failed), high: at(0.0) };
     (either, slope(sorted, probability))
 }
 
-/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; nothing where even no run below it
+/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; `None` if even no run below it
 /// is likelier than that.
 ///
 /// ```text

@@ -5,12 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use super::estimate::PowerSums;
 use super::in_order::in_order;
-use super::known::Known;
-use super::polynomials::known_fits::KnownFits;
+use super::known::SampleCache;
+use super::polynomials::known_fits::FitCache;
 use super::polynomials::smooth::Smooth;
 use super::stratification;
-use super::unseen::Unseen;
-use crate::data::scratch::{Away, Numbers};
+use super::unsampled_events::UnsampledEvents;
+use crate::data::scratch::{FileRange, Numbers};
 
 /// The values of one column that belong together, in the order of the plan.
 #[derive(Debug, Clone)]
@@ -21,9 +21,9 @@ pub(crate) struct Sample {
     /// Beside the sample, since most have none.
     smooth: Option<Box<Smooth>>,
     /// Rare events that it does not show.
-    unseen: Option<Unseen>,
-    known: Known,
-    fits: KnownFits<Self>,
+    unseen: Option<UnsampledEvents>,
+    known: SampleCache,
+    fits: FitCache<Self>,
     ends: OnceLock<Option<(f64, f64)>>,
     sums: OnceLock<PowerSums>,
     is_even: OnceLock<bool>,
@@ -31,13 +31,13 @@ pub(crate) struct Sample {
 
 /// A sample whose values are still being put in.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Gathering {
+pub(crate) struct SampleBuilder {
     values: Vec<f64>,
     replicate_ends: Vec<usize>,
     failed: usize,
 }
 
-impl Gathering {
+impl SampleBuilder {
     /// Takes the next value of the present replicate; one that is not finite counts as failed.
     pub fn push(&mut self, value: f64) {
         if value.is_finite() {
@@ -52,9 +52,9 @@ impl Gathering {
         self.replicate_ends.push(self.values.len());
     }
 
-    /// The sample; what comes next belongs to another one.
+    /// Returns the sample; values put in afterwards belong to the next one.
     pub fn finish(&mut self) -> Sample {
-        let sample = Sample::of(Numbers::Here(self.values[..].into()), self.replicate_ends[..].into(), self.failed);
+        let sample = Sample::of(Numbers::InMemory(self.values[..].into()), self.replicate_ends[..].into(), self.failed);
         self.values.clear();
         self.replicate_ends.clear();
         self.failed = 0;
@@ -65,7 +65,7 @@ impl Gathering {
 impl Sample {
     /// Takes values replicate by replicate; those that are not finite count as failed.
     pub fn new(replicates: impl Iterator<Item = impl Iterator<Item = f64>>) -> Self {
-        let mut gathering = Gathering::default();
+        let mut gathering = SampleBuilder::default();
         for replicate in replicates {
             replicate.for_each(|value| gathering.push(value));
             gathering.end_replicate();
@@ -80,8 +80,8 @@ impl Sample {
             failed,
             smooth: None,
             unseen: None,
-            known: Known::default(),
-            fits: KnownFits::default(),
+            known: SampleCache::default(),
+            fits: FitCache::default(),
             ends: OnceLock::new(),
             sums: OnceLock::new(),
             is_even: OnceLock::new(),
@@ -93,7 +93,7 @@ impl Sample {
         let values: Arc<[f64]> = self.values.iter().map(|&value| change(value)).collect();
         let smooth = self.smooth.as_ref().map(|smooth| Box::new(smooth.refitted(&values)));
         let unseen = self.unseen.zip(self.ends()).map(|(unseen, (low, high))| unseen.changed([low, high], &change));
-        Self { smooth, unseen, ..Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed) }
+        Self { smooth, unseen, ..Self::of(Numbers::InMemory(values), self.replicate_ends.clone(), self.failed) }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
@@ -101,7 +101,7 @@ impl Sample {
         debug_assert_eq!(self.replicate_ends, other.replicate_ends, "the same runs");
         let pairs = self.values.iter().zip(&*other.values);
         let values = pairs.map(|(&a, &b)| of(a, b)).collect();
-        Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed)
+        Self::of(Numbers::InMemory(values), self.replicate_ends.clone(), self.failed)
     }
 
     /// Whether `other` has the same values, to the last bit, from the same runs, and neither has polynomials: then all that is said of one
@@ -116,10 +116,10 @@ impl Sample {
             && other.smooth.is_none()
     }
 
-    /// This sample, of which nothing has been worked out, with its values at `away`, where they have been written.
-    pub fn moved(self, away: Away) -> Self {
+    /// This sample, without cached results, with its values at `away`, where they have been written.
+    pub fn moved(self, away: FileRange) -> Self {
         debug_assert_eq!(*away, *self.values, "the same values");
-        Self { values: Numbers::Away(away), ..self }
+        Self { values: Numbers::InFile(away), ..self }
     }
 
     /// Takes over the ends of the replicates of `other` where they are the same.
@@ -129,13 +129,13 @@ impl Sample {
         }
     }
 
-    /// What has been worked out of it so far.
-    pub fn known(&self) -> &Known {
+    /// The cached results of the sample.
+    pub fn known(&self) -> &SampleCache {
         &self.known
     }
 
     /// Polynomials that have been fitted to it so far.
-    pub(super) fn fits(&self) -> &KnownFits<Self> {
+    pub(super) fn fits(&self) -> &FitCache<Self> {
         &self.fits
     }
 
@@ -151,7 +151,7 @@ impl Sample {
     }
 
     /// The same values beside rare events that single runs have shown. The polynomials stay where the events are small, and leave these too.
-    pub fn contradicted(&self, unseen: Unseen, are_small: bool) -> Self {
+    pub fn contradicted(&self, unseen: UnsampledEvents, are_small: bool) -> Self {
         let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
         let kept = self.smooth.as_ref().filter(|_| are_small);
         let smooth = kept.map(|smooth| Box::new(smooth.with_residual(unseen.largest())));
@@ -159,7 +159,7 @@ impl Sample {
     }
 
     /// Rare events that it does not show, but single runs do.
-    pub fn unseen(&self) -> Option<Unseen> {
+    pub fn unseen(&self) -> Option<UnsampledEvents> {
         self.unseen
     }
 
@@ -208,7 +208,7 @@ impl Sample {
         self.replicate_ranges().map(move |own| &values[own])
     }
 
-    /// Where the finished values of each replicate that has any stand among all.
+    /// Range of the finished values of each non-empty replicate among all values.
     pub fn replicate_ranges(&self) -> impl Iterator<Item = Range<usize>> {
         let begins = std::iter::once(0).chain(self.replicate_ends.iter().copied());
         begins.zip(self.replicate_ends.iter().copied()).map(|(begin, end)| begin..end).filter(|own| !own.is_empty())

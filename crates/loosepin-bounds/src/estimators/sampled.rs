@@ -14,16 +14,16 @@
 //! * b: S of all values less the mean S of the replicates, over √R - 1. A bias that falls as 1/√n at least is no larger. It points away from
 //!   the replicates, whose bias is larger.
 //!
-//! Where single runs show a rare event that no run of the sample does ([`super::unseen`]), what it may do to S is added.
+//! Where single runs show a rare event that no run of the sample does ([`super::unsampled_events`]), what it may do to S is added.
 
-use super::estimate::{Confidence, EitherWay, Estimate, mean_of, skewness, variance_of_mean};
+use super::estimate::{Confidence, Estimate, FailureExtremes, mean_of, skewness, variance_of_mean};
 use super::in_order::in_order;
-use super::known::{Asked, Found};
-use super::mean_error::{one_beyond, tail_length};
+use super::known::{SampleQuery, SampleResult};
+use super::mean_error::{extrapolated_extreme, tail_length};
 use super::ordered::Ordered;
 use super::sample::Sample;
 use super::tail::index_for_mean_square;
-use super::unseen::Unseen;
+use super::unsampled_events::UnsampledEvents;
 use loosepin_terms::Statistic;
 
 /// Gaps across which a value is moved.
@@ -36,8 +36,8 @@ pub(crate) fn sampled(sample: &Sample, statistic: Statistic, confidence: &Confid
 
 /// [`sampled`]
 pub(crate) fn sampled_of_ordered(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) -> Estimate {
-    let find = || Found { estimate: EitherWay::both(find(ordered, statistic, confidence)), slope: 0.0 };
-    ordered.sample.known().or_find(Asked::Sampled(statistic), confidence, find).estimate.low
+    let find = || SampleResult { estimate: FailureExtremes::both(find(ordered, statistic, confidence)), slope: 0.0 };
+    ordered.sample.known().or_find(SampleQuery::Sampled(statistic), confidence, find).estimate.low
 }
 
 fn find(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) -> Estimate {
@@ -101,7 +101,7 @@ fn changes_beyond(
     // A statistic of any kind may be as a mean square.
     let index = index_for_mean_square([&negated, sorted], tail_length(sorted, replicates), confidence);
     let further = |sorted: &[f64]| -> Option<Vec<f64>> {
-        let (outermost, beyond) = one_beyond(sorted, replicates, index)?;
+        let (outermost, beyond) = extrapolated_extreme(sorted, replicates, index)?;
         let kept = sorted.len() - outermost.len();
         let moved = outermost.iter().map(|value| value.max(beyond));
         Some(sorted[..kept].iter().copied().chain(moved).collect())
@@ -113,7 +113,7 @@ fn changes_beyond(
 /// `change` where as many values as may have a rare event that no run shows jump as far as one of a single run: the outermost, either way.
 fn changes_of_rare(ordered: &Ordered<'_>, confidence: &Confidence, change: impl Fn(&[f64]) -> f64) -> Vec<f64> {
     let (Some(unseen), sorted) = (ordered.sample.unseen(), ordered.sorted()) else { return Vec::new() };
-    let count = Unseen::most_runs(sorted.len(), confidence);
+    let count = UnsampledEvents::most_runs(sorted.len(), confidence);
     let jumped = |own: std::ops::Range<usize>, by: f64| {
         let values = sorted.iter().enumerate();
         in_order(values.map(|(place, value)| if own.contains(&place) { value + by } else { *value }))

@@ -20,19 +20,20 @@ const MAX_INDEX: f64 = 0.9;
 /// Plotting positions (k - 0.35)/n.
 const POSITION: f64 = 0.35;
 
-/// The index that the error of a mean goes by, for the upper tail of `sorted`, in increasing order; `tail`: so many values are its outermost ones.
+/// Tail index for the error of a mean, for the upper tail of `sorted`, which is in increasing order; `tail` is the number of its outermost
+/// values.
 pub(crate) fn index_for_mean(sorted: &[f64], tail: usize, confidence: &Confidence) -> f64 {
     of_half(sorted, tail, THIRD_MOMENT).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
 
-/// That of the error of a mean square, for both tails of values that `sorted` and `negated` have in increasing order.
+/// The index of the error of a mean square, for both tails of values that `sorted` and `negated` have in increasing order.
 pub(crate) fn index_for_mean_square(both: [&[f64]; 2], tail: usize, confidence: &Confidence) -> f64 {
     let of_sample = both.map(|sorted| of_half(sorted, tail, FOURTH_MOMENT));
     of_sample[0].max(of_sample[1]).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
 
-/// Where one of so many times the values above `from` lies, `scale` their mean excess: s (m^ξ - 1)/ξ with s = (1 - ξ) scale, never nearer than by
-/// an exponential tail.
+/// Value that one in `times` values above `from` exceeds, for the mean excess `scale`: s (m^ξ - 1)/ξ above `from` with s = (1 - ξ) scale,
+/// never nearer than by an exponential tail.
 pub(crate) fn beyond(from: f64, scale: f64, times: f64, index: f64) -> f64 {
     let logarithm = libm::log(times);
     let exponential = scale * logarithm;
@@ -50,7 +51,7 @@ fn of_half(sorted: &[f64], tail: usize, least: f64) -> f64 {
     if half >= least { half.max(index_above(sorted, sorted.len() - tail)) } else { 0.0 }
 }
 
-/// ξ of the values from place `begin` on, above the value before; not a number where there are too few.
+/// ξ of the values from place `begin` on, above the value before; NaN if there are too few.
 fn index_above(sorted: &[f64], begin: usize) -> f64 {
     if begin == 0 || begin >= sorted.len() {
         return f64::NAN;

@@ -27,7 +27,7 @@ pub(crate) struct Margin {
 }
 
 impl Margin {
-    /// That of the probability of `event`; `None` if no run scatters and no mean differs.
+    /// The margin of the probability of `event`; `None` if no run scatters and no mean differs.
     pub fn new(samples: &[&Sample], event: Event, confidence: &Confidence) -> Option<Self> {
         let estimates: Vec<Estimate> = samples.iter().map(|sample| mean(sample, confidence)).collect();
         let means: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
@@ -69,7 +69,7 @@ impl Margin {
         Some(Self { target, event, means, spreads, size })
     }
 
-    /// By how much the sample at `point` must be moved for its margin to become `margin`.
+    /// Shift of the sample at `point` that makes its margin equal to `margin`.
     pub fn shift(&self, point: usize, margin: f64) -> f64 {
         let (mean, spread) = (self.means[point], self.spreads[point]);
         match self.event {

@@ -1,7 +1,7 @@
 //! The mean, estimated over the finished runs.
 
 use super::measure::{Estimator, Measure, Measured};
-use crate::estimators::estimate::{Confidence, EitherWay, mean_of};
+use crate::estimators::estimate::{Confidence, FailureExtremes, mean_of};
 use crate::estimators::moments::{mean, mean_of_ordered};
 use crate::estimators::ordered::Ordered;
 use crate::estimators::replicates::differences;
@@ -13,7 +13,7 @@ pub(crate) struct Mean;
 
 impl Estimator for Mean {
     fn measure(&self, samples: &[&Sample], confidence: &Confidence) -> Measure {
-        let at = samples.iter().map(|sample| EitherWay::both(mean(sample, confidence)));
+        let at = samples.iter().map(|sample| FailureExtremes::both(mean(sample, confidence)));
         Measure::plain(Self, at, confidence).with_replicates(differences(samples, |values, _| mean_of(values)))
     }
 

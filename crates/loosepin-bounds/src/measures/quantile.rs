@@ -2,7 +2,7 @@
 
 use super::measure::{Estimator, Measure, Measured};
 use super::targets::noise_or_zero;
-use crate::estimators::estimate::{Confidence, EitherWay};
+use crate::estimators::estimate::{Confidence, FailureExtremes};
 use crate::estimators::ordered::Ordered;
 use crate::estimators::quantile::{quantile_and_slope, quantile_of_ordered};
 use crate::estimators::replicates::{differences_of_quantiles, variance_of_replicates};
@@ -15,7 +15,7 @@ pub(crate) struct Quantile(pub f64);
 impl Estimator for Quantile {
     fn measure(&self, samples: &[&Sample], confidence: &Confidence) -> Measure {
         let found = samples.iter().map(|sample| quantile_and_slope(sample, confidence, self.0));
-        let (at, slopes): (Vec<EitherWay>, Vec<f64>) = found.unzip();
+        let (at, slopes): (Vec<FailureExtremes>, Vec<f64>) = found.unzip();
         let mut measure = Measure::plain(*self, at.into_iter(), confidence);
         // Far out an interval has no end on one side: the noise is that of the replicates, where these are known.
         let replicates = differences_of_quantiles(samples, &measure.target.values, &slopes);

@@ -1,7 +1,7 @@
 //! A statistic of which no more is known than its value for a sample, and for each replicate.
 
 use super::measure::{Estimator, Measure, Measured};
-use crate::estimators::estimate::{Confidence, EitherWay};
+use crate::estimators::estimate::{Confidence, FailureExtremes};
 use crate::estimators::in_order::in_order;
 use crate::estimators::ordered::Ordered;
 use crate::estimators::replicates::differences;
@@ -15,7 +15,7 @@ pub(super) struct Sampled(pub Statistic);
 
 impl Estimator for Sampled {
     fn measure(&self, samples: &[&Sample], confidence: &Confidence) -> Measure {
-        let at = samples.iter().map(|sample| EitherWay::both(sampled(sample, self.0, confidence)));
+        let at = samples.iter().map(|sample| FailureExtremes::both(sampled(sample, self.0, confidence)));
         let of = |values: &[f64], _| self.0.of_sorted(&in_order(values.iter().copied()));
         Measure::plain(*self, at, confidence).with_replicates(differences(samples, of))
     }

@@ -9,7 +9,7 @@ use crate::estimators::pool::{Pool, PoolPoint};
 use crate::readings::setup::Setup;
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::parts::{Element, Structure};
-use crate::search::search_box::{Place, Region, SearchBox};
+use crate::search::search_box::{BoxPoint, Region, SearchBox};
 use loosepin_uncertainty::{EpistemicVariable, SobolError};
 
 /// Runs in each replicate of a pilot, at least.
@@ -28,8 +28,8 @@ pub struct DoubleLoop {
     /// Elements of all cuts.
     pub(super) searched_elements: Vec<Element>,
     pub(super) whole_joint_box: [Element; 1],
-    pub(super) first_outer: Vec<Place>,
-    pub(super) first_extreme: Vec<Place>,
+    pub(super) first_outer: Vec<BoxPoint>,
+    pub(super) first_extreme: Vec<BoxPoint>,
 }
 
 impl DoubleLoop {
@@ -50,18 +50,18 @@ impl DoubleLoop {
         }
         // A parameter tells which values are likely; within the cut all of them are possible.
         joint.extend(problem.epistemic.iter().enumerate().map(|(epistemic, variable)| {
-            if problem.is_parameter(epistemic) { variable.held() } else { variable.clone() }
+            if problem.is_parameter(epistemic) { variable.at_middle() } else { variable.clone() }
         }));
         let setup = Setup::try_new(problem, joint)?;
         let (epistemic_box, structure) = (&setup.epistemic_box, &setup.structure);
         // Every combination of the members of lists of the problem has a box of its own.
         let combinations = epistemic_box.combinations();
-        let everywhere = |search_box: &SearchBox, points: Vec<Vec<f64>>| -> Vec<Place> {
+        let everywhere = |search_box: &SearchBox, points: Vec<Vec<f64>>| -> Vec<BoxPoint> {
             let points: Vec<Vec<f64>> = points.into_iter().map(|at| search_box.axes().vertex(at)).collect();
-            let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
+            let places = |combination| points.iter().map(move |at| BoxPoint { combination, at: at.clone() });
             (0..combinations).flat_map(places).collect()
         };
-        let first = |search_box: &SearchBox, count: usize| -> Result<Vec<Place>, SobolError> {
+        let first = |search_box: &SearchBox, count: usize| -> Result<Vec<BoxPoint>, SobolError> {
             let dimensions = search_box.dimensions();
             let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
             Ok(everywhere(search_box, points))
@@ -122,7 +122,7 @@ impl DoubleLoop {
     }
 
     /// A plan whose first round is a part of that of this one: a quarter of the inner runs and `runs` altogether at most, but two in each
-    /// replicate; nothing where this plan has no more.
+    /// replicate; `None` if this plan has no more.
     pub fn pilot(&self, runs: usize) -> Option<Self> {
         let mut problem = self.problem().clone();
         let Sampling { replicates, inner, .. } = problem.sampling;
@@ -146,7 +146,7 @@ impl DoubleLoop {
     /// Values of the epistemic inputs at the centre and at the corners of their box, the centre first; for each combination of the
     /// members of lists, those of the first members first.
     pub fn structural_points(&self) -> Vec<Vec<f64>> {
-        let places = self.box_places();
+        let places = self.centre_and_corners();
         (0..self.box_combinations())
             .flat_map(|combination| places.iter().map(move |at| (combination, at)))
             .map(|(combination, at)| self.box_values(combination, at))
@@ -154,7 +154,7 @@ impl DoubleLoop {
     }
 
     /// Centre and corners of the unit box of the intervals, the centre first.
-    pub fn box_places(&self) -> Vec<Vec<f64>> {
+    pub fn centre_and_corners(&self) -> Vec<Vec<f64>> {
         let count = structural_point_count(self.setup.epistemic_box.dimensions());
         self.first_outer[..count].iter().rev().map(|place| place.at.clone()).collect()
     }
@@ -178,12 +178,13 @@ impl DoubleLoop {
 
     /// Values of the epistemic inputs at a place of the unit box, in one of the combinations.
     pub fn box_values(&self, combination: usize, at: &[f64]) -> Vec<f64> {
-        self.setup.epistemic_box.values_at(&Place { combination, at: at.to_vec() })
+        self.setup.epistemic_box.values_at(&BoxPoint { combination, at: at.to_vec() })
     }
 
-    /// The most runs that the plan may come to.
+    /// Upper limit of the number of runs of the plan.
     pub fn most_runs(&self) -> usize {
-        let outer = if self.setup.has_no_box() { self.first_outer.len() } else { self.problem().sampling.outer };
+        let outer =
+            if self.setup.has_no_epistemic_inputs() { self.first_outer.len() } else { self.problem().sampling.outer };
         self.runs_of(outer, self.problem().sampling.extreme)
     }
 
@@ -229,7 +230,7 @@ impl DoubleLoop {
     pub(super) fn check_points(&self, pool: &Pool) -> Result<(), PlanError> {
         let expected = self.inner_runs();
         for PoolPoint { point, epistemic, .. } in &pool.points {
-            if let Some(input) = self.setup.epistemic_box.stranger(epistemic) {
+            if let Some(input) = self.setup.epistemic_box.first_unlisted(epistemic) {
                 return Err(PlanError::UnknownMember { point: *point, input, value: epistemic[input] });
             }
         }

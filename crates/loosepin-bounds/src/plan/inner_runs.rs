@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::data::points::{inner_points, mixture_points};
 use crate::data::table::{Purpose, RunInputs};
 use crate::readings::setup::Setup;
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use loosepin_uncertainty::{QuantileLevel, RandomVariable};
 
 /// A point of the random inputs, the same at every u (common random numbers).
@@ -19,7 +19,7 @@ struct InnerRun {
     levels: Vec<QuantileLevel>,
 }
 
-/// Every inner run, worked out when they are needed: a sample of millions is planned in no time.
+/// Inner runs, each computed on first use: a sample of millions is planned in no time.
 #[derive(Debug, Clone)]
 pub(crate) struct InnerRuns {
     runs: OnceLock<Vec<InnerRun>>,
@@ -91,7 +91,7 @@ pub(crate) fn mixture_runs(setup: &Setup, round: u32) -> impl Iterator<Item = Ru
 }
 
 /// The run at a place of the joint box.
-pub(crate) fn extreme_run(setup: &Setup, round: u32, point: u32, place: &Place) -> RunInputs {
+pub(crate) fn extreme_run(setup: &Setup, round: u32, point: u32, place: &BoxPoint) -> RunInputs {
     let mut random = setup.joint_box.values_at(place);
     let epistemic = random.split_off(setup.problem.random.len());
     RunInputs { round, purpose: Purpose::Extreme, point, replicate: 0, index: 0, random, epistemic }

@@ -8,7 +8,7 @@ use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::readings::bounds::Bounds;
 use crate::search::design::{first_points, structural_point_count};
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 
 /// Inner runs, at most.
 const MAX_INNER: usize = 1 << 24;
@@ -17,12 +17,11 @@ const MAX_INNER: usize = 1 << 24;
 /// for.
 const MAX_GROWN: usize = 2048;
 
-/// A sampling error that is to decide when to end is told by this many replicates at least: a few of them agree by chance too
-/// often, and the end would be where they do.
+/// Least number of replicates for a sampling error that decides when to end: a few of them agree by chance too often, and the end would be
+/// where they do.
 const MIN_REPLICATES: usize = 16;
 
-/// Where the search sees nothing to gain, this share of the points there are is added between them, and at least
-/// [`MIN_FILLING`].
+/// Share of the existing points that is added between them where the search sees nothing to gain, and at least [`MIN_FILLING`].
 const FILLING_SHARE: usize = 8;
 const MIN_FILLING: usize = 4;
 
@@ -38,7 +37,7 @@ pub struct Goal {
     pub most: f64,
 }
 
-/// How far the widening was from what is asked, at the end of a plan.
+/// Widening over the requested accuracy at the end of a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assessment {
     /// Rounds that were made.
@@ -53,18 +52,18 @@ pub struct Assessment {
     pub training: usize,
     /// Direct runs at the witnesses of such bounds.
     pub confirming: usize,
-    /// The largest widening over what is allowed; 1 or less where all goals are reached.
+    /// The largest widening over the allowed one; 1 or less if all goals are reached.
     pub share: f64,
-    /// The largest sampling error over what is allowed, among bounds that are too wide.
+    /// The largest sampling error over the allowed one, among bounds that are too wide.
     pub sampling_share: f64,
-    /// The largest error of the search over what is allowed, among bounds that are too wide.
+    /// The largest error of the search over the allowed one, among bounds that are too wide.
     pub optimisation_share: f64,
 }
 
 /// Progress of the sample refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Standing {
-    /// The rounds go on.
+pub enum RefinementStatus {
+    /// Further rounds are needed.
     Growing,
     /// Every goal is reached.
     Reached,
@@ -92,7 +91,7 @@ pub struct Refinement {
     /// Sizes of the inner sample that its end has depended on, that of `plan` included.
     looks: u32,
     history: Vec<Assessment>,
-    standing: Standing,
+    standing: RefinementStatus,
 }
 
 /// The sample that is made larger.
@@ -110,7 +109,7 @@ impl Refinement {
     pub fn try_new(problem: Problem, goals: Vec<Goal>) -> Result<Self, PlanError> {
         let plan = DoubleLoop::try_new(problem)?;
         let plan = if goals.is_empty() { plan } else { at_look(plan, 1) };
-        Ok(Self { goals, plan, larger: None, looks: 1, history: Vec::new(), standing: Standing::Growing })
+        Ok(Self { goals, plan, larger: None, looks: 1, history: Vec::new(), standing: RefinementStatus::Growing })
     }
 
     /// The plan that the rounds in `table` belong to: it gives their results, at whatever round they end.
@@ -127,7 +126,7 @@ impl Refinement {
     }
 
     /// Whether the goals are reached.
-    pub fn standing(&self) -> Standing {
+    pub fn status(&self) -> RefinementStatus {
         self.standing
     }
 
@@ -150,7 +149,7 @@ impl Refinement {
         let assessment = self.assess(table)?;
         self.history.push(assessment);
         if assessment.share <= 1.0 {
-            self.standing = Standing::Reached;
+            self.standing = RefinementStatus::Reached;
             return Ok(Vec::new());
         }
         let first = if assessment.sampling_share >= assessment.optimisation_share {
@@ -169,7 +168,7 @@ impl Refinement {
                 return Ok(round);
             }
         }
-        self.standing = Standing::Exhausted;
+        self.standing = RefinementStatus::Exhausted;
         Ok(Vec::new())
     }
 
@@ -215,7 +214,7 @@ impl Refinement {
         })
     }
 
-    /// The plan with more of `growth`; nothing where there cannot be more.
+    /// The plan with more of `growth`; `None` if there cannot be more.
     fn enlarged(&self, growth: Growth, assessment: &Assessment) -> Option<DoubleLoop> {
         let problem = self.plan.problem();
         let sampling = problem.sampling;
@@ -231,7 +230,7 @@ impl Refinement {
                 (helps && inner <= MAX_INNER).then_some(larger)
             }
             Growth::Outer => {
-                let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_box();
+                let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_epistemic_inputs();
                 let most = MAX_GROWN * self.plan.box_combinations();
                 let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(most);
                 (helps && outer > assessment.outer).then_some(Sampling { outer, ..sampling })
@@ -248,7 +247,7 @@ fn at_look(plan: DoubleLoop, look: u32) -> DoubleLoop {
     plan.with_errors_at(1.0 - miss)
 }
 
-/// By how much the bound that is shown lies outside of what was attained; not less than infinite where nothing is known.
+/// Distance of the shown bound outside of the attained value; infinite if nothing is known.
 fn widening(bound: &Bound) -> f64 {
     let widening = (bound.widened - bound.value).abs();
     if widening.is_nan() { f64::INFINITY } else { widening }
@@ -264,13 +263,13 @@ fn filling_round(plan: &DoubleLoop, table: &SampleTable, count: usize) -> Result
     // As many as are there already may be the same.
     let points = first_points(seed, search_box.dimensions(), structural + known.len() + count)?;
     let places = points.into_iter().skip(structural).flat_map(|at| {
-        let of = move |combination| Place { combination, at: at.clone() };
-        (0..plan.box_combinations()).map(of).collect::<Vec<Place>>()
+        let of = move |combination| BoxPoint { combination, at: at.clone() };
+        (0..plan.box_combinations()).map(of).collect::<Vec<BoxPoint>>()
     });
-    let is_new = |place: &Place| known.iter().all(|point| search_box.axes().distance(point, place) > MIN_DISTANCE);
+    let is_new = |place: &BoxPoint| known.iter().all(|point| search_box.axes().distance(point, place) > MIN_DISTANCE);
     let rest = outer.saturating_sub(known.len());
     let chosen = places.filter(is_new).take(count.min(rest)).enumerate();
-    let runs = |(place, at): (usize, Place)| {
+    let runs = |(place, at): (usize, BoxPoint)| {
         plan.runs_at(round, (known.len() + place) as u32, search_box.values_at(&at)).collect::<Vec<_>>()
     };
     Ok(chosen.flat_map(runs).collect())

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use super::inner_runs::{extreme_run, mixture_runs};
-use super::steering::{Searched, in_turn};
+use super::steering::{SoughtExtremes, in_turn};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
@@ -18,13 +18,13 @@ use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
 use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
 use crate::search::models::shared_grids::SharedGrids;
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
-/// At most one in so many of the points of a round goes to the u of a single run.
+/// Reciprocal of the largest share of the points of a round that goes to the u of single runs.
 const CALLED_SHARE: usize = 2;
 
 /// Where each run may have its own u, so many inner runs of every column are searched, to this share of their range.
@@ -61,7 +61,7 @@ impl DoubleLoop {
         let known = outer.points.len();
         let rest = self.problem().sampling.outer.saturating_sub(known);
         let mut runs = Vec::new();
-        if !self.setup.has_no_box() && rest > 0 {
+        if !self.setup.has_no_epistemic_inputs() && rest > 0 {
             let count = rest.min(points_per_round(self.problem().sampling.outer, &self.first_outer));
             for place in self.next_outer(table, round, count) {
                 let point = (known + runs.len() / self.inner_runs()) as u32;
@@ -101,7 +101,7 @@ impl DoubleLoop {
     }
 
     /// At most `count` outer points of `round`.
-    fn next_outer(&self, table: &SampleTable, round: u32, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, round: u32, count: usize) -> Vec<BoxPoint> {
         let searched = &in_turn(self.setup.searched(), round)[..];
         // A row is read once for all of its columns.
         let pool = Pool::gather(table, Purpose::DoubleLoop, self.setup.needed_columns());
@@ -161,7 +161,7 @@ impl DoubleLoop {
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
-    fn single_runs(&self, table: &SampleTable, searched: &[Searched]) -> Vec<(Target, Vec<Direction>)> {
+    fn single_runs(&self, table: &SampleTable, searched: &[SoughtExtremes]) -> Vec<(Target, Vec<Direction>)> {
         let of_column = |column: usize| {
             let (replicates, points) = values_by_run(table, column);
             let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);
@@ -177,7 +177,7 @@ impl DoubleLoop {
         columns.into_iter().flat_map(of_column).collect()
     }
 
-    fn next_extremes(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_extremes(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<BoxPoint> {
         let points = self.setup.extreme_places(pool);
         let targets: Vec<(Target, Vec<Direction>)> = self
             .problem()
@@ -215,6 +215,6 @@ impl DoubleLoop {
 }
 
 /// Points of a round after the first one.
-fn points_per_round(budget: usize, first: &[Place]) -> usize {
+fn points_per_round(budget: usize, first: &[BoxPoint]) -> usize {
     (budget - first.len()).div_ceil(REFINING_ROUNDS)
 }

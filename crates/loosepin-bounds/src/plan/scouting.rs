@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::double_loop::DoubleLoop;
-use super::steering::Searched;
+use super::steering::SoughtExtremes;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
@@ -15,10 +15,10 @@ use crate::search::models::of_points::Search;
 use crate::search::models::prediction::Allowance;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::scouts::{Observed, ends_by_chance};
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
 
-/// Of more columns than this, which are the poses of curves, so many are read, evenly among them.
+/// Largest number of columns that are read; of more, which are the poses of curves, this many, evenly among them.
 const MAX_COLUMNS: usize = 16;
 
 impl DoubleLoop {
@@ -28,10 +28,10 @@ impl DoubleLoop {
         &self,
         table: &SampleTable,
         pool: &Pool,
-        searched: &[Searched],
+        searched: &[SoughtExtremes],
         (search, grids): (&Search<'_>, &SharedGrids),
         count: usize,
-    ) -> Vec<Place> {
+    ) -> Vec<BoxPoint> {
         let inputs = table.inputs().iter().enumerate();
         let runs: Vec<usize> =
             inputs.filter(|(_, run)| run.purpose == Purpose::Mixture).map(|(index, _)| index).collect();
@@ -39,7 +39,7 @@ impl DoubleLoop {
             return Vec::new();
         }
         let place = |&run: &usize| self.setup.epistemic_box.place_of(&table.inputs()[run].epistemic);
-        let places: Vec<Place> = runs.iter().map(place).collect();
+        let places: Vec<BoxPoint> = runs.iter().map(place).collect();
         let columns: BTreeSet<usize> = searched.iter().map(|(request, _)| request.column).collect();
         let step = columns.len().div_ceil(MAX_COLUMNS).max(1);
         let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
@@ -57,14 +57,14 @@ impl DoubleLoop {
             let observed = Observed { values: &values, moments: &scatter.moments, means: &means, ends };
             search.calls(&scouts, &observed, count)
         };
-        let calls: Vec<Vec<Place>> = columns.par_iter().zip(&means).map(calls).collect();
+        let calls: Vec<Vec<BoxPoint>> = columns.par_iter().zip(&means).map(calls).collect();
         let turns = (0..count).flat_map(|turn| calls.iter().filter_map(move |own| own.get(turn).cloned()));
         search.new_places(turns, count)
     }
 }
 
-/// The mean at every one of `places`, those of the candidates of `models`; not a number where there is no model.
-fn expected(models: &Search<'_>, mean: &Target, places: &[Place]) -> Vec<f64> {
+/// The mean at every one of `places`, those of the candidates of `models`; NaN if there is no model.
+fn expected(models: &Search<'_>, mean: &Target, places: &[BoxPoint]) -> Vec<f64> {
     let branches = models.branches(mean);
     let of_branch: Vec<Vec<f64>> = branches
         .iter()
@@ -72,7 +72,7 @@ fn expected(models: &Search<'_>, mean: &Target, places: &[Place]) -> Vec<f64> {
             branch.at_candidates(Allowance::NONE).into_iter().flatten().map(|forecast| forecast.mean()).collect()
         })
         .collect();
-    let at = |(index, place): (usize, &Place)| {
+    let at = |(index, place): (usize, &BoxPoint)| {
         let own = of_branch.get(place.combination).and_then(|means: &Vec<f64>| means.get(index));
         own.copied().unwrap_or(f64::NAN)
     };

@@ -8,18 +8,18 @@ use crate::search::models::of_points::MAX_LOCATED_TARGETS;
 use loosepin_terms::Statistic;
 
 /// A statistic, and which of its extremes are sought.
-pub(super) type Searched = (Request, Vec<Direction>);
+pub(super) type SoughtExtremes = (Request, Vec<Direction>);
 
 /// Of the statistics of curves at least this many are looked at in a round: more than [`MAX_LOCATED_TARGETS`], so that they are searched as
 /// those of curves.
 const MIN_OF_CURVES: usize = MAX_LOCATED_TARGETS + MAX_LOCATED_TARGETS / 8;
 
-/// Those of `searched` that steer `round`: all, but of curves with many poses every k-th pose alone, other ones each round. A pose is a column
-/// beside one of which the same is searched.
+/// Those of `searched` that steer `round`: all, but for curves with many poses every k-th pose alone, other ones each round. A pose is a
+/// column beside one of which the same is searched.
 ///
 /// A round has a few points for thousands of statistics, and those of neighbouring poses promise most at the same places. A bound
 /// concedes what the models of its own statistic leave open between all points, whatever these were chosen for.
-pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> {
+pub(super) fn in_turn(mut searched: Vec<SoughtExtremes>, round: u32) -> Vec<SoughtExtremes> {
     let mut columns: BTreeMap<usize, Vec<(Statistic, &[Direction])>> = BTreeMap::new();
     for (request, directions) in &searched {
         columns.entry(request.column).or_default().push((request.statistic, directions));
@@ -41,7 +41,7 @@ pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> 
 
 #[cfg(test)]
 mod tests {
-    use super::{MIN_OF_CURVES, Searched, in_turn};
+    use super::{MIN_OF_CURVES, SoughtExtremes, in_turn};
     use crate::data::direction::Direction;
     use crate::data::problem::Request;
     use loosepin_terms::Statistic;
@@ -49,21 +49,21 @@ mod tests {
 
     const OF_A_POSE: [Statistic; 3] = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.9)];
 
-    /// Curves of so many poses, with a single number behind them.
-    fn searched(poses: usize) -> Vec<Searched> {
+    /// Curves with `poses` poses, followed by a single number.
+    fn searched(poses: usize) -> Vec<SoughtExtremes> {
         let of = |column, statistic| (Request { column, statistic }, Direction::BOTH.to_vec());
         let curves = (0..poses).flat_map(|column| OF_A_POSE.map(|statistic| of(column, statistic)));
         curves.chain([of(poses, Statistic::Mean)]).collect()
     }
 
-    fn columns(searched: &[Searched]) -> BTreeSet<usize> {
+    fn columns(searched: &[SoughtExtremes]) -> BTreeSet<usize> {
         searched.iter().map(|(request, _)| request.column).collect()
     }
 
     #[test]
     fn identity_every_pose_has_its_turn_and_single_numbers_always() {
         let poses = 4 * MIN_OF_CURVES / 3 + 7;
-        let rounds: Vec<Vec<Searched>> = (1..=4).map(|round| in_turn(searched(poses), round)).collect();
+        let rounds: Vec<Vec<SoughtExtremes>> = (1..=4).map(|round| in_turn(searched(poses), round)).collect();
         let mut seen = BTreeSet::new();
         for round in &rounds {
             assert!(round.len() > MIN_OF_CURVES && round.len() < MIN_OF_CURVES + 30, "{}", round.len());
@@ -74,7 +74,8 @@ mod tests {
         assert_eq!(seen.len(), poses);
         // What is asked of a pose comes together, in its order.
         let all = searched(poses);
-        let expected: Vec<&Searched> = all.iter().filter(|own| columns(&rounds[0]).contains(&own.0.column)).collect();
+        let expected: Vec<&SoughtExtremes> =
+            all.iter().filter(|own| columns(&rounds[0]).contains(&own.0.column)).collect();
         assert_eq!(rounds[0].iter().collect::<Vec<_>>(), expected);
     }
 
@@ -84,7 +85,7 @@ mod tests {
             let statistics = (1..=of_a_pose).map(|k| Statistic::Quantile(f64::from(k) / 100.0));
             let of = |column| statistics.clone().map(move |statistic| Request { column, statistic });
             for poses in [11, 124, 700] {
-                let all: Vec<Searched> =
+                let all: Vec<SoughtExtremes> =
                     (0..poses).flat_map(of).map(|request| (request, Direction::BOTH.to_vec())).collect();
                 for round in 1..4 {
                     let found = in_turn(all.clone(), round).len();

@@ -35,7 +35,7 @@ pub(crate) struct QuantileJob {
     pub direction: Direction,
 }
 
-/// The event whose probability tells whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
+/// The event whose probability decides whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
 fn quantile_event(y: f64, direction: Direction) -> Event {
     match direction {
         Direction::Maximum => Event::UpTo(y),
@@ -246,7 +246,7 @@ impl Experiment<'_> {
         quantiles.par_iter().flat_map_iter(of_quantile).collect()
     }
 
-    /// Where nothing scatters, each element gives a range with its mass: its ends, sorted, are the added distribution functions.
+    /// Quantile without scatter: each element gives a range with its mass; its ends, sorted, are the added distribution functions.
     fn quantile_without_scatter(&self, job: &QuantileJob, elements: &[Focal<'_>]) -> Bound {
         let samples = self.pool.samples(job.column);
         let measure = Mean.measure(&samples, &self.setup.confidence);

@@ -6,7 +6,7 @@ use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::polynomials::orthogonal::Axis;
 use crate::estimators::polynomials::single_runs::{SingleRun, SingleRuns, Weights};
 use crate::estimators::pool::Pool;
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use loosepin_math::dense::{Cholesky, dot, gram};
 
 /// So many runs of the mixture are read, at most.
@@ -33,7 +33,7 @@ impl Setup {
     fn single_runs(&self, pool: &Pool, table: &SampleTable) -> SingleRuns {
         let places = self.outer_places(pool);
         let axes = self.epistemic_box.axes();
-        let seen: Vec<Vec<f64>> = places.iter().map(|place| axes.seen(&place.at)).collect();
+        let seen: Vec<Vec<f64>> = places.iter().map(|place| axes.embed(&place.at)).collect();
         let mixture: Vec<Vec<f64>> = if self.has_mixture() {
             let points = mixture_points(&self.problem.sampling, &self.mixture).take(MAX_MIXTURE_RUNS);
             points.map(|(_, _, point)| point).collect()
@@ -55,7 +55,7 @@ impl Setup {
                 return None;
             }
             let place = self.epistemic_box.place_of(&inputs.epistemic);
-            let weights = weights(&places, &seen, &place, &axes.seen(&place.at), None)?;
+            let weights = weights(&places, &seen, &place, &axes.embed(&place.at), None)?;
             Some(SingleRun { row, coordinates, weights })
         };
         let left_out =
@@ -84,7 +84,13 @@ impl Setup {
 
 /// Weights of the nearest of `places` but `left_out`, by which what is linear in the coordinates `seen` comes out at `at`, and all else as by
 /// least squares; `None` if they lie in too few directions.
-fn weights(places: &[Place], seen: &[Vec<f64>], place: &Place, at: &[f64], left_out: Option<usize>) -> Option<Weights> {
+fn weights(
+    places: &[BoxPoint],
+    seen: &[Vec<f64>],
+    place: &BoxPoint,
+    at: &[f64],
+    left_out: Option<usize>,
+) -> Option<Weights> {
     let square = |point: usize| -> f64 { seen[point].iter().zip(at).map(|(x, y)| (x - y) * (x - y)).sum() };
     let is_own = |&point: &usize| places[point].combination == place.combination && Some(point) != left_out;
     let mut nearest: Vec<usize> = (0..places.len()).filter(is_own).collect();
@@ -110,11 +116,11 @@ fn weights(places: &[Place], seen: &[Vec<f64>], place: &Place, at: &[f64], left_
 #[cfg(test)]
 mod tests {
     use super::weights;
-    use crate::search::search_box::Place;
+    use crate::search::search_box::BoxPoint;
 
     #[test]
     fn analytic_what_is_linear_is_carried_to_any_place() {
-        let at = |x: f64, y: f64| Place { combination: 0, at: vec![x, y] };
+        let at = |x: f64, y: f64| BoxPoint { combination: 0, at: vec![x, y] };
         let places = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0), at(1.0, 1.0), at(0.3, 0.6), at(0.8, 0.2)];
         let seen: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();
         let linear = |at: &[f64]| 3.0 - 2.0 * at[0] + 0.5 * at[1];
@@ -126,7 +132,7 @@ mod tests {
         assert!(left_out.iter().all(|&(point, _)| point != 2));
         // Points on one line tell nothing beside it.
         assert!(weights(&places[..2], &seen[..2], &place, &place.at, None).is_none());
-        let other = Place { combination: 1, at: vec![0.5, 0.5] };
+        let other = BoxPoint { combination: 1, at: vec![0.5, 0.5] };
         assert!(weights(&places, &seen, &other, &other.at, None).is_none());
     }
 }

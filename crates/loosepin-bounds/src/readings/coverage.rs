@@ -18,7 +18,7 @@ pub struct CoveragePoint {
     pub sampling_error: [f64; 2],
 }
 
-/// P(Y in band | u) over the outer points: a band that holds what it says holds it at every u.
+/// P(Y in band | u) over the outer points: a correct band holds its share at every u.
 ///
 /// Where u differs from mechanism to mechanism, a share of them as large as the mass of each focal element has its u somewhere in that
 /// element. Then the least share inside is the sum of the least of each element, by mass.
@@ -26,13 +26,13 @@ pub struct CoveragePoint {
 pub struct Coverage {
     /// Every outer point, in the order of the outer index.
     pub points: Vec<CoveragePoint>,
-    /// The least `lower` of all points; not a number without points.
+    /// The least `lower` of all points; NaN if there are none.
     pub minimum: f64,
     /// How far the share there may lie above `minimum`: failed runs and sampling.
     pub minimum_error: f64,
-    /// The greatest `upper` of all points; not a number without points.
+    /// The greatest `upper` of all points; NaN if there are none.
     pub maximum: f64,
-    /// Where the minimum is attained; of several elements, in that of the largest mass.
+    /// The point where the minimum is attained; of several elements, in that of the largest mass.
     pub minimum_witness: Option<Witness>,
 }
 

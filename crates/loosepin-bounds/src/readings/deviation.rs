@@ -157,7 +157,7 @@ impl Points {
         Self { means: estimates(mean), variances: estimates(variance) }
     }
 
-    /// Nothing where an element has none.
+    /// `None` if an element has none.
     fn members(&self, elements: &[Focal<'_>]) -> Option<Members> {
         let known = |point: &usize| self.means[*point].is_finite() && self.variances[*point].is_finite();
         let of_element = |element: &Focal<'_>| element.members.iter().copied().filter(known).collect();
@@ -191,7 +191,7 @@ impl Points {
     /// The c at which Σ m_e max h_c is least: the sum is convex in c.
     fn minimax_centre(&self, members: &Members, masses: &[f64]) -> f64 {
         let (low, high) = self.range(members);
-        golden(low, high, |centre| self.added(members, masses, centre, Direction::Maximum))
+        golden_section_minimum(low, high, |centre| self.added(members, masses, centre, Direction::Maximum))
     }
 
     /// The variance of one point in each element.
@@ -232,7 +232,7 @@ impl Points {
         let step = (high - low) / SCANNED as f64;
         let scanned = (0..=SCANNED).map(|index| low + step * index as f64);
         let best = scanned.reduce(|a, b| if of(b) < of(a) { b } else { a }).unwrap_or(low);
-        let centre = golden(best - step, best + step, of);
+        let centre = golden_section_minimum(best - step, best + step, of);
         let chosen: Vec<usize> =
             members.iter().map(|points| self.furthest(points, centre, Direction::Minimum)).collect();
         self.variance(&chosen, masses)
@@ -240,7 +240,7 @@ impl Points {
 }
 
 /// The least of a convex function between two ends.
-pub(crate) fn golden(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn golden_section_minimum(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..GOLDEN_STEPS {
         let width = GOLDEN * (high - low);
         let (left, right) = (high - width, low + width);
@@ -271,7 +271,7 @@ fn greatest_spread(boxes: &[[f64; 2]], masses: &[f64]) -> f64 {
         boxes.iter().zip(masses).map(|(own, mass)| mass * distance(own) * distance(own)).sum::<f64>()
     };
     let (low, high) = range_of(boxes.iter().flatten().copied());
-    furthest(golden(low, high, furthest))
+    furthest(golden_section_minimum(low, high, furthest))
 }
 
 /// The least: every mean is as near to c as its box lets it, c where that is least.
@@ -281,7 +281,7 @@ fn least_spread(boxes: &[[f64; 2]], masses: &[f64]) -> f64 {
         boxes.iter().zip(masses).map(|(own, mass)| mass * distance(own) * distance(own)).sum::<f64>()
     };
     let (low, high) = (range_of(boxes.iter().map(|own| own[0])).0, range_of(boxes.iter().map(|own| own[1])).1);
-    if low.is_finite() && high.is_finite() { spread(golden(low, high, spread)) } else { 0.0 }
+    if low.is_finite() && high.is_finite() { spread(golden_section_minimum(low, high, spread)) } else { 0.0 }
 }
 
 #[cfg(test)]

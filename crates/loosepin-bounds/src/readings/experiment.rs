@@ -11,7 +11,7 @@ use crate::search::gaps::largest_gap;
 use crate::search::models::of_points::Search;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::parts::{Cut, Element};
-use crate::search::search_box::{Place, Region};
+use crate::search::search_box::{BoxPoint, Region};
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::EpistemicVariable;
 
@@ -24,7 +24,7 @@ pub(crate) struct Experiment<'a> {
     pub pool: &'a Pool,
     pub table: &'a SampleTable,
     /// One for each outer point.
-    pub places: Vec<Place>,
+    pub places: Vec<BoxPoint>,
     /// Models of the outer points, which all answers share.
     grids: SharedGrids,
 }
@@ -84,10 +84,10 @@ impl<'a> Experiment<'a> {
             return None;
         }
         let gap =
-            |places: &[Place]| largest_gap(epistemic_box.axes(), epistemic_box.combinations(), places, candidates);
+            |places: &[BoxPoint]| largest_gap(epistemic_box.axes(), epistemic_box.combinations(), places, candidates);
         let of_mixture = self.table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Mixture);
         let single = of_mixture.map(|inputs| epistemic_box.place_of(&inputs.epistemic));
-        let all: Vec<Place> = self.places.iter().cloned().chain(single).collect();
+        let all: Vec<BoxPoint> = self.places.iter().cloned().chain(single).collect();
         let between_points = gap(&self.places);
         // A search for the largest one may end lower among more points.
         Some(Gaps { between_points, between_runs: gap(&all).min(between_points) })
@@ -101,7 +101,7 @@ impl<'a> Experiment<'a> {
     /// The kind of guarantee that bounds from these runs have.
     pub fn guarantee(&self) -> Guarantee {
         let problem = &self.setup.problem;
-        match (problem.random.is_empty(), self.setup.has_no_box()) {
+        match (problem.random.is_empty(), self.setup.has_no_epistemic_inputs()) {
             (true, true) => Guarantee::Enclosure,
             (true, false) => Guarantee::Optimised,
             (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },

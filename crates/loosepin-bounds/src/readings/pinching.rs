@@ -19,8 +19,8 @@ const MAX_PLACES: usize = 96;
 /// The error of a model, in its standard deviations.
 const ERROR_FACTOR: f64 = 2.0;
 
-/// The band of the mixed treatment, from the least lower to the largest upper quantile over u, and what is left of it where one
-/// epistemic input is known.
+/// The band of the mixed treatment, from the least lower to the largest upper quantile over u, and its remaining width where one epistemic
+/// input is known.
 ///
 /// ```text
 /// W = max over u of q_up(u) - min over u of q_low(u),   W_k(t) = the same over the u with u_k = t
@@ -52,7 +52,7 @@ pub struct PinchedInput {
     pub error: f64,
 }
 
-/// Where a model of a quantile goes furthest.
+/// The extreme of the model of a quantile.
 #[derive(Debug, Clone, Copy)]
 struct Extreme {
     value: f64,
@@ -60,7 +60,7 @@ struct Extreme {
 }
 
 impl Experiment<'_> {
-    /// The pinching of the band of `columns`; nothing where a quantile has no model, as with too few points.
+    /// The pinching of the band of `columns`; `None` if a quantile has no model, as with too few points.
     pub fn pinching(&self, columns: &[usize]) -> Option<Pinching> {
         let measures: Vec<[Measure; 2]> = columns
             .iter()
@@ -133,7 +133,7 @@ impl Experiment<'_> {
             }
         };
         for (combination, branch) in branches.iter().enumerate().filter(|(combination, _)| holds(*combination)) {
-            if self.setup.has_no_box() {
+            if self.setup.has_no_epistemic_inputs() {
                 let values = branch.points.iter().map(|&point| target.values[point]);
                 values.filter(|value| value.is_finite()).for_each(|value| take(value, 0.0));
                 continue;

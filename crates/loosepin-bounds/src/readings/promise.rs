@@ -31,7 +31,7 @@ pub enum InnerRuns {
 }
 
 impl InnerRuns {
-    /// Values of u so that with `confidence` at least `share` of the box keeps the bound; nothing where no number of them suffices.
+    /// Values of u so that with `confidence` at least `share` of the box keeps the bound; `None` if no number of them suffices.
     ///
     /// ```text
     /// exact          n >= ln β / ln(1 - ε)
@@ -70,13 +70,13 @@ pub(crate) struct OneSidedLimit {
 enum LimitKind {
     /// Order statistic of this rank, counted from 1.
     Rank(usize),
-    /// By the hits of an event in so many runs; with a miss of 0 the share itself.
+    /// By the hits of an event in `runs` runs; with a miss of 0 the share itself.
     Hits { event: Event, runs: u64, miss: f64 },
 }
 
 impl OneSidedLimit {
     /// The limit of `statistic` from `runs` runs that fails with probability `miss` at most; with a miss of 0 the statistic of the only
-    /// run. Nothing where the runs are too few, or where no runs bound the statistic: a mean without a known range has no limit at
+    /// run. `None` if the runs are too few, or where no runs bound the statistic: a mean without a known range has no limit at
     /// all (R. R. Bahadur and L. J. Savage, Annals of Mathematical Statistics 27 (1956) 1115-1122).
     pub fn new(statistic: Statistic, side: Side, runs: usize, miss: f64) -> Option<Self> {
         let kind = match statistic.event() {
@@ -89,7 +89,7 @@ impl OneSidedLimit {
         Some(Self { direction: side.into(), kind, range: statistic.range() })
     }
 
-    /// What is compared over all u: the greater, the further out is the limit. `values` are those of all runs at one u; where one of
+    /// Score that is compared over all u: the greater, the further out is the limit. `values` are those of all runs at one u; where one of
     /// them failed, nothing is known there.
     pub fn score(&self, values: &mut [f64]) -> f64 {
         if values.iter().any(|value| !value.is_finite()) {

@@ -16,13 +16,13 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::deviation::golden;
+use super::deviation::golden_section_minimum;
 use super::experiment::{Experiment, Focal};
 use crate::data::bound::{Bound, BoundError, BoundPair};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Request;
 use crate::data::table::{Purpose, SampleTable};
-use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
+use crate::estimators::estimate::{Confidence, Estimate, FailureExtremes};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
@@ -53,7 +53,7 @@ pub(crate) struct RandomSet {
     elements: Vec<Ends>,
 }
 
-/// Every value of a column, by outer point, in the order of the inner runs, and the replicate of each of these; not a number where
+/// Every value of a column, by outer point, in the order of the inner runs, and the replicate of each of these; NaN if
 /// a run failed. A sample that has grown lies in the table in parts.
 pub(crate) fn values_by_run(table: &SampleTable, column: usize) -> (Vec<u32>, Vec<Vec<f64>>) {
     let mut points: BTreeMap<u32, BTreeMap<(u32, u32), f64>> = BTreeMap::new();
@@ -90,7 +90,7 @@ impl Experiment<'_> {
                 let ends = set.bounds(self, request.statistic);
                 // The ends of a sample that failed somewhere are not known.
                 let seen = match request.statistic.event() {
-                    Some(event) if failed_runs == 0 => set.seen(self, event),
+                    Some(event) if failed_runs == 0 => set.attained_lower_limits(self, event),
                     _ => Vec::new(),
                 };
                 let central = at_centre.as_ref().map(|set| set.bounds(self, request.statistic).map(|end| end.value));
@@ -110,7 +110,7 @@ impl RandomSet {
         let (replicates, points) = values_by_run(experiment.table, column);
         let targets: Vec<Target> =
             (0..replicates.len()).map(|run| run_target(&points, run, f64::MIN_POSITIVE)).collect();
-        let has_box = !experiment.setup.has_no_box();
+        let has_box = !experiment.setup.has_no_epistemic_inputs();
         let search = experiment.search_targets(&targets);
         let ends = |element: &Focal<'_>, target: &Target| -> EndsOfRun {
             // A run that failed anywhere may have gone anywhere there.
@@ -181,7 +181,7 @@ impl RandomSet {
     }
 
     /// The lower ends of the confidence intervals of belief and plausibility, from the attained ends.
-    fn seen(&self, experiment: &Experiment<'_>, event: Event) -> Vec<f64> {
+    fn attained_lower_limits(&self, experiment: &Experiment<'_>, event: Event) -> Vec<f64> {
         let of = |direction| {
             let of_element = |ends: &Ends| {
                 let share = share_of(&ends.attained, event, direction, &experiment.setup.confidence);
@@ -278,7 +278,7 @@ impl RandomSet {
         let least = |of: fn(&Ends) -> &[Sample; 2]| -> [f64; 2] {
             let (low, high) =
                 range_of(self.elements.iter().flat_map(of).filter_map(Sample::ends).flat_map(|(a, b)| [a, b]));
-            estimate(of, golden(low, high, |c| estimate(of, c)[0]))
+            estimate(of, golden_section_minimum(low, high, |c| estimate(of, c)[0]))
         };
         if self.elements.iter().any(Ends::are_unlimited) {
             return experiment.unknown(direction);
@@ -300,7 +300,7 @@ impl RandomSet {
 }
 
 /// The share of runs in whose ends [low, high] `event` is sure (minimum) or possible (maximum).
-fn share_of([low, high]: &[Sample; 2], event: Event, direction: Direction, confidence: &Confidence) -> EitherWay {
+fn share_of([low, high]: &[Sample; 2], event: Event, direction: Direction, confidence: &Confidence) -> FailureExtremes {
     // The end that has the event if all of the set has it, or if any of it has.
     let hit = |low: f64, high: f64| {
         let is_sure = direction == Direction::Minimum;

@@ -29,7 +29,7 @@ use crate::search::models::noise::Noise;
 use crate::search::models::of_points::{Branch, Search};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
-use crate::search::search_box::{Axes, Place, Region};
+use crate::search::search_box::{Axes, BoxPoint, Region};
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
@@ -42,7 +42,7 @@ const POINTS: u32 = 64;
 /// Values of the other epistemic inputs at which the percentiles are taken, at least: corners, centre and interior points.
 const MIN_VALUES: usize = 40;
 
-/// The sampling error of a percentile is the largest of so many outer points whose statistic is nearest to it.
+/// Number of outer points with the nearest statistics; the largest of their sampling errors is that of a percentile.
 const NEAREST: usize = 5;
 
 /// Separates the stream of random numbers.
@@ -70,9 +70,9 @@ pub struct StatisticPercentiles {
     pub percentiles: Vec<Percentile>,
 }
 
-/// Where the statistics are asked for by their models.
+/// Grid on which the models of the statistics are evaluated.
 struct Grid {
-    /// Places of the whole box, parameters changing fastest; nothing where the parameters lie outside of their range.
+    /// Places of the whole box, parameters changing fastest; empty if the parameters lie outside of their range.
     places: Vec<Option<Vec<f64>>>,
     /// Coordinates of the other inputs in their own unit box, one for each value of them.
     others: Vec<Vec<f64>>,
@@ -84,7 +84,7 @@ struct Grid {
 }
 
 impl Experiment<'_> {
-    /// Percentiles of all statistics but whole distribution functions; nothing where no parameter has a distribution.
+    /// Percentiles of all statistics but whole distribution functions; empty if no parameter has a distribution.
     pub fn percentiles(&self) -> Vec<StatisticPercentiles> {
         let Some(grid) = self.grid() else { return Vec::new() };
         let confidence = &self.setup.confidence;
@@ -190,7 +190,7 @@ impl Experiment<'_> {
         let sign = direction.sign();
         let drawn = (SCRAMBLINGS * grid.points) as usize;
         // For every combination and every value of the other inputs: the percentile, with the model's error, with its spread.
-        let mut points: Vec<Place> = Vec::new();
+        let mut points: Vec<BoxPoint> = Vec::new();
         let mut found: Vec<Found> = Vec::new();
         for (combination, seen) in seen.iter().enumerate() {
             let Some(seen) = seen else { return self.unknown(direction) };
@@ -198,7 +198,7 @@ impl Experiment<'_> {
             for (other, places) in grid.others.iter().zip(grid.places.chunks(drawn)) {
                 let values: Vec<Option<Forecast>> =
                     places.iter().map(|place| place.as_ref().and_then(|_| rest.next().copied())).collect();
-                points.push(Place { combination, at: other.clone() });
+                points.push(BoxPoint { combination, at: other.clone() });
                 found.push(Found::new(&values, grid.points as usize, probability, direction, confidence));
             }
         }
@@ -218,7 +218,7 @@ impl Experiment<'_> {
             at[*axis] = *fraction;
         }
         let epistemic =
-            self.setup.epistemic_box.values_at(&Place { combination: points[best].combination, at: at.clone() });
+            self.setup.epistemic_box.values_at(&BoxPoint { combination: points[best].combination, at: at.clone() });
         let epistemic = epistemic.iter().enumerate().map(|(input, &value)| {
             let is_unknown = self.setup.epistemic_box.axis_of(input).is_some_and(|axis| at[axis].is_nan());
             if is_unknown { f64::NAN } else { value }
@@ -230,7 +230,7 @@ impl Experiment<'_> {
     }
 
     /// How far the percentile, with what its model concedes, may go between the values of the other inputs.
-    fn further_over_others(&self, grid: &Grid, points: &[Place], values: Vec<f64>, direction: Direction) -> f64 {
+    fn further_over_others(&self, grid: &Grid, points: &[BoxPoint], values: Vec<f64>, direction: Direction) -> f64 {
         let attained = extreme(&values, direction);
         if grid.other_inputs.is_empty() || values.iter().any(|value| !value.is_finite()) {
             return attained;

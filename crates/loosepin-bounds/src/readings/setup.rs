@@ -15,7 +15,7 @@ use crate::estimators::tail::index_of_distribution;
 use crate::measures::targets::target;
 use crate::search::design::candidates;
 use crate::search::parts::Structure;
-use crate::search::search_box::{Place, SearchBox};
+use crate::search::search_box::{BoxPoint, SearchBox};
 use crate::search::target::Target;
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{Copula, Distribution, EpistemicVariable, RandomVariable, ScrambledSobol, SobolError, hash};
@@ -55,7 +55,7 @@ pub(crate) struct Setup {
     pub structure: Structure,
     pub candidates: Vec<Vec<f64>>,
     pub joint_candidates: Vec<Vec<f64>>,
-    /// Worked out when they are needed; nothing where the runs are too few.
+    /// Computed on first use; `None` if the runs are too few.
     inner_basis: OnceLock<Option<Arc<InnerBasis>>>,
     mixture_basis: OnceLock<Option<Arc<InnerBasis>>>,
 }
@@ -93,7 +93,7 @@ impl Setup {
     }
 
     /// Whether the epistemic box has no dimension, so that there is nothing to search.
-    pub fn has_no_box(&self) -> bool {
+    pub fn has_no_epistemic_inputs(&self) -> bool {
         self.epistemic_box.dimensions() == 0
     }
 
@@ -107,7 +107,7 @@ impl Setup {
         !self.problem.compared_columns.is_empty() && !self.problem.random.is_empty()
     }
 
-    /// Polynomials on the inner points. Nothing where the runs are too few; nor where an input takes single values only, since runs do not
+    /// Polynomials on the inner points. `None` if the runs are too few; nor where an input takes single values only, since runs do not
     /// show what a response does at one that was never drawn.
     pub fn inner_basis(&self) -> Option<&InnerBasis> {
         let basis = || {
@@ -122,8 +122,8 @@ impl Setup {
         self.inner_basis.get_or_init(basis).as_deref()
     }
 
-    /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop where that is the same;
-    /// nothing where these are too few.
+    /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop if it is the same; `None`
+    /// if these are too few.
     pub fn mixture_basis(&self) -> Option<&InnerBasis> {
         if !self.has_mixture() {
             return self.inner_basis();
@@ -195,12 +195,12 @@ impl Setup {
     }
 
     /// Places of the outer points.
-    pub fn outer_places(&self, pool: &Pool) -> Vec<Place> {
+    pub fn outer_places(&self, pool: &Pool) -> Vec<BoxPoint> {
         pool.points.iter().map(|point| self.epistemic_box.place_of(&point.epistemic)).collect()
     }
 
     /// Places of single runs in the box of all inputs.
-    pub fn extreme_places(&self, pool: &Pool) -> Vec<Place> {
+    pub fn extreme_places(&self, pool: &Pool) -> Vec<BoxPoint> {
         let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();
         pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
     }

@@ -26,7 +26,7 @@ pub(super) struct Climb<'a> {
 }
 
 impl<'a> Climb<'a> {
-    /// That of the model of a target with this `range`.
+    /// The climb on the model of a target with this `range`.
     pub fn new(
         axes: &'a Axes,
         model: &'a TargetModel<'a>,
@@ -37,7 +37,7 @@ impl<'a> Climb<'a> {
         Self { axes, model, direction, region, tolerance: MIN_STEP * range }
     }
 
-    /// What is conceded where a climb from `start` ends. What is rough is no part of the slopes that are climbed.
+    /// Allowance for model error at the end of a climb from `start`. What is rough is no part of the slopes that are climbed.
     pub fn concession_above(&self, start: &[f64]) -> f64 {
         let summit = self.summit(start);
         self.model.at(&summit, Allowance::CONCESSION).moved(Allowance::CONCESSION, self.direction.sign())
@@ -94,18 +94,18 @@ mod tests {
     use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
     use crate::search::models::prediction::Allowance;
     use crate::search::models::target_model::TargetModel;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
     use crate::search::target::{Target, TargetKind};
 
     fn target(values: Vec<f64>, kind: TargetKind) -> Target {
         Target { values, kind, noise: Noise::NONE, resolutions: [1e-9; 2] }
     }
 
-    /// By how much the reach of each of many targets exceeds 1, the greatest value of `function` of a place and of where its summit is.
+    /// Excess over 1 of the reach of each of many targets, the greatest value of `function` of a place and of the place of its summit.
     fn beyond_summits(axes: &Axes, function: impl Fn(&[f64], &[f64]) -> f64) -> Vec<f64> {
         let summits = first_points(17, 2, 5 + MAX_LOCATED_TARGETS + 1).unwrap().split_off(5);
-        let points: Vec<Place> =
-            first_points(5, 2, 40).unwrap().into_iter().map(|at| Place { combination: 0, at }).collect();
+        let points: Vec<BoxPoint> =
+            first_points(5, 2, 40).unwrap().into_iter().map(|at| BoxPoint { combination: 0, at }).collect();
         let of = |summit: &Vec<f64>| {
             target(points.iter().map(|point| function(&point.at, summit)).collect(), TargetKind::Plain)
         };

@@ -1,18 +1,18 @@
 //! The furthest of many predictions, several at once.
 
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 
 /// Predictions that are compared side by side: as many as there are numbers in two vectors.
 const AT_ONCE: usize = 8;
 
-/// What a model lets its target be at a place, by the mean and the deviation of its process there, for σ = 1:
+/// Range of a target at a place by its model, from the mean and the deviation of its process there, for σ = 1:
 ///
 /// ```text
 /// sign · (centre + mean + sign · many · scale · deviation)
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ends {
-    /// Of the values.
+    /// Centre of the values.
     pub centre: f64,
     /// σ
     pub scale: f64,
@@ -44,7 +44,7 @@ pub(super) fn furthest(means: &[f64], deviations: &[f64], ends: Ends) -> [Furthe
     let mut most = [[f64::NEG_INFINITY; AT_ONCE]; 2];
     // Numbers of blocks as floating-point numbers, which are chosen in the same vectors.
     let mut blocks_of_most = [[0.0; AT_ONCE]; 2];
-    on_vectors(
+    with_vector_instructions(
         #[inline(always)]
         || {
             let mut number = 0.0;

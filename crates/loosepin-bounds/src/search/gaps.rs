@@ -7,7 +7,7 @@
 //! sought from the candidates of the search, the best of which climb by steps along the axes, so that a slightly larger one may exist. A hill within a gap of that size may have been
 //! missed, whatever its height: the model of what lies between points knows the points alone.
 
-use super::search_box::{Axes, Place};
+use super::search_box::{Axes, BoxPoint};
 
 /// So many of the largest gaps among the candidates are widened.
 const CLIMBS: usize = 8;
@@ -15,8 +15,8 @@ const CLIMBS: usize = 8;
 const FIRST_STEP: f64 = 0.1;
 const LAST_STEP: f64 = 1e-3;
 
-/// The largest gap between `places` in any of so many `combinations` of the discrete inputs, as a share of its box; 1 where one has no place.
-pub(crate) fn largest_gap(axes: &Axes, combinations: usize, places: &[Place], candidates: &[Vec<f64>]) -> f64 {
+/// The largest gap between `places` in any of the `combinations` of the discrete inputs, as a share of its box; 1 if one has no place.
+pub(crate) fn largest_gap(axes: &Axes, combinations: usize, places: &[BoxPoint], candidates: &[Vec<f64>]) -> f64 {
     let of_combination = |combination: usize| {
         let own: Vec<&[f64]> =
             places.iter().filter(|place| place.combination == combination).map(|place| &place.at[..]).collect();
@@ -78,10 +78,10 @@ fn climb(axes: &Axes, places: &[&[f64]], from: &[f64], mut gap: f64) -> f64 {
 mod tests {
     use super::largest_gap;
     use crate::search::design::candidates;
-    use crate::search::search_box::{Axes, Place};
+    use crate::search::search_box::{Axes, BoxPoint};
 
-    fn place(at: &[f64]) -> Place {
-        Place { combination: 0, at: at.to_vec() }
+    fn place(at: &[f64]) -> BoxPoint {
+        BoxPoint { combination: 0, at: at.to_vec() }
     }
 
     #[test]
@@ -100,7 +100,7 @@ mod tests {
     #[test]
     fn analytic_the_largest_gap_of_corners_and_middle_of_a_square() {
         // A cube beside the middle: half the square.
-        let points: Vec<Place> =
+        let points: Vec<BoxPoint> =
             [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.5]].iter().map(|at| place(at)).collect();
         let gap = largest_gap(&Axes::open(2), 1, &points, &candidates(2).unwrap());
         assert!((0.24..=0.51).contains(&gap), "{gap}");

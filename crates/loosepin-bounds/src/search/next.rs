@@ -1,16 +1,21 @@
 //! The next points of a search.
 
 use super::parts::Element;
-use super::search_box::Place;
+use super::search_box::BoxPoint;
 use super::target::Target;
 use crate::data::direction::Direction;
 use crate::search::models::of_points::{Modelled, Search};
 use crate::search::models::prediction::Allowance;
 
 impl Search<'_> {
-    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the
-    /// surroundings of what was attained and where most would be conceded.
-    pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
+    /// At most `count` places: intersections of two slopes and places where models promise more than was attained; without any, the
+    /// surroundings of the attained extremes and the places with the largest allowance.
+    pub fn next_places(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+    ) -> Vec<BoxPoint> {
         self.places(targets, elements, count, false)
     }
 
@@ -21,7 +26,7 @@ impl Search<'_> {
         targets: &[(Target, Vec<Direction>)],
         elements: &[Element],
         count: usize,
-    ) -> Vec<Place> {
+    ) -> Vec<BoxPoint> {
         self.places(targets, elements, count, true)
     }
 
@@ -31,7 +36,7 @@ impl Search<'_> {
         elements: &[Element],
         count: usize,
         is_filled: bool,
-    ) -> Vec<Place> {
+    ) -> Vec<BoxPoint> {
         let mut places = self.kinks(targets, elements, count);
         if places.len() == count {
             return places;

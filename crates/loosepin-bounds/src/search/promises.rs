@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::parts::Element;
 use super::reach::{locate, reach, reach_with_kinks};
-use super::search_box::{Axes, Place, Region};
+use super::search_box::{Axes, BoxPoint, Region};
 use super::target::Target;
 use crate::data::direction::{Direction, extreme_among};
 use crate::search::models::of_points::{Branch, MIN_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
@@ -19,14 +19,14 @@ const SHARE_OF_SIDE: f64 = 0.5;
 
 impl Search<'_> {
     /// At most `count` new points for the ends of targets that are sought in each of `elements`, most promising first, by what models
-    /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution.
+    /// expect and by what they allow with `allowance`; empty if no gain, times the mass of its element, exceeds the resolution.
     pub(super) fn next_points(
         &self,
         Modelled { targets, branches }: Modelled<'_>,
         elements: &[Element],
         count: usize,
         allowance: Allowance,
-    ) -> Vec<Place> {
+    ) -> Vec<BoxPoint> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let own = targets.par_iter().zip(branches).with_min_len(TARGETS_AT_ONCE).enumerate();
         let mut promises: Vec<Promise> = own
@@ -45,7 +45,7 @@ impl Search<'_> {
             [expected, allowed, kinked].map(|own| distinct(self.axes, own, most).into_iter());
         // Where kinks are conceded most, half of the points go, and all where nothing else is expected: nothing else makes these concessions less.
         let turns = (0..most).flat_map(|_| [kinked.next(), kinked.next(), expected.next(), allowed.next()]).flatten();
-        let located: Vec<Place> = turns
+        let located: Vec<BoxPoint> = turns
             .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
@@ -56,7 +56,7 @@ impl Search<'_> {
                     return Some(promise.place);
                 }
                 let region = &elements[promise.element].region;
-                Some(Place {
+                Some(BoxPoint {
                     combination,
                     at: locate(self.axes, model, promise.direction, promise.allowance, promise.place.at, region),
                 })
@@ -72,9 +72,9 @@ impl Search<'_> {
         &self,
         Modelled { targets, branches }: Modelled<'_>,
         elements: &[Element],
-        mut places: Vec<Place>,
+        mut places: Vec<BoxPoint>,
         count: usize,
-    ) -> Vec<Place> {
+    ) -> Vec<BoxPoint> {
         if places.len() >= count {
             return places;
         }
@@ -97,7 +97,7 @@ impl Search<'_> {
             if places.len() == count {
                 break;
             }
-            let place = Place { combination, at: at.clone() };
+            let place = BoxPoint { combination, at: at.clone() };
             if self.points.iter().chain(&places).all(|other| self.axes.distance(other, &place) > apart) {
                 places.push(place);
             }
@@ -105,7 +105,7 @@ impl Search<'_> {
         places
     }
 
-    /// How far a place that is merely hoped for is from all points and from others of its round: what is found at one of them says little of the
+    /// Least distance of an optimistic place from all points and from others of its round: values at one of them say little about the
     /// others. Half of the side of a box for each point.
     fn least_distance_of_hopes(&self) -> f64 {
         let dimensions = self.points.first().map_or(1, |point| point.at.len().max(1));
@@ -121,7 +121,7 @@ struct Hope<'m> {
     at: &'m Vec<f64>,
 }
 
-/// Those of the model of one combination among its candidates in `region`.
+/// Optimistic places of the model of one combination among its candidates in `region`.
 fn hopes_of<'m>(
     (combination, branch): (usize, &'m Branch<'_>),
     direction: Direction,
@@ -139,8 +139,8 @@ fn hopes_of<'m>(
     forecasts.map(hope).filter(|hope| hope.merit > 1.0 && region.holds(hope.at)).collect()
 }
 
-/// Where the models of a target promise more than has been attained in any combination, element by element; also where kinks do, if it
-/// `may_have_kinks` that no point shows.
+/// Places where the models of a target promise more than was attained in any combination, element by element; also where kinks do, if the
+/// target `may_have_kinks` that no point shows.
 fn promises(
     (index, target): (usize, &Target),
     directions: &[Direction],
@@ -161,7 +161,7 @@ fn promises(
                     let gain = part.mass * direction.sign() * (value - attained);
                     let merit = gain / target.resolution(direction, attained);
                     if merit > 1.0 {
-                        let place = Place { combination, at };
+                        let place = BoxPoint { combination, at };
                         promises.push(Promise { target: index, element, direction, kind, allowance, merit, place });
                     }
                 };
@@ -176,7 +176,7 @@ fn promises(
     promises
 }
 
-/// By what a promise is made.
+/// The source of a promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// What a model expects.
@@ -194,7 +194,7 @@ struct Promise {
     kind: Kind,
     allowance: Allowance,
     merit: f64,
-    place: Place,
+    place: BoxPoint,
 }
 
 /// The first `count` promises that are not near each other.
@@ -219,14 +219,15 @@ mod tests {
     use crate::search::models::of_points::{Modelled, Search};
     use crate::search::models::prediction::Allowance;
     use crate::search::parts::Element;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
     use crate::search::target::{Target, TargetKind};
 
     /// Searches both ends of `function` with `count` points in rounds of five.
     fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
         let candidates = candidates(dimensions).unwrap();
-        let place = |at| Place { combination: 0, at };
-        let mut points: Vec<Place> = first_points(11, dimensions, count / 2).unwrap().into_iter().map(place).collect();
+        let place = |at| BoxPoint { combination: 0, at };
+        let mut points: Vec<BoxPoint> =
+            first_points(11, dimensions, count / 2).unwrap().into_iter().map(place).collect();
         loop {
             let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
@@ -263,9 +264,9 @@ mod tests {
     }
 
     /// The next places of both ends of a function of two numbers of which 24 values are known.
-    fn next_of(count: usize, is_filled: bool, function: impl Fn(&[f64]) -> f64) -> (Vec<Place>, Vec<Place>) {
-        let points: Vec<Place> =
-            first_points(11, 2, 24).unwrap().into_iter().map(|at| Place { combination: 0, at }).collect();
+    fn next_of(count: usize, is_filled: bool, function: impl Fn(&[f64]) -> f64) -> (Vec<BoxPoint>, Vec<BoxPoint>) {
+        let points: Vec<BoxPoint> =
+            first_points(11, 2, 24).unwrap().into_iter().map(|at| BoxPoint { combination: 0, at }).collect();
         let values = points.iter().map(|point| function(&point.at)).collect();
         let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-9; 2] };
         let axes = Axes::open(2);

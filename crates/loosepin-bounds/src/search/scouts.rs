@@ -1,21 +1,21 @@
 //! Single runs at random u as scouts: where they lie further from what the models expect than chance lets them, nobody has looked.
 
-use super::search_box::Place;
+use super::search_box::BoxPoint;
 use crate::data::direction::Direction;
 use crate::search::models::of_points::Search;
 
-/// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
+/// Least standard deviation of the runs at a point, as a share of the largest at any point.
 const MIN_DEVIATION: f64 = 1e-3;
 
-/// Where single runs were made, each at a u of its own, and the nearest outer point in the same combination of the discrete inputs.
+/// Single runs, each at a u of its own, with the nearest outer point in the same combination of the discrete inputs.
 pub(crate) struct Scouts<'a> {
-    places: &'a [Place],
+    places: &'a [BoxPoint],
     nearest: Vec<Option<usize>>,
 }
 
-/// A column of the scouts, and what it is held against.
+/// A column of the scouts, and its prediction.
 pub(crate) struct Observed<'a> {
-    /// Values of the scouts; not a number where a run failed.
+    /// Values of the scouts; NaN if a run failed.
     pub values: &'a [f64],
     /// Mean and standard deviation of the runs at every outer point, in the order of the points.
     pub moments: &'a [(f64, f64)],
@@ -25,8 +25,8 @@ pub(crate) struct Observed<'a> {
     pub ends: [f64; 2],
 }
 
-/// Of the runs at outer points, `standardised` (less their mean, in standard deviations), those that all but one of as many as there are
-/// `scouts` lie within on either side; nothing without any. The runs are put in another order.
+/// Range of the runs at outer points, `standardised` (less their mean, in standard deviations), that all but one of `scouts` further runs
+/// stay within by chance on either side; `None` if there are none. The runs are put in another order.
 pub(crate) fn ends_by_chance(standardised: &mut [f64], scouts: usize) -> Option<[f64; 2]> {
     let most = standardised.len().checked_sub(1)?;
     let further_out = standardised.len().checked_div(scouts)?.min(most);
@@ -36,8 +36,8 @@ pub(crate) fn ends_by_chance(standardised: &mut [f64], scouts: usize) -> Option<
 
 impl Search<'_> {
     /// The scouts at `places`.
-    pub fn scouts<'s>(&self, places: &'s [Place]) -> Scouts<'s> {
-        let nearest = |place: &Place| {
+    pub fn scouts<'s>(&self, places: &'s [BoxPoint]) -> Scouts<'s> {
+        let nearest = |place: &BoxPoint| {
             let group = self.groups.get(place.combination).map_or(&[][..], |group| group);
             let distances = group.iter().map(|&point| (self.axes.distance(&self.points[point], place), point));
             distances.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
@@ -48,10 +48,10 @@ impl Search<'_> {
     /// The places of those of `scouts` that lie further out, in standard deviations of the runs at the nearest outer point, than runs at
     /// the outer points lie from their own mean in all but one of as many: chance alone brings one of them to either side. The furthest
     /// first; at most `count`.
-    pub fn calls(&self, scouts: &Scouts<'_>, observed: &Observed<'_>, count: usize) -> Vec<Place> {
+    pub fn calls(&self, scouts: &Scouts<'_>, observed: &Observed<'_>, count: usize) -> Vec<BoxPoint> {
         let deviations = observed.moments.iter().map(|(_, deviation)| *deviation);
         let least = MIN_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
-        let mut calls: Vec<(f64, &Place)> = Vec::new();
+        let mut calls: Vec<(f64, &BoxPoint)> = Vec::new();
         for (scout, place) in scouts.places.iter().enumerate() {
             let Some(nearest) = scouts.nearest[scout] else { continue };
             let out = (observed.values[scout] - observed.means[scout]) / observed.moments[nearest].1.max(least);
@@ -71,17 +71,17 @@ mod tests {
     use super::{Observed, ends_by_chance};
     use crate::data::direction::Direction;
     use crate::search::models::of_points::Search;
-    use crate::search::search_box::{Axes, Place};
+    use crate::search::search_box::{Axes, BoxPoint};
     use loosepin_uncertainty::normal_quantile;
 
     /// 1,000 scouts of a response whose mean is 0 and whose standard deviation is 0.1, but for a hill 1 high between 0.62 and 0.63.
     #[test]
     fn analytic_a_hill_that_only_scouts_have_met_is_called() {
         let axes = Axes::open(1);
-        let place = |x: f64| Place { combination: 0, at: vec![x] };
-        let points: Vec<Place> = (0..=10).map(|i| place(0.1 * f64::from(i))).collect();
+        let place = |x: f64| BoxPoint { combination: 0, at: vec![x] };
+        let points: Vec<BoxPoint> = (0..=10).map(|i| place(0.1 * f64::from(i))).collect();
         let level = |run: usize| (run as f64 + 0.5) / 1000.0;
-        let places: Vec<Place> = (0..1000).map(|run| place(level(run))).collect();
+        let places: Vec<BoxPoint> = (0..1000).map(|run| place(level(run))).collect();
         let value = |run: usize| {
             let hill = if (0.62..0.63).contains(&level(run)) { 1.0 } else { 0.0 };
             // Every run has another one of as many quantiles.

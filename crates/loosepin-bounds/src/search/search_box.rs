@@ -8,7 +8,7 @@ pub(crate) struct Axes {
     pub(super) is_periodic: Vec<bool>,
 }
 
-/// Where the two vertices of a closed axis lie: with the centre of the box at three equal distances round the circle.
+/// Places of the two vertices of a closed axis: with the centre of the box at three equal distances round the circle.
 const VERTICES_OF_A_CIRCLE: [f64; 2] = [1.0 / 6.0, 5.0 / 6.0];
 
 impl Axes {
@@ -32,9 +32,9 @@ impl Axes {
         self.is_periodic[axis]
     }
 
-    /// The coordinates by which models tell places apart: those of open axes, then for each closed one
-    /// 1/2 + cos(2πx)/2π and 1/2 + sin(2πx)/2π, so that along it lengths are those of the unit box.
-    pub fn seen(&self, at: &[f64]) -> Vec<f64> {
+    /// The coordinates in which models measure distances: those of open axes, then for each closed one 1/2 + cos(2πx)/2π and 1/2 +
+    /// sin(2πx)/2π, so that lengths along it are those of the unit box.
+    pub fn embed(&self, at: &[f64]) -> Vec<f64> {
         let of = |is_periodic: bool| {
             let own = at.iter().zip(&self.is_periodic).filter(move |(_, own)| **own == is_periodic);
             own.map(|(x, _)| *x)
@@ -47,7 +47,7 @@ impl Axes {
         seen
     }
 
-    /// How a quantity changes along each axis at `at` that changes so along the coordinates [`Self::seen`].
+    /// How a quantity changes along each axis at `at` that changes so along the coordinates [`Self::embed`].
     pub fn slopes(&self, at: &[f64], of_seen: &[f64]) -> Vec<f64> {
         let (of_open, of_circles) = of_seen.split_at(at.len() - self.circles());
         let (mut of_open, mut of_circles) = (of_open.iter(), of_circles.chunks_exact(2));
@@ -67,7 +67,7 @@ impl Axes {
     }
 
     /// The largest difference along an axis; infinite between different boxes.
-    pub fn distance(&self, a: &Place, b: &Place) -> f64 {
+    pub fn distance(&self, a: &BoxPoint, b: &BoxPoint) -> f64 {
         if a.combination != b.combination {
             return f64::INFINITY;
         }
@@ -103,10 +103,10 @@ pub(crate) struct SearchBox {
 
 /// A point of one of the boxes.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct BoxPoint {
     /// Which combination of the discrete inputs, the member of the first one changing fastest.
     pub combination: usize,
-    /// Where in the unit box of the intervals.
+    /// Place in the unit box of the intervals.
     pub at: Vec<f64>,
 }
 
@@ -155,7 +155,7 @@ impl Region {
     }
 
     /// Which of `places` lie in it.
-    pub fn members(&self, places: &[Place]) -> Vec<usize> {
+    pub fn members(&self, places: &[BoxPoint]) -> Vec<usize> {
         (0..places.len()).filter(|&point| self.holds(&places[point].at)).collect()
     }
 
@@ -177,7 +177,7 @@ impl Region {
 }
 
 impl SearchBox {
-    /// The part of the unit box in which the inputs lie in `ranges`, one for each; nothing restricts a list.
+    /// The part of the unit box in which the inputs lie in `ranges`, one for each; a list is not restricted.
     pub fn region(&self, ranges: &[Option<Interval>]) -> Region {
         let mut region = Region::whole(self.wide.len());
         for (axis, &input) in self.wide.iter().enumerate() {
@@ -212,7 +212,7 @@ impl SearchBox {
         self.wide.len()
     }
 
-    /// The axis of input `index` in the unit box; nothing where it has none, as a single number or one of a list.
+    /// The axis of input `index` in the unit box; `None` if it has none, as a single number or one of a list.
     pub fn axis_of(&self, index: usize) -> Option<usize> {
         self.wide.iter().position(|&input| input == index)
     }
@@ -234,7 +234,7 @@ impl SearchBox {
     }
 
     /// Values of all inputs at `place`.
-    pub fn values_at(&self, place: &Place) -> Vec<f64> {
+    pub fn values_at(&self, place: &BoxPoint) -> Vec<f64> {
         let mut rest = place.combination;
         let mut values: Vec<f64> = self
             .inputs
@@ -257,13 +257,13 @@ impl SearchBox {
     }
 
     /// The first input whose value is none of its list.
-    pub fn stranger(&self, values: &[f64]) -> Option<usize> {
+    pub fn first_unlisted(&self, values: &[f64]) -> Option<usize> {
         let is_none_of = |(input, value): (&EpistemicVariable, &f64)| matches!(input, EpistemicVariable::OneOf(members) if members.index_of(*value).is_none());
         self.inputs.iter().zip(values).position(is_none_of)
     }
 
-    /// Where `values` of all inputs lie; none of them is a [`SearchBox::stranger`].
-    pub fn place_of(&self, values: &[f64]) -> Place {
+    /// The point of the box at `values` of all inputs; none of them is a [`SearchBox::first_unlisted`].
+    pub fn place_of(&self, values: &[f64]) -> BoxPoint {
         let (mut combination, mut weight) = (0, 1);
         let mut at = Vec::with_capacity(self.wide.len());
         for (index, (input, &value)) in self.inputs.iter().zip(values).enumerate() {
@@ -279,7 +279,7 @@ impl SearchBox {
                 }
             }
         }
-        Place { combination, at }
+        BoxPoint { combination, at }
     }
 
     /// Whether the first inputs lie within their ends.
@@ -293,7 +293,7 @@ impl SearchBox {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axes, Place, SearchBox};
+    use super::{Axes, BoxPoint, SearchBox};
     use loosepin_uncertainty::{Interval, Members};
 
     #[test]
@@ -301,7 +301,7 @@ mod tests {
         let intervals = [(0.5, 2.5), (3.25, 3.25), (-1.0, 0.5)].map(|(a, b)| Interval::try_new(a, b).unwrap().into());
         let search_box = SearchBox::new(intervals.to_vec());
         assert_eq!((search_box.dimensions(), search_box.combinations()), (2, 1));
-        let place = Place { combination: 0, at: vec![0.25, 1.0] };
+        let place = BoxPoint { combination: 0, at: vec![0.25, 1.0] };
         assert_eq!(search_box.values_at(&place), [1.0, 3.25, 0.5]);
         assert_eq!(search_box.place_of(&[1.0, 3.25, 0.5]), place);
         assert!(search_box.holds(&[1.0, 3.25]) && !search_box.holds(&[1.0, 3.0]));
@@ -311,10 +311,10 @@ mod tests {
     fn analytic_a_closed_axis_has_no_ends() {
         const TOLERANCE: f64 = 1e-15;
         let axes = Axes { is_periodic: vec![false, true] };
-        let place = |x: f64, y: f64| Place { combination: 0, at: vec![x, y] };
+        let place = |x: f64, y: f64| BoxPoint { combination: 0, at: vec![x, y] };
         assert!((axes.distance(&place(0.25, 0.95), &place(0.3, 0.05)) - 0.1).abs() < TOLERANCE);
         assert!((axes.distance(&place(0.75, 0.95), &place(0.3, 0.9)) - 0.45).abs() < TOLERANCE);
-        let (first, last) = (axes.seen(&[0.25, 0.0]), axes.seen(&[0.25, 1.0]));
+        let (first, last) = (axes.embed(&[0.25, 0.0]), axes.embed(&[0.25, 1.0]));
         assert!(first.len() == 3 && first.iter().zip(&last).all(|(a, b)| (a - b).abs() < TOLERANCE), "{last:?}");
         assert!((axes.inside(1, -0.125, [0.0, 1.0]) - 0.875).abs() < TOLERANCE);
         assert_eq!((axes.inside(0, -0.125, [0.0, 1.0]), axes.inside(0, 1.125, [0.0, 0.75])), (0.0, 0.75));
@@ -330,7 +330,7 @@ mod tests {
         assert_eq!((search_box.dimensions(), search_box.combinations()), (1, 6));
         let mut met: Vec<Vec<f64>> = Vec::new();
         for combination in 0..6 {
-            let place = Place { combination, at: vec![0.25] };
+            let place = BoxPoint { combination, at: vec![0.25] };
             let values = search_box.values_at(&place);
             assert_eq!(search_box.place_of(&values), place);
             assert!(values[1] == 1.0 && !met.contains(&values), "{values:?}");

@@ -1,9 +1,9 @@
-//! Where something smooth is expected to lead on from what has been attained.
+//! Places to which a smooth function is expected to lead on from the attained extremes.
 
 use rayon::prelude::*;
 
 use super::extremes::Extreme;
-use super::search_box::{Axes, Place};
+use super::search_box::{Axes, BoxPoint};
 use crate::search::models::local::LocalSmoothers;
 use crate::search::models::of_points::{Search, defined};
 use crate::search::models::prediction::Allowance;
@@ -28,19 +28,20 @@ impl Search<'_> {
     ///
     /// Each climb follows a model of its own, of the nearest points alone. A model of all points spans far larger differences, and with
     /// what it allows for round-off it cannot tell the least ones along a curved ridge, where no candidate lies nearer to the summit.
-    pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<Place> {
-        let mut summits: Vec<(f64, Place)> = extremes.par_iter().filter_map(|extreme| self.summit(extreme)).collect();
+    pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
+        let mut summits: Vec<(f64, BoxPoint)> =
+            extremes.par_iter().filter_map(|extreme| self.summit(extreme)).collect();
         summits.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.new_places(summits.into_iter().map(|(_, place)| place), count)
     }
 
-    /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; nothing where it is not worth a
+    /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; `None` if it is not worth a
     /// point, and where the target is not smooth.
-    fn summit(&self, extreme: &Extreme<'_>) -> Option<(f64, Place)> {
+    fn summit(&self, extreme: &Extreme<'_>) -> Option<(f64, BoxPoint)> {
         if extreme.model.is_regressing() {
             return None;
         }
-        let Place { combination, ref at } = self.points[extreme.point];
+        let BoxPoint { combination, ref at } = self.points[extreme.point];
         let (near, radius) = self.nearest(extreme)?;
         // The local box has the extreme in its centre and the furthest of the points on its faces.
         let local = |axis: usize, coordinate: f64| 0.5 + 0.5 * self.axes.step(axis, at[axis], coordinate) / radius;
@@ -78,11 +79,11 @@ impl Search<'_> {
             let (lower, upper) = (extreme.region.lower[axis], extreme.region.upper[axis]);
             self.axes.inside(axis, at[axis] + 2.0 * radius * (x - 0.5), [lower, upper])
         };
-        let place = Place { combination, at: found.place.iter().enumerate().map(back).collect() };
+        let place = BoxPoint { combination, at: found.place.iter().enumerate().map(back).collect() };
         (gain > MIN_CLIMB).then_some((gain, place))
     }
 
-    /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; nothing where there
+    /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; `None` if there
     /// are no others.
     fn nearest(&self, extreme: &Extreme<'_>) -> Option<(Vec<usize>, f64)> {
         let centre = &self.points[extreme.point];
@@ -107,7 +108,7 @@ mod tests {
     use crate::search::models::noise::Noise;
     use crate::search::models::of_points::Modelled;
     use crate::search::parts::Element;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
     use crate::search::target::{Target, TargetKind};
 
     /// The first of the surroundings of the maximum of `function` on a grid of five by five around `centre`.
@@ -115,7 +116,7 @@ mod tests {
         const STEP: f64 = 0.01;
         let beside = |axis: usize, steps: i32| axes.inside(axis, centre[axis] + STEP * f64::from(steps), [0.0, 1.0]);
         let grid = (0..25).map(|i| vec![beside(0, i % 5 - 2), beside(1, i / 5 - 2)]);
-        let points: Vec<Place> = grid.map(|at| Place { combination: 0, at }).collect();
+        let points: Vec<BoxPoint> = grid.map(|at| BoxPoint { combination: 0, at }).collect();
         let values = points.iter().map(|point| function(point.at[0], point.at[1])).collect();
         let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-8; 2] };
         let search = Search::new(axes, &points, &candidates(2).unwrap(), [&target]);

@@ -2,13 +2,13 @@
 
 use super::extremes::Extreme;
 use super::parts::Element;
-use super::search_box::Place;
+use super::search_box::BoxPoint;
 use crate::search::models::of_points::{Modelled, Search};
 use crate::search::models::prediction::Allowance;
 use loosepin_uncertainty::{hash, normal};
 
-/// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
-/// units of the box, the largest first.
+/// Distances along each axis, in units of the box, the largest first, at which the surroundings of each extreme are examined where the
+/// models promise nothing more.
 const CONFIRMING_DISTANCES: [f64; 3] = [0.02, 0.004, 0.0008];
 
 /// At these distances nothing changes around an extreme that is rounded. Where something does, slopes meet, maybe in a ridge that leads on
@@ -25,9 +25,9 @@ const SLOPE_RATIO: f64 = 8.0;
 
 impl Search<'_> {
     /// At most `count` places near the extremes of targets in each of `elements`, where their models promise nothing more than has
-    /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
+    /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. Empty if there
     /// are many targets: the poses of a curve.
-    pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<Place> {
+    pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<BoxPoint> {
         if self.is_of_curves() {
             return Vec::new();
         }
@@ -36,15 +36,15 @@ impl Search<'_> {
         if summits.is_empty() { self.confirming_points(&extremes, count) } else { summits }
     }
 
-    /// At most `count` places around `extremes`: a model can be wrong about its own error, and what is found there tells it so.
+    /// At most `count` places around `extremes`: values there correct a model that is wrong about its own error.
     ///
     /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
     /// above the resolution, and the way down a slope from a face.
-    fn confirming_points(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<Place> {
+    fn confirming_points(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
         let along_axes = CONFIRMING_DISTANCES.map(|distance| (distance, false));
         let turned = TURNED_DISTANCES.map(|distance| (distance, true));
         for (distance, is_turned) in along_axes.into_iter().chain(turned) {
-            let mut chosen: Vec<Place> = Vec::new();
+            let mut chosen: Vec<BoxPoint> = Vec::new();
             for extreme in extremes {
                 self.confirm(extreme, distance, is_turned, &mut chosen);
             }
@@ -56,10 +56,10 @@ impl Search<'_> {
         Vec::new()
     }
 
-    /// Adds the places at `distance` around one extreme that tell something.
-    fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
+    /// Adds the informative places at `distance` around one extreme.
+    fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<BoxPoint>) {
         let &Extreme { point, value, region, resolution, model, .. } = extreme;
-        let Place { combination, at } = &self.points[point];
+        let BoxPoint { combination, at } = &self.points[point];
         // What a model takes for noise does not end however near it looks.
         if is_turned && model.is_regressing() {
             return;
@@ -74,8 +74,8 @@ impl Search<'_> {
                     let shifted = at.iter().zip(direction).enumerate();
                     shifted.map(|(axis, (x, share))| self.axes.inside(axis, x + by * share, ends(axis))).collect()
                 };
-                let place = Place { combination: *combination, at: moved(signed) };
-                let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
+                let place = BoxPoint { combination: *combination, at: moved(signed) };
+                let is_taken = |point: &BoxPoint| self.axes.distance(point, &place) < 0.5 * distance;
                 let falls_by = fall(&place.at);
                 let is_slope = on_face.contains(&axis) && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed));
                 let shows_nothing = falls_by <= resolution || is_slope;

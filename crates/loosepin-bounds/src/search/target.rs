@@ -10,11 +10,11 @@ pub(crate) const SEARCH_RESOLUTION: f64 = 1e-6;
 /// A quantity known at every point, whose extremes are sought.
 #[derive(Debug, Clone)]
 pub(crate) struct Target {
-    /// Value at every point; not a number where it is undefined.
+    /// Value at every point; NaN if it is undefined.
     pub values: Vec<f64>,
     /// How it is modelled.
     pub kind: TargetKind,
-    /// What of the values is sampling noise.
+    /// Sampling noise of the values.
     pub noise: Noise,
     /// Gains below these are not worth a point: of the minimum, of the maximum; of an index, gains of its probability.
     pub resolutions: [f64; 2],

@@ -8,13 +8,13 @@ use loosepin::report::{identification_gain, identification_page, identification_
 use loosepin::result::json::to_json;
 use loosepin::result::repeat::Repeat;
 use loosepin::result::study::StudyResult;
-use loosepin::results::{Claim, InputsHash, InputsHasher, Place, ResultKind};
+use loosepin::results::{Claim, Destination, InputsHash, InputsHasher, ResultKind};
 use loosepin::study::{Progress, RunOptions, Study, run_study, study_inputs};
 use loosepin::units::{DisplayUnits, counted_or_no};
 
 use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, run_and_write, show_found, write_and_tell};
+use super::stored::{StoredResult, run_and_write, show_found, write_and_print};
 use super::threads::threads;
 use crate::arguments::IdentifyArguments;
 use crate::console;
@@ -46,7 +46,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
         kind: ResultKind::Identification,
         name: study.name.clone(),
         inputs: inputs(&study, arguments),
-        place: Place::Folder(folder.clone()),
+        destination: Destination::Folder(folder.clone()),
         with_force: arguments.force,
     };
     let folder = claim.take()?;
@@ -63,7 +63,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
             answer.plan = Some(plan);
         }
         answer.repeat = Repeat::new("identify", &stated(arguments), study.input_files());
-        write_and_tell(&answer, folder)?;
+        write_and_print(&answer, folder)?;
         write_asked(&study, &answer, arguments)
     })
 }

@@ -7,17 +7,18 @@ use std::time::SystemTime;
 
 use loosepin::files::{Folder, FolderLock};
 use loosepin::report::study_page;
-use loosepin::results::{Claim, Place, ResultKind, ResultsError, ShardFolders, ShardsError};
-use loosepin::store::{Beginning, RunStore, Shard};
+use loosepin::results::{Claim, Destination, ResultKind, ResultsError, ShardFolders, ShardsError};
+use loosepin::store::{ExistingRuns, RunStore, Shard};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
-    Begun, OpenRound, Part, RunOptions, StudyError, begin_in_folder, conclude, plan_shards, run_study, store_identity,
+    ClaimOutcome, OpenRound, RunOptions, RunSubset, StudyError, begin_in_folder, conclude, plan_shards, run_study,
+    store_identity,
 };
 use loosepin::units;
 
 use super::signals::stop_on_signals;
 use super::stored::show_found;
-use super::study::{read_stated, tell_concluded};
+use super::study::{read_study_with_options, show_outcome};
 use super::threads::threads;
 use crate::arguments::MergeArguments;
 use crate::console;
@@ -29,7 +30,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let shards = ShardFolders::read(&arguments.folders).map_err(|error| Failure::of(&error))?;
     let record = &shards.record;
     let path = arguments.study.as_ref().unwrap_or(&record.study);
-    let (mut study, inputs) = read_stated(path, &record.accuracy, record.budget.as_deref())?;
+    let (mut study, inputs) = read_study_with_options(path, &record.accuracy, record.budget.as_deref())?;
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
     }
@@ -41,7 +42,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         kind: ResultKind::Study,
         name: study.name.clone(),
         inputs,
-        place: Place::Folder(results(arguments, &shards)?),
+        destination: Destination::Folder(results(arguments, &shards)?),
         with_force: arguments.output.force,
     };
     if !claim.is_finished()? {
@@ -54,7 +55,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         let not_opened = |source| Failure::of(&ResultsError::Read { path: path.clone(), source });
         stores.push((shard, Folder::open(path).map_err(not_opened)?));
     }
-    let beginning = if claim.with_force { Beginning::Anew } else { Beginning::GoOn };
+    let beginning = if claim.with_force { ExistingRuns::Anew } else { ExistingRuns::GoOn };
     let added = Cell::new(0);
     let open = |lock: &Arc<FolderLock>| {
         let (store, new) = RunStore::begin_joined(lock, &store_identity(&claim.inputs), beginning, &stores)?;
@@ -62,15 +63,15 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         Ok(store)
     };
     let (folder, store) = match begin_in_folder(&claim, open)? {
-        Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(folder) => return show_found::<StudyResult>(folder),
+        ClaimOutcome::Open(folder, store) => (folder, store),
+        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder),
     };
     console::message(&format!("{} new runs of {}", added.get(), units::counted_or_no(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::going_on(store.runs_at_start() as usize);
-    let part = Part::Joined { of, largest_round: arguments.small_round as usize };
-    let options = RunOptions { store: Some(&store), part, ..RunOptions::new(threads, &bar, &stop) };
+    let bar = Bar::resumed(store.runs_at_start() as usize);
+    let run_subset = RunSubset::Joined { of, largest_round: arguments.small_round as usize };
+    let options = RunOptions { store: Some(&store), run_subset, ..RunOptions::new(threads, &bar, &stop) };
     let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
     if let Err(StudyError::RoundOpen(open)) = &outcome {
@@ -79,7 +80,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         return Ok(Done::RoundOpen);
     }
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    tell_concluded(concluded, "continue with the same command")
+    show_outcome(concluded, "continue with the same command")
 }
 
 /// The folder of the results, the same as for a study on one machine.

@@ -9,7 +9,7 @@ use loosepin::simulate::input_files;
 use loosepin::study::InputFile;
 
 use super::inputs::{add_model, add_study, warn};
-use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
+use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use crate::arguments::MotionArguments;
 use crate::ending::{Done, Ending};
 
@@ -31,7 +31,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     if folder.is_finished() {
         return show_found::<MotionRecord>(folder);
     }
-    run_and_write(folder, |folder| write_and_tell(&record, folder))
+    run_and_write(folder, |folder| write_and_print(&record, folder))
 }
 
 impl StoredResult for MotionRecord {

@@ -13,7 +13,7 @@ use loosepin::study::result::StudyResult;
 use loosepin::sweep::record::SweepRecord;
 use loosepin::units::Dimension;
 
-use super::stored::{StoredResult, show_again};
+use super::stored::{StoredResult, show_stored};
 use crate::arguments::ReportArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -47,11 +47,11 @@ pub fn run(arguments: &ReportArguments) -> Ending {
     }
     let mut folder = ResultsFolder::reopen(&arguments.folder)?;
     match folder.kind() {
-        ResultKind::Simulation => show_again::<SimulationRecord>(&mut folder),
-        ResultKind::Study => show_again::<StudyResult>(&mut folder),
-        ResultKind::Sweep => show_again::<SweepRecord>(&mut folder),
-        ResultKind::Motion => show_again::<MotionRecord>(&mut folder),
-        ResultKind::Identification => show_again::<Identification>(&mut folder),
+        ResultKind::Simulation => show_stored::<SimulationRecord>(&mut folder),
+        ResultKind::Study => show_stored::<StudyResult>(&mut folder),
+        ResultKind::Sweep => show_stored::<SweepRecord>(&mut folder),
+        ResultKind::Motion => show_stored::<MotionRecord>(&mut folder),
+        ResultKind::Identification => show_stored::<Identification>(&mut folder),
         ResultKind::Networks => Err(ResultsError::NoPage { folder: folder.path().to_owned() }.into()),
     }
 }

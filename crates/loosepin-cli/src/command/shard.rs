@@ -4,16 +4,16 @@ use std::path::Path;
 
 use loosepin::files::Folder;
 use loosepin::result::json::to_json;
-use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord};
-use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
+use loosepin::results::{Claim, Destination, SHARD_FILE, ShardRecord};
+use loosepin::store::{ExistingRuns, PUBLISHED_FILE, RunStore, Shard};
 use loosepin::study::{
-    Begun, Part, RunOptions, Study, StudyError, begin_in_folder, plan_shards, run_study, store_identity,
+    ClaimOutcome, RunOptions, RunSubset, Study, StudyError, begin_in_folder, plan_shards, run_study, store_identity,
 };
 
 use loosepin::units::counted;
 
 use super::signals::stop_on_signals;
-use super::stored::tell_going_on;
+use super::stored::show_reused_runs;
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -31,7 +31,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         return Ok(Done::Well);
     }
     plan_shards(study, threads(arguments.threads)).map_err(|error| error.diagnostic(study))?;
-    let claim = Claim { place: Place::Folder(shard.folder(&results)), ..whole };
+    let claim = Claim { destination: Destination::Folder(shard.folder(&results)), ..whole };
     let record = ShardRecord {
         shard: shard.index(),
         of: shard.of(),
@@ -44,21 +44,21 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     };
     let has_published = |folder: &Folder| folder.find(Path::new(PUBLISHED_FILE)).is_ok_and(|found| found.is_some());
     let published = Folder::open(&results).ok().filter(has_published);
-    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let beginning = ExistingRuns::from_options(claim.with_force, arguments.resume);
     let identity = store_identity(&claim.inputs);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin_beside(lock, published.as_ref(), &identity, beginning))?;
-    let Begun::Open(folder, store) = begun else {
+    let ClaimOutcome::Open(folder, store) = begun else {
         console::message(&format!("{} already holds this study", claim.path().display()));
         return Ok(Done::Well);
     };
     let text = to_json(&record).map_err(|error| folder.foreign_file(SHARD_FILE, error))?;
     // Not one of the files of the result, which are deleted when it starts again.
     folder.write_beside(SHARD_FILE, text.as_bytes())?;
-    tell_going_on(&store);
+    show_reused_runs(&store);
     let stop = stop_on_signals("Ctrl-C ends the shard at once; saved runs are kept");
     let bar = Bar::new();
-    let (threads, part) = (threads(arguments.threads), Part::Shard(shard));
-    let options = RunOptions { store: Some(&store), part, ..RunOptions::new(threads, &bar, &stop) };
+    let (threads, run_subset) = (threads(arguments.threads), RunSubset::Shard(shard));
+    let options = RunOptions { store: Some(&store), run_subset, ..RunOptions::new(threads, &bar, &stop) };
     let outcome = run_study(study, &claim.inputs.to_string(), &options);
     bar.finish();
     let merge = format!("loosepin merge {}.shard-*-of-{}", results.display(), shard.of());

@@ -13,17 +13,17 @@ use loosepin::study::{run_inputs, run_into};
 use loosepin::units::Dimension;
 
 use super::inputs::{check_tolerance, read_model};
-use super::stored::{StoredResult, claim, run_and_write, show_found, tell};
+use super::stored::{StoredResult, claim, print_result, run_and_write, show_found};
 use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
 
 /// Runs the model, or shows the stored run.
 pub fn run(arguments: &SimulateArguments) -> Ending {
-    run_shown::<SimulationRecord>(arguments)
+    simulate_and_show::<SimulationRecord>(arguments)
 }
 
 /// Runs the model or reads the stored run, and shows it as an `R`.
-pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
+pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
@@ -49,7 +49,7 @@ pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateA
     run_and_write(folder, |folder| {
         let never = AtomicBool::new(false);
         let finished = run_into(folder, (&mechanism, &set), &plan, &measured, &simulation_page, &never)?;
-        let done = tell(&R::from(finished.record), folder)?;
+        let done = print_result(&R::from(finished.record), folder)?;
         // The files are kept to show the cause.
         finished.failure.map_or(Ok(done), |failure| Err(failure.into()))
     })
@@ -83,7 +83,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         with_states: arguments.states,
         lyapunov_turns: arguments.lyapunov,
         second_run: !arguments.no_second_run,
-        overrides: Override::of_settings(&arguments.set),
+        overrides: Override::from_settings(&arguments.set),
     })
 }
 

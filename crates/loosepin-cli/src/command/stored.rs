@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::result::json::Stored;
-use loosepin::results::{Claim, InputsHash, Place, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::results::{Claim, Destination, InputsHash, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::store::RunStore;
 use loosepin::units::counted_or_no;
 
@@ -16,13 +16,13 @@ const RESULTS_ROOT: &str = "results";
 
 /// The folder for the results of `inputs`.
 pub fn claim(kind: ResultKind, name: &str, inputs: InputsHash, output: &OutputArguments) -> Claim {
-    let below = || Place::Below(PathBuf::from(RESULTS_ROOT));
-    let place = output.folder.clone().map_or_else(below, Place::Folder);
-    Claim { kind, name: name.to_owned(), inputs, place, with_force: output.force }
+    let below = || Destination::Below(PathBuf::from(RESULTS_ROOT));
+    let destination = output.folder.clone().map_or_else(below, Destination::Folder);
+    Claim { kind, name: name.to_owned(), inputs, destination, with_force: output.force }
 }
 
 /// Shows how many finished runs are reused.
-pub fn tell_going_on(store: &RunStore) {
+pub fn show_reused_runs(store: &RunStore) {
     if store.runs_at_start() > 0 {
         let runs = counted_or_no(store.runs_at_start() as usize, "finished run", "finished runs");
         console::message(&format!("continuing with {runs}"));
@@ -68,12 +68,12 @@ pub trait StoredResult: Stored {
 ///
 /// # Errors
 /// A value that JSON cannot represent, or an error of the file system.
-pub fn write_and_tell<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
+pub fn write_and_print<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
     let text = record.to_json().map_err(|error| folder.foreign_file(SUMMARY_FILE, error))?;
     folder.write(SUMMARY_FILE, text.as_bytes())?;
     folder.write(REPORT_FILE, R::PAGE(record).as_bytes())?;
     folder.finish()?;
-    tell(record, folder)
+    print_result(record, folder)
 }
 
 /// Reports that the result already exists, and shows it.
@@ -83,18 +83,18 @@ pub fn show_found<R: StoredResult>(mut folder: ResultsFolder) -> Ending {
         folder.path().display(),
         folder.kind().words()
     ));
-    show_again::<R>(&mut folder)
+    show_stored::<R>(&mut folder)
 }
 
 /// Writes the page again from the stored result, and prints the tables.
-pub fn show_again<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
+pub fn show_stored<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
     let result = R::read(folder)?;
     folder.write(REPORT_FILE, R::PAGE(&result).as_bytes())?;
-    tell(&result, folder)
+    print_result(&result, folder)
 }
 
 /// Prints the tables and the path of the page.
-pub fn tell<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
+pub fn print_result<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
     console::print(&R::TEXT(result))?;
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(result.done())

@@ -5,17 +5,17 @@ use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
 use loosepin::results::{InputsHash, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, RunStore, STORE_FILE};
+use loosepin::store::{ExistingRuns, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
-    Begun, Concluded, RunOptions, Study, begin_in_folder, conclude, run_study, store_identity, study_inputs,
+    ClaimOutcome, RunOptions, Study, StudyOutcome, begin_in_folder, conclude, run_study, store_identity, study_inputs,
 };
 
 use super::inputs::read_study;
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, claim, show_found, tell, tell_going_on};
+use super::stored::{StoredResult, claim, print_result, show_found, show_reused_runs};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -24,7 +24,8 @@ use crate::progress::Bar;
 
 /// Runs the study, or shows the stored one.
 pub fn run(arguments: &StudyArguments) -> Ending {
-    let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
+    let (mut study, inputs) =
+        read_study_with_options(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
     // Not an input of the results: it only decides when the study ends with an error.
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
@@ -38,28 +39,32 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         loosepin::study::plan_runs_on(&study, threads(arguments.threads)).map_err(|error| error.diagnostic(&study))?;
     }
     let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
-    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let beginning = ExistingRuns::from_options(claim.with_force, arguments.resume);
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
-        Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(folder) => return show_found::<StudyResult>(folder),
+        ClaimOutcome::Open(folder, store) => (folder, store),
+        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder),
     };
-    tell_going_on(&store);
+    show_reused_runs(&store);
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::going_on(store.runs_at_start() as usize);
+    let bar = Bar::resumed(store.runs_at_start() as usize);
     let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, &bar, &stop) };
     let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    tell_concluded(concluded, "continue with the same command and --resume")
+    show_outcome(concluded, "continue with the same command and --resume")
 }
 
 /// Reads a study file and the options of the command line that change it; also returns the hash of all inputs.
 ///
 /// # Errors
 /// All errors in the file and in the options.
-pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Result<(Study, InputsHash), Failure> {
+pub fn read_study_with_options(
+    path: &Path,
+    accuracy: &[String],
+    budget: Option<&str>,
+) -> Result<(Study, InputsHash), Failure> {
     let mut study = read_study(path)?;
     for accuracy in accuracy {
         study.add_accuracy(accuracy)?;
@@ -75,10 +80,10 @@ pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Re
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub fn tell_concluded(concluded: Concluded, hint: &str) -> Ending {
+pub fn show_outcome(concluded: StudyOutcome, hint: &str) -> Ending {
     match concluded {
-        Concluded::Finished { run, folder } => tell(&run.result, &folder),
-        Concluded::Interrupted { finished, most_runs, folder } => {
+        StudyOutcome::Finished { run, folder } => print_result(&run.result, &folder),
+        StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let count = finished.columns.first().map_or(0, |column| column.data.len());
             console::message(&format!(
                 "interrupted after {count} of at most {most_runs} runs; they are kept in {}\nhint: {hint}",

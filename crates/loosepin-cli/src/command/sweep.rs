@@ -14,7 +14,7 @@ use loosepin::units::Dimension;
 
 use super::inputs::{add_model, check_tolerance, read_model};
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
+use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use super::threads::threads;
 use crate::arguments::SweepArguments;
 use crate::console;
@@ -51,7 +51,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         record.repeat = repeat(&model, arguments);
         folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
         folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
-        write_and_tell(&record, folder)
+        write_and_print(&record, folder)
     })
 }
 
@@ -73,7 +73,7 @@ fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<Sw
         transient_turns: arguments.transient,
         recorded_turns: arguments.turns,
         settings: Settings { tolerance_m, ..Settings::for_study() },
-        overrides: Override::of_settings(&arguments.set),
+        overrides: Override::from_settings(&arguments.set),
     })
 }
 

@@ -7,7 +7,7 @@ use loosepin::result::json::Stored;
 use loosepin::simulate::record::SimulationRecord;
 
 use super::inputs::read_model;
-use super::simulate::run_shown;
+use super::simulate::simulate_and_show;
 use super::stored::StoredResult;
 use crate::arguments::{IntegratorKind, SimulateArguments, WearArguments};
 use crate::ending::{Done, Ending};
@@ -36,7 +36,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
         no_second_run: false,
         integrator: IntegratorKind::Explicit,
     };
-    run_shown::<ShownWear>(&simulation)
+    simulate_and_show::<ShownWear>(&simulation)
 }
 
 /// A simulation whose wear is shown.

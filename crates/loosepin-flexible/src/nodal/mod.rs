@@ -9,5 +9,5 @@ mod tangent;
 
 pub use beam::{MassEntries, NodalBeam};
 pub use mesh::{Mesh, Nodal, Rule};
-pub use statics::{Clamped, NotBalanced, TipLoad};
+pub use statics::{ClampedRoot, NoStableEquilibrium, TipLoad};
 pub use tangent::ElementMatrix;

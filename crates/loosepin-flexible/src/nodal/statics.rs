@@ -15,7 +15,7 @@ const MIN_SHARE: f64 = 1e-4;
 
 /// A root whose section is held: position and direction of r' are given, its length |r'| is free.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clamped {
+pub struct ClampedRoot {
     /// r at the root, m.
     pub root_m: Vec2<f64>,
     /// Direction of r' there, a unit vector.
@@ -33,18 +33,18 @@ pub struct TipLoad {
 
 /// No balance was found up to the whole load, or none that is stable: the beam buckles or snaps through before.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NotBalanced {
+pub struct NoStableEquilibrium {
     /// Share of the load at which the last balance was found.
     pub share: f64,
 }
 
-impl std::fmt::Display for NotBalanced {
+impl std::fmt::Display for NoStableEquilibrium {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(formatter, "no stable balance beyond {} of the load", self.share)
     }
 }
 
-impl std::error::Error for NotBalanced {}
+impl std::error::Error for NoStableEquilibrium {}
 
 impl NodalBeam<f64> {
     /// Nodes of the beam at rest, clamped at its root, under its weight by `gravity_m_s2` and a load on its tip. The load grows in
@@ -55,11 +55,11 @@ impl NodalBeam<f64> {
     pub fn at_rest(
         &self,
         mesh: &Mesh,
-        clamped: &Clamped,
+        clamped: &ClampedRoot,
         gravity_m_s2: Vec2<f64>,
         load: &TipLoad,
         steps: usize,
-    ) -> Result<Vec<Nodal<f64>>, NotBalanced> {
+    ) -> Result<Vec<Nodal<f64>>, NoStableEquilibrium> {
         let mut balance = Balance::new(self, mesh, clamped, gravity_m_s2, load);
         let mut nodes = self.straight(mesh, clamped.root_m, clamped.axis);
         let (mut share, mut growth) = (0.0, 1.0 / steps.max(1) as f64);
@@ -71,7 +71,7 @@ impl NodalBeam<f64> {
             } else {
                 growth *= 0.5;
                 if growth < MIN_SHARE {
-                    return Err(NotBalanced { share });
+                    return Err(NoStableEquilibrium { share });
                 }
             }
         }
@@ -95,7 +95,7 @@ impl<'b> Balance<'b> {
     fn new(
         beam: &'b NodalBeam<f64>,
         mesh: &'b Mesh,
-        clamped: &Clamped,
+        clamped: &ClampedRoot,
         gravity_m_s2: Vec2<f64>,
         load: &'b TipLoad,
     ) -> Self {

@@ -1,7 +1,7 @@
 //! Frequencies of beams with lumped masses against closed forms.
 
 use super::rectangular;
-use crate::{Basis, Beam, Frame, HeldBeam, Lump, Shapes};
+use crate::{Basis, Beam, Frame, HeldBeam, LumpedMass, Shapes};
 use loosepin_math::Vec2;
 use std::f64::consts::{PI, TAU};
 
@@ -15,8 +15,8 @@ fn monomial(index: usize, s: f64) -> [f64; 3] {
     [s.powf(n) / n, s.powf(n - 1.0), (n - 1.0) * s.powf(n - 2.0)]
 }
 
-fn at_tip(shapes: &Shapes, mass_kg: f64, inertia_kg_m2: f64, reach_m: f64) -> Lump<'_> {
-    Lump { station: &shapes.tip, arm_m: Vec2::new(reach_m, 0.0), mass_kg, inertia_kg_m2 }
+fn at_tip(shapes: &Shapes, mass_kg: f64, inertia_kg_m2: f64, reach_m: f64) -> LumpedMass<'_> {
+    LumpedMass { station: &shapes.tip, arm_m: Vec2::new(reach_m, 0.0), mass_kg, inertia_kg_m2 }
 }
 
 /// The root of a function that changes its sign once between two places.
@@ -115,8 +115,12 @@ fn analytic_mass_in_the_middle_of_a_beam_on_two_pins() {
         let condition = |z: f64| ratio * z * ((0.5 * z).tan() - (0.5 * z).tanh()) - 4.0;
         let exact = root(&condition, [1e-3, PI - 1e-9]).powi(2) * unit;
         let shapes = Shapes::of(&Basis::new(Frame::Secant, [1, 8], &[0.5]), &[0.5]);
-        let lump =
-            Lump { station: &shapes.inside[0], arm_m: Vec2::zero(), mass_kg: ratio * beam.mass_kg, inertia_kg_m2: 0.0 };
+        let lump = LumpedMass {
+            station: &shapes.inside[0],
+            arm_m: Vec2::zero(),
+            mass_kg: ratio * beam.mass_kg,
+            inertia_kg_m2: 0.0,
+        };
         let [_, lateral] = HeldBeam::new(&beam, &shapes, &[lump]).frequencies_hz();
         let error = lateral[0] / exact - 1.0;
         // What eight modes leave of the beam alone, at most.
@@ -134,7 +138,7 @@ fn analytic_heavy_body_beside_the_axis() {
     let beam = rod();
     let shapes = Shapes::from_functions((1, &|_, s| [s, 1.0]), (4, &monomial), 24);
     let (mass_kg, across_m) = (1e5 * beam.mass_kg, 0.04);
-    let lump = Lump { station: &shapes.tip, arm_m: Vec2::new(0.0, across_m), mass_kg, inertia_kg_m2: 0.0 };
+    let lump = LumpedMass { station: &shapes.tip, arm_m: Vec2::new(0.0, across_m), mass_kg, inertia_kg_m2: 0.0 };
     let held = HeldBeam::new(&beam, &shapes, &[lump]);
     let [mut axial, lateral] = held.frequencies_hz();
     axial.extend(lateral);
@@ -172,7 +176,8 @@ fn analytic_heavy_body_beside_the_axis() {
 fn identity_condensed_shapes_keep_slower_ones_and_their_flexibility() {
     let beam = rod();
     let shapes = Shapes::of(&Basis::new(Frame::Secant, [3, 3], &[0.12]), &[0.12]);
-    let lump = Lump { station: &shapes.inside[0], arm_m: Vec2::new(0.0, 0.01), mass_kg: 0.05, inertia_kg_m2: 1e-5 };
+    let lump =
+        LumpedMass { station: &shapes.inside[0], arm_m: Vec2::new(0.0, 0.01), mass_kg: 0.05, inertia_kg_m2: 1e-5 };
     let mut held = HeldBeam::new(&beam, &shapes, &[lump]);
     let sorted = |held: &HeldBeam| {
         let mut all = held.frequencies_hz().concat();

@@ -1,12 +1,12 @@
 //! A cantilever in absolute nodal coordinates against the elastica.
 
-use crate::nodal::{Clamped, Mesh, NodalBeam, NotBalanced, Rule, TipLoad};
+use crate::nodal::{ClampedRoot, Mesh, NoStableEquilibrium, NodalBeam, Rule, TipLoad};
 use loosepin_math::Vec2;
 
 const LENGTH_M: f64 = 0.8;
 /// EI, N m².
 const BENDING: f64 = 3.7;
-const ROOT: Clamped = Clamped { root_m: Vec2 { x: 0.2, y: -0.1 }, axis: Vec2 { x: 0.8, y: 0.6 } };
+const ROOT: ClampedRoot = ClampedRoot { root_m: Vec2 { x: 0.2, y: -0.1 }, axis: Vec2 { x: 0.8, y: 0.6 } };
 
 /// A beam with EA L²/EI = `slenderness`.
 fn beam(slenderness: f64) -> NodalBeam<f64> {
@@ -20,7 +20,7 @@ fn beam(slenderness: f64) -> NodalBeam<f64> {
 }
 
 /// Tip along and across the axis of the root over L, and the angle of its section, rad.
-fn tip(beam: &NodalBeam<f64>, mesh: &Mesh, load: &TipLoad) -> Result<[f64; 3], NotBalanced> {
+fn tip(beam: &NodalBeam<f64>, mesh: &Mesh, load: &TipLoad) -> Result<[f64; 3], NoStableEquilibrium> {
     // Without weight the mass is not asked for: it is no number.
     let massless = NodalBeam { mass_kg: 0.0, ..*beam };
     let nodes = massless.at_rest(mesh, &ROOT, Vec2::zero(), load, 10)?;
@@ -119,6 +119,6 @@ fn analytic_a_column_has_no_stable_balance_beyond_its_euler_load() {
     let [along, across, _] = pressed(0.999).unwrap_or_else(|failure| panic!("{failure}"));
     let shorter = 0.999 * std::f64::consts::PI.powi(2) / 4.0 / 1.2e5;
     assert!((1.0 - along - shorter).abs() < 1e-9 && across.abs() < 1e-9, "{along} {across}");
-    let NotBalanced { share } = pressed(1.001).expect_err("it buckles");
+    let NoStableEquilibrium { share } = pressed(1.001).expect_err("it buckles");
     assert!((share * 1.001 - 1.0).abs() < 2e-4, "{share}");
 }

@@ -6,7 +6,7 @@
 use super::grid::{Axis, Grid, TestedCell, place};
 use loosepin_math::solve_square;
 
-/// A parabola may rise above the values that it goes through by so much of ln p: that of a normal distribution whose values are 2 standard
+/// Largest rise of a parabola above the values that it goes through, in ln p: that of a normal distribution whose values are 2 standard
 /// deviations apart.
 const MAX_RISE: f64 = 0.5;
 /// Cells in which the distribution is summed: along an unknown at least, for each cell of the grid there at least, of all together at most.
@@ -16,7 +16,7 @@ const MAX_CELLS: usize = 1 << 18;
 
 /// A tested value with its likelihood.
 #[derive(Debug, Clone)]
-pub(super) struct Weighed {
+pub(super) struct WeightedValue {
     pub cell: TestedCell,
     /// ln p(y | u); -∞ where no run ended.
     pub log_likelihood: f64,
@@ -29,16 +29,17 @@ pub(super) struct Weighed {
 /// A distribution of the unknowns as shares of the box.
 #[derive(Debug, Clone)]
 pub(super) struct Distribution {
-    /// Of each unknown the probabilities of equal cells, or of members.
+    /// Probabilities of equal cells, or of members, for each unknown.
     pub marginals: Vec<Vec<f64>>,
     /// Probability that each tested value stands for.
     pub weights: Vec<f64>,
 }
 
 impl Distribution {
-    /// Nothing where no tested value has a likelihood.
-    pub fn new(grid: &Grid, values: &[Weighed]) -> Option<Self> {
-        let pieces: Vec<Option<Piece>> = values.iter().map(|value| Piece::new(grid, values, value)).collect();
+    /// `None` if no tested value has a likelihood.
+    pub fn new(grid: &Grid, values: &[WeightedValue]) -> Option<Self> {
+        let pieces: Vec<Option<LocalQuadratic>> =
+            values.iter().map(|value| LocalQuadratic::new(grid, values, value)).collect();
         let counts = fine_counts(&grid.axes, &grid.counts);
         let cells: usize = counts.iter().product();
         let mut marginals: Vec<Vec<f64>> = counts.iter().map(|count| vec![0.0; *count]).collect();
@@ -84,14 +85,14 @@ impl Distribution {
     }
 
     /// Equally probable values along an unknown that would carry as much as the tested ones do.
-    pub fn effective_along(&self, unknown: usize, values: &[Weighed]) -> f64 {
+    pub fn effective_along(&self, unknown: usize, values: &[WeightedValue]) -> f64 {
         let slices = self.slices(unknown, values);
         let weight = |slice: &Vec<usize>| slice.iter().map(|value| self.weights[*value]).sum::<f64>();
         1.0 / slices.iter().map(|slice| weight(slice).powi(2)).sum::<f64>()
     }
 
     /// Tested values with the same place along an unknown, in the order of their places.
-    pub fn slices(&self, unknown: usize, values: &[Weighed]) -> Vec<Vec<usize>> {
+    pub fn slices(&self, unknown: usize, values: &[WeightedValue]) -> Vec<Vec<usize>> {
         let at = |value: usize| values[value].cell.at[unknown];
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|a, b| at(*a).total_cmp(&at(*b)));
@@ -115,22 +116,22 @@ fn fine_counts(axes: &[Axis], grid: &[usize]) -> Vec<usize> {
 }
 
 /// ln p(y | u) about a tested value: slope and half the curvature along each unknown.
-struct Piece {
+struct LocalQuadratic {
     slopes: Vec<f64>,
     curvatures: Vec<f64>,
     /// Largest value that it may take.
     most: f64,
 }
 
-impl Piece {
-    /// Nothing where the likelihood is below the smallest number.
-    fn new(grid: &Grid, values: &[Weighed], value: &Weighed) -> Option<Self> {
+impl LocalQuadratic {
+    /// `None` if the likelihood is below the smallest number.
+    fn new(grid: &Grid, values: &[WeightedValue], value: &WeightedValue) -> Option<Self> {
         if value.log_likelihood == f64::NEG_INFINITY {
             return None;
         }
         let unknowns = grid.axes.len();
         // Tested values on either side along each unknown.
-        let beside = |unknown: usize, side: f64| -> Option<&Weighed> {
+        let beside = |unknown: usize, side: f64| -> Option<&WeightedValue> {
             let mut at = value.cell.at.clone();
             at[unknown] += side * value.cell.widths[unknown];
             let is_inside = (0.0..1.0).contains(&at[unknown]);
@@ -138,11 +139,12 @@ impl Piece {
             let is_known = other.log_likelihood > f64::NEG_INFINITY && other.cell.at[unknown] != value.cell.at[unknown];
             is_known.then_some(other)
         };
-        let mut rows: Vec<(&Weighed, usize)> = Vec::new();
+        let mut rows: Vec<(&WeightedValue, usize)> = Vec::new();
         let mut is_curved = vec![false; unknowns];
         for unknown in (0..unknowns).filter(|unknown| grid.axes[*unknown] == Axis::Continuous) {
             // At an end of the box, and beside values without a likelihood, both lie on the other side.
-            let mut both: Vec<&Weighed> = [-1.0, 1.0].into_iter().filter_map(|side| beside(unknown, side)).collect();
+            let mut both: Vec<&WeightedValue> =
+                [-1.0, 1.0].into_iter().filter_map(|side| beside(unknown, side)).collect();
             let further = [-2.0, 2.0].into_iter().filter_map(|side| beside(unknown, side));
             for other in further {
                 let is_new = both.iter().all(|known| known.cell.at[unknown] != other.cell.at[unknown]);
@@ -184,7 +186,7 @@ impl Piece {
         Some(piece)
     }
 
-    fn log_likelihood(&self, value: &Weighed, at: &[f64]) -> f64 {
+    fn log_likelihood(&self, value: &WeightedValue, at: &[f64]) -> f64 {
         let mut log = value.log_likelihood;
         for (unknown, at) in at.iter().enumerate() {
             let off = at - value.cell.at[unknown];

@@ -6,7 +6,7 @@ use super::joint_test::Verdict;
 const FIRST_CELLS: usize = 64;
 /// A cell is fine enough where it is this share of the consistent set along each unknown.
 const RESOLUTION: f64 = 1.0 / 20.0;
-/// Where the inside of the set counts as well, its cells are this share of it along each unknown.
+/// Largest cell inside of the set, as a share of it along each unknown, if the inside counts as well.
 const INSIDE: f64 = 1.0 / 8.0;
 /// Cells along an unknown, at most.
 const MAX_CELLS: usize = 512;
@@ -16,7 +16,7 @@ const MAX_CELLS: usize = 512;
 pub(crate) enum Axis {
     /// Anything between two ends.
     Continuous,
-    /// One of so many members.
+    /// One of this number of members.
     Members(usize),
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct TestedCell {
 
 impl TestedCell {
     /// Whether its halves are not too many along the unknown.
-    pub fn can_be_halved(&self, unknown: usize) -> bool {
+    pub fn can_be_split_along(&self, unknown: usize) -> bool {
         self.widths[unknown] * MAX_CELLS as f64 > 1.0
     }
 
@@ -50,11 +50,11 @@ impl TestedCell {
 pub(crate) struct Grid {
     pub axes: Vec<Axis>,
     pub counts: Vec<usize>,
-    /// What the test says of the middle of each, or of the middle of the cell that it is a part of.
+    /// Verdict of the test at the middle of each cell, or at the middle of the cell that contains it.
     pub cells: Vec<Verdict>,
     /// Whether a cell was tested at its own middle.
     is_own: Vec<bool>,
-    /// Of each cell which of the tests counts for it, in their order.
+    /// Test that counts for each cell, by its index in their order.
     pub tests: Vec<usize>,
     /// Number of tests.
     settled: usize,
@@ -152,19 +152,19 @@ impl Grid {
         counts
     }
 
-    /// Where a cell stands along each unknown.
+    /// Position of a cell along each unknown.
     pub fn place(&self, cell: usize) -> Vec<usize> {
         place(&self.counts, cell)
     }
 
-    /// The cell that holds a place among finer cells, so many along each unknown.
+    /// Index of the cell that contains a place, in a grid of `counts` cells along each unknown.
     pub fn index_of(&self, place: &[usize], counts: &[usize]) -> usize {
         let coarse: Vec<usize> =
             place.iter().zip(counts).zip(&self.counts).map(|((at, fine), own)| at / (fine / own)).collect();
         self.index(&coarse)
     }
 
-    /// The cell at shares of the box, of a member at its place; nothing outside.
+    /// The cell at shares of the box, for a member at its index; `None` outside.
     pub fn cell_at(&self, at: &[f64]) -> Option<usize> {
         let along = |((at, count), axis): ((&f64, &usize), &Axis)| {
             let place = match axis {
@@ -253,7 +253,7 @@ impl Grid {
         1.0 / cells as f64
     }
 
-    /// The unknown along which cells are coarsest beside the consistent set; nothing where all are fine enough.
+    /// The unknown along which cells are coarsest beside the consistent set; `None` if all are fine enough.
     fn coarsest(&self) -> Option<usize> {
         let share = |unknown: usize| self.share_of_set(unknown);
         let splittable = |unknown: &usize| self.axes[*unknown] == Axis::Continuous && self.counts[*unknown] < MAX_CELLS;
@@ -263,7 +263,7 @@ impl Grid {
         (share(coarsest) > RESOLUTION).then_some(coarsest)
     }
 
-    /// The next finer cells, and which of them are to be tested; nothing where they are fine enough, or where none is open.
+    /// The next finer cells, and which of them are to be tested; `None` if they are fine enough, or where none is open.
     fn finer(&self, with_inside: bool) -> Option<(Self, Vec<usize>)> {
         let unknown = self.coarsest()?;
         let is_coarse = with_inside && self.share_of_set(unknown) > INSIDE;
@@ -332,7 +332,7 @@ impl Grid {
     }
 }
 
-/// Where a cell stands among so many along each unknown.
+/// Position of a cell in a grid of `counts` cells along each unknown.
 pub(crate) fn place(counts: &[usize], mut cell: usize) -> Vec<usize> {
     let along = |count: &usize| {
         let at = cell % count;

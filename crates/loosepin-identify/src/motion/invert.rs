@@ -1,15 +1,15 @@
 //! Inversion of the joint test: the values of the unknowns at which it keeps the measurement.
 
-use super::bank::{Bank, ProgressCallback, Runs};
 use super::grid::{Axis, Grid, TestedCell};
 use super::joint_test::{Verdict, joint_test, runs_for};
 use super::lengths::lengths;
 use super::posterior::{Question, posterior};
+use super::run_cache::{ProgressCallback, RunCache, Runs};
 use super::scatter::Observation;
 use super::unknowns::{axis, bounds, value};
 use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{
-    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
+    ConsistentMembers, InconsistentFeature, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
 };
 use loosepin_study::{EpistemicInput, MeasuredMotion, Study, StudyError};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
@@ -20,7 +20,7 @@ const MAX_UNKNOWNS: usize = 6;
 /// Runs at each value, at most.
 const MAX_RUNS: f64 = 100_000.0;
 
-/// What is asked of a motion.
+/// Settings for the values of the unknowns of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionValues {
     /// Probability with which the set holds the true values, at least.
@@ -31,7 +31,7 @@ pub struct MotionValues {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set.
     pub with_posterior: bool,
-    /// Whether mechanisms that agree with the measurement are drawn, by what is left of the runs.
+    /// Whether mechanisms that agree with the measurement are drawn from the remaining runs.
     pub with_lengths: bool,
 }
 
@@ -40,7 +40,7 @@ pub type RunsOfValue = (Vec<f64>, Vec<Vec<f64>>);
 
 /// A study whose runs are made once, for any number of measurements of the same features.
 pub struct MotionRig<'s> {
-    pub(super) bank: Bank<'s>,
+    pub(super) bank: RunCache<'s>,
     pub(super) axes: Vec<Axis>,
     alpha: f64,
     points: usize,
@@ -71,7 +71,8 @@ impl<'s> MotionRig<'s> {
         }
         let is_fixed = study.random.is_empty() && features.iter().all(|feature| feature.scatter.size == 0.0);
         let runs = if is_fixed { 1 } else { runs as usize };
-        let bank = Bank::new(study, features, runs + beside, asked.threads).map_err(|error| refused(study, &error))?;
+        let bank =
+            RunCache::new(study, features, runs + beside, asked.threads).map_err(|error| refused(study, &error))?;
         Ok(Self { bank, axes, alpha, points: asked.points, with_lengths: asked.with_lengths })
     }
 
@@ -162,7 +163,8 @@ impl<'s> MotionRig<'s> {
         Ok(found)
     }
 
-    /// The values that the test keeps among so many along each unknown, evenly over the box: brute force, to hold an inversion against.
+    /// The values that the test keeps on a grid of `counts` values along each unknown, evenly over the box: brute force, to check an
+    /// inversion.
     ///
     /// # Errors
     /// The study cannot begin.
@@ -256,7 +258,7 @@ impl<'s> MotionRig<'s> {
                 } else {
                     0.0
                 };
-                (apart_si != 0.0).then_some(MotionCulprit { feature: place, apart_si })
+                (apart_si != 0.0).then_some(InconsistentFeature { feature: place, apart_si })
             };
             let least_distance = tested.iter().map(|(_, verdict, _)| verdict.distance).fold(f64::INFINITY, f64::min);
             MotionMisfit { least_distance, culprits: features.iter().enumerate().filter_map(apart).collect() }
@@ -293,7 +295,7 @@ impl<'s> MotionRig<'s> {
     }
 }
 
-/// Why the runs of a study cannot be made, with code and hint of what was refused.
+/// The error of runs that cannot be made, with code and hint of the refusal.
 fn refused(study: &Study, error: &StudyError) -> Diagnostics {
     error.diagnostic(study).into()
 }

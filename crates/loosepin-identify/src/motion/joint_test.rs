@@ -46,7 +46,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     };
     let form = SidedForm::new(&scatter.rows, &scatter.is_log, &seen.errors);
     let shares = scatter.nearest_shares(&seen, &|values| form.distance(values));
-    let nearest = scatter.scaled(&seen.without_error(&shares));
+    let nearest = scatter.scaled(&seen.corrected_values(&shares));
     let Scatter { rows, is_log, failed, .. } = scatter;
     let own = form.distance(&nearest);
     // A single run has no rank. Of several, those that failed have one.

@@ -1,4 +1,4 @@
-//! Mechanisms that agree with what was measured: the random inputs, given the measurement.
+//! Mechanisms that agree with the measurement: the random inputs, given the measurement.
 //!
 //! ```text
 //! p(x, u | y) ∝ p(y | f(x, u)) p(x) p(u)
@@ -11,13 +11,13 @@
 //! problems", Journal of the American Statistical Association 89 (1994) 278-288).
 
 use super::agreement::Agreement;
-use super::bank::{Bank, Mechanism};
 use super::grid::{Axis, Grid};
+use super::run_cache::{Mechanism, RunCache};
 use super::scatter::Observation;
 use super::unknowns::value;
 use loosepin_math::solve_square;
 use loosepin_result::motion_identification::{
-    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedTogether,
+    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedToLengths,
 };
 use loosepin_study::{MIN_SPECIMEN_ROWS, RandomInput, StudyError};
 use loosepin_uncertainty::{hash, sample_correlation, uniform};
@@ -32,7 +32,7 @@ const LEAST: f64 = MIN_SPECIMEN_ROWS as f64;
 const BATCH: usize = 2000;
 /// Largest share of drawn mechanisms whose run failed.
 const MAX_FAILED: f64 = 0.05;
-/// Rank correlation of a length and an unknown from which on it is told, where it is no chance.
+/// Rank correlation of a length and an unknown from which they count as tied, unless it is by chance.
 const TIED: f64 = 0.3;
 /// Standard deviations beyond which a rank correlation is no chance.
 const CHANCE: f64 = 3.0;
@@ -42,7 +42,7 @@ const ROWS_DRAWN: u64 = 0x726f_7773;
 
 /// Mechanisms that agree with `seen`, of at most `most` runs.
 pub(crate) fn lengths(
-    bank: &Bank<'_>,
+    bank: &RunCache<'_>,
     seen: &Observation,
     grid: &Grid,
     most: usize,
@@ -54,7 +54,7 @@ pub(crate) fn lengths(
 }
 
 fn drawn(
-    bank: &Bank<'_>,
+    bank: &RunCache<'_>,
     seen: &Observation,
     grid: &Grid,
     most: usize,
@@ -137,7 +137,7 @@ fn drawn(
     }))
 }
 
-/// Likelihoods over their sum; nothing where none is above 0.
+/// Likelihoods over their sum; empty if none is above 0.
 fn weights(logs: &[f64]) -> Vec<f64> {
     let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if most == f64::NEG_INFINITY {
@@ -169,7 +169,7 @@ fn resampled(shares: &[f64], count: usize, offset: f64) -> Vec<usize> {
     drawn
 }
 
-fn column(bank: &Bank<'_>, input: &RandomInput, place: usize, all: &[Mechanism], shares: &[f64]) -> LengthColumn {
+fn column(bank: &RunCache<'_>, input: &RandomInput, place: usize, all: &[Mechanism], shares: &[f64]) -> LengthColumn {
     let middle = input.variable.mean();
     let moment = |power: i32, about: f64| -> f64 {
         all.iter().zip(shares).map(|(mechanism, share)| share * (mechanism.random[place] - about).powi(power)).sum()
@@ -187,7 +187,7 @@ fn column(bank: &Bank<'_>, input: &RandomInput, place: usize, all: &[Mechanism],
 /// Ranks of the rows by what the pairs were drawn of.
 struct Ranks {
     lengths: Vec<Vec<f64>>,
-    /// Of the unknowns that are no list, each with its place.
+    /// Unknowns that are no list, each with its index.
     unknowns: Vec<(usize, Vec<f64>)>,
 }
 
@@ -220,8 +220,8 @@ impl Ranks {
         found
     }
 
-    /// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
-    fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedTogether> {
+    /// Unknowns that no single length determines and that all of them together do: many lengths, each with a small share.
+    fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedToLengths> {
         // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
         let count = self.lengths.len() as f64;
         let least = TIED.max(((count + CHANCE * (2.0 * count).sqrt()) / effective).sqrt());
@@ -231,13 +231,13 @@ impl Ranks {
             .filter(|(unknown, _)| self.lengths.len() > 1 && !is_told(*unknown))
             .filter_map(|(unknown, of_unknown)| {
                 let rank_correlation = multiple_correlation(&self.lengths, of_unknown);
-                (rank_correlation >= least).then_some(TiedTogether { unknown: *unknown, rank_correlation })
+                (rank_correlation >= least).then_some(TiedToLengths { unknown: *unknown, rank_correlation })
             })
             .collect()
     }
 }
 
-/// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 where these do not tell it.
+/// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 if they do not determine it.
 fn multiple_correlation(columns: &[Vec<f64>], of: &[f64]) -> f64 {
     /// Added to the diagonal: columns that go exactly together are no equations of their own.
     const ROUND_OFF: f64 = 1e-9;

@@ -1,4 +1,4 @@
-//! Likelihood of what was measured at one value of the unknowns, from its runs.
+//! Likelihood of a measurement at one value of the unknowns, from its runs.
 //!
 //! ```text
 //! p(y | u) = 2^-m ∫ t(x(y, s); ν, mean, Σ) |dx/dy| ds    over s in [-1, 1]^m
@@ -82,7 +82,7 @@ struct Student {
 }
 
 impl Student {
-    /// Beside so many runs of so many features; nothing where the covariance of these has no inverse.
+    /// Predictive distribution from `runs` runs of `features` features; `None` if their covariance has no inverse.
     fn new(runs: usize, features: usize) -> Option<Self> {
         let freedom = runs.checked_sub(features).filter(|freedom| *freedom > 0)? as f64;
         let (count, features) = (runs as f64, features as f64);
@@ -95,7 +95,7 @@ impl Student {
 
     /// Density of the measurement where the common errors are `shares` of their largest.
     fn log_density(&self, scatter: &Scatter, seen: &Observation, shares: &[f64]) -> f64 {
-        let found = seen.without_error(shares);
+        let found = seen.corrected_values(shares);
         let square = self.square(scatter, &found);
         let mut log = self.log_factor - 0.5 * (self.freedom + self.features) * (square / self.freedom).ln_1p();
         for (place, true_si) in found.iter().enumerate() {
@@ -123,9 +123,9 @@ impl Student {
 /// cut to the box.
 struct NearestNormal {
     movable: Vec<usize>,
-    /// Where it is largest within the box.
+    /// Its maximum within the box.
     nearest: Vec<f64>,
-    /// Where it is largest without the box.
+    /// Its maximum without the box.
     centre: Vec<f64>,
     /// L of the second derivatives of -ln: L Lᵀ = H.
     factor: Vec<Vec<f64>>,
@@ -134,10 +134,10 @@ struct NearestNormal {
 impl NearestNormal {
     fn new(scatter: &Scatter, student: &Student, seen: &Observation, movable: Vec<usize>) -> Self {
         let shares = scatter.nearest_shares(seen, &|values| scatter.form.distance(values));
-        let found = seen.without_error(&shares);
+        let found = seen.corrected_values(&shares);
         let off: Vec<f64> =
             scatter.scaled(&found).iter().zip(&scatter.form.mean).map(|(value, mean)| value - mean).collect();
-        let z = scatter.form.solved(&off);
+        let z = scatter.form.whiten(&off);
         // Columns of dz/ds.
         let column = |instrument: &usize| {
             let slope = |place: usize| {
@@ -152,7 +152,7 @@ impl NearestNormal {
                 };
                 if scatter.is_log[place] { slope / found[place] } else { slope }
             };
-            scatter.form.solved(&(0..found.len()).map(slope).collect::<Vec<f64>>())
+            scatter.form.whiten(&(0..found.len()).map(slope).collect::<Vec<f64>>())
         };
         let columns: Vec<Vec<f64>> = movable.iter().map(column).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -188,7 +188,7 @@ impl NearestNormal {
 
     /// Shares of the common errors at these levels in (0, 1), drawn one after the other, each cut to its interval, and the logarithm of their density
     /// (A. Genz, "Numerical computation of multivariate normal probabilities", Journal of Computational and Graphical Statistics 1 (1992)
-    /// 141-149). Nothing where no number is left of it.
+    /// 141-149). `None` if no number is left of it.
     fn drawn(&self, levels: &[f64], instruments: usize) -> Option<(Vec<f64>, f64)> {
         let count = self.movable.len();
         let (mut off, mut log_drawn, mut shares) = (vec![0.0; count], 0.0, vec![0.0; instruments]);

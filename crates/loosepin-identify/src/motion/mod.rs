@@ -2,7 +2,6 @@
 //! Tests of values against features, where they are made, what they leave. Readings of a backlash test stand outside.
 
 mod agreement;
-mod bank;
 mod distribution;
 mod grid;
 mod invert;
@@ -11,11 +10,12 @@ mod lengths;
 mod likelihood;
 mod plan;
 mod posterior;
+mod run_cache;
 mod scatter;
 mod sided;
 mod unknowns;
 
-pub use bank::{NO_CALLBACK, ProgressCallback};
 pub(crate) use invert::identify_motion;
 pub use invert::{MotionRig, MotionValues, RunsOfValue};
 pub use plan::plan_motion;
+pub use run_cache::{NO_CALLBACK, ProgressCallback};

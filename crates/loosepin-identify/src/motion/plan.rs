@@ -1,12 +1,12 @@
-//! What features would tell, before anything is measured.
+//! Information in features, before anything is measured.
 
-use super::bank::ProgressCallback;
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
+use super::run_cache::ProgressCallback;
 use super::unknowns::name;
 use crate::error::IdentifyProblem;
 use crate::identify::known_specimen;
-use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
+use loosepin_result::motion_identification::{IndistinguishableMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
 use loosepin_text::diagnostics::{Diagnostics, Place};
 use loosepin_text::units::SiUnit;
@@ -18,7 +18,7 @@ const IMAGINED: usize = 4;
 const USUAL_ERROR: MotionError = MotionError { size: 0.05, is_share: true };
 /// Stream of the common errors of imagined measurements.
 const ERRORS: u64 = 0x706c_616e;
-/// Share of measurements in which a wrong member of a list is told, below which the two count as not distinguishable.
+/// Share of measurements in which a wrong member of a list is recognised, below which the two count as not distinguishable.
 const TOLD: f64 = 0.95;
 
 /// The features of a study, or of one of its specimens, or where it names none the largest magnitude and the rms of each output and the impacts of each joint,
@@ -62,9 +62,9 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
     all
 }
 
-/// What each feature of `study` alone, and all together, would leave of the box: the mean over measurements that are imagined at values
-/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`. `heard` hears of values
-/// that have their runs.
+/// Expected remaining share of the box by each feature of `study` alone, and by all together: the mean over imagined measurements at values
+/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`. `heard` hears of
+/// values that have their runs.
 ///
 /// # Errors
 /// As of an identification.
@@ -112,7 +112,7 @@ pub fn plan_motion(
                     *value =
                         if error.is_share { *value * (1.0 + share * error.size) } else { *value + share * error.size };
                 }
-                let verdict = |runs: &super::bank::Runs| rig.test(&runs[..counted], places, &seen).is_consistent;
+                let verdict = |runs: &super::run_cache::Runs| rig.test(&runs[..counted], places, &seen).is_consistent;
                 kept.push((truth, all.iter().map(verdict).collect()));
             }
         }
@@ -162,7 +162,7 @@ pub fn plan_motion(
                         let input = &study.epistemic[unknown];
                         input.written(&study.model, super::unknowns::value(input, member as f64))
                     };
-                    alike.push(AlikeMembers { unknown, members: [written(truth), written(other)], told });
+                    alike.push(IndistinguishableMembers { unknown, members: [written(truth), written(other)], told });
                 }
             }
         }

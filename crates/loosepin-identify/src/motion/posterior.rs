@@ -4,11 +4,11 @@
 //! Where so few values carry the probability that they do not show its shape, those that carry nearly all of it are halved within the
 //! consistent set, and both halves are tested.
 
-use super::bank::Runs;
-use super::distribution::{Distribution, Weighed, moments, quantile};
+use super::distribution::{Distribution, WeightedValue, moments, quantile};
 use super::grid::{Axis, Grid, TestedCell};
 use super::joint_test::Verdict;
 use super::likelihood::{RUNS_A_FEATURE, log_likelihood};
+use super::run_cache::Runs;
 use super::scatter::Observation;
 use super::unknowns::value;
 use loosepin_result::motion_identification::{Marginal, MarginalSummary, MotionPosterior, Posterior, PosteriorRefusal};
@@ -22,7 +22,7 @@ const HALVED: f64 = 0.9995;
 /// Share of failed runs among those that carry the weight, at most.
 const MAX_FAILED: f64 = 0.05;
 
-/// What the distribution is of.
+/// The question that the distribution answers.
 pub(crate) struct Question<'q> {
     pub study: &'q Study,
     pub seen: &'q Observation,
@@ -54,7 +54,7 @@ pub(crate) fn posterior<E>(
     }
     let weighed = |(cell, runs): (TestedCell, Runs)| {
         let ended = runs.iter().filter(|run| run.iter().all(|value| value.is_finite())).count();
-        Weighed {
+        WeightedValue {
             cell,
             log_likelihood: log_likelihood(&runs, question.seen).unwrap_or(f64::NEG_INFINITY),
             ended,
@@ -74,15 +74,15 @@ pub(crate) fn posterior<E>(
 }
 
 /// Tests cells at their middles: of each what the test says, and its likelihood.
-type TestCells<'t, E> = dyn FnMut(Vec<TestedCell>) -> Result<Vec<(Verdict, Weighed)>, E> + 't;
+type TestCells<'t, E> = dyn FnMut(Vec<TestedCell>) -> Result<Vec<(Verdict, WeightedValue)>, E> + 't;
 
-/// The distribution by so many values that they show its shape, at most `points` further ones, with the cells that it is of.
+/// The distribution with enough values to show its shape, at most `points` further ones, with its cells.
 ///
 /// # Errors
 /// Those of `test`.
 fn shown<E>(
     mut grid: Grid,
-    mut values: Vec<Weighed>,
+    mut values: Vec<WeightedValue>,
     least_runs: usize,
     mut points: usize,
     test: &mut TestCells<'_, E>,
@@ -118,7 +118,7 @@ fn shown<E>(
 ///
 /// # Errors
 /// Too few runs ended at a value, or too many of those failed that carry the weight.
-fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution, PosteriorRefusal> {
+fn carried(grid: &Grid, values: &[WeightedValue], least: usize) -> Result<Distribution, PosteriorRefusal> {
     // The set keeps a value whose runs failed. Runs that did not end say nothing of how probable it is.
     let fewest = grid.consistent().map(|cell| values[grid.tests[cell]].ended).min();
     if let Some(runs) = fewest.filter(|ended| *ended < least) {
@@ -130,14 +130,14 @@ fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution
     if share <= MAX_FAILED { Ok(found) } else { Err(failed(share)) }
 }
 
-/// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; none where the
-/// others carry so much that halving does not help.
-fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usize) -> Vec<usize> {
+/// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; empty if the
+/// others carry too much for halving to help.
+fn carrying(grid: &Grid, values: &[WeightedValue], found: &Distribution, unknown: usize) -> Vec<usize> {
     let mut is_kept = vec![false; values.len()];
     grid.consistent().for_each(|cell| is_kept[grid.tests[cell]] = true);
-    let can_be_halved = |value: usize| is_kept[value] && values[value].cell.can_be_halved(unknown);
+    let can_be_split_along = |value: usize| is_kept[value] && values[value].cell.can_be_split_along(unknown);
     let rest = |slice: &Vec<usize>| -> f64 {
-        slice.iter().filter(|value| !can_be_halved(**value)).map(|value| found.weights[*value]).sum()
+        slice.iter().filter(|value| !can_be_split_along(**value)).map(|value| found.weights[*value]).sum()
     };
     if found.slices(unknown, values).iter().map(|slice| rest(slice).powi(2)).sum::<f64>() * MIN_VALUES > 1.0 {
         return Vec::new();
@@ -148,13 +148,13 @@ fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usiz
     order.retain(|value| {
         let is_carrying = sum < HALVED;
         sum += found.weights[*value];
-        is_carrying && can_be_halved(*value)
+        is_carrying && can_be_split_along(*value)
     });
     order
 }
 
 impl Question<'_> {
-    /// Numbers of a distribution by so many runs at each value.
+    /// Numbers of a distribution with `runs` runs at each value.
     fn summary(&self, grid: &Grid, found: &Distribution, runs: usize) -> Posterior {
         let tail = 0.5 * self.alpha;
         let marginal = |(k, shares): (usize, &Vec<f64>)| {
@@ -183,19 +183,19 @@ impl Question<'_> {
 #[cfg(test)]
 mod tests {
     use super::shown;
-    use crate::motion::distribution::{Distribution, Weighed, moments, quantile};
+    use crate::motion::distribution::{Distribution, WeightedValue, moments, quantile};
     use crate::motion::grid::{Axis, Grid, TestedCell};
     use crate::motion::joint_test::Verdict;
     use loosepin_result::motion_identification::PosteriorRefusal;
     use loosepin_uncertainty::{normal_cdf, normal_quantile};
     use std::convert::Infallible;
 
-    fn weighed(cell: TestedCell, log_likelihood: f64, failed: f64) -> Weighed {
-        Weighed { cell, log_likelihood, ended: 100, failed }
+    fn weighed(cell: TestedCell, log_likelihood: f64, failed: f64) -> WeightedValue {
+        WeightedValue { cell, log_likelihood, ended: 100, failed }
     }
 
-    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and gives the distribution, for which
-    /// so many further values may be tested.
+    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and returns the distribution, for
+    /// which this number of further values may be tested.
     fn distribution(
         axes: &[Axis],
         least: f64,
@@ -206,7 +206,7 @@ mod tests {
             let distance = (log / least).sqrt();
             Verdict { is_consistent: distance <= 1.0, distance }
         };
-        let mut values: Vec<Weighed> = Vec::new();
+        let mut values: Vec<WeightedValue> = Vec::new();
         let (grid, _) = Grid::refined(axes, 100_000, true, &mut |grid: &mut Grid, waiting: &[usize]| {
             for cell in waiting {
                 let at = grid.middle(*cell);
@@ -372,7 +372,7 @@ mod tests {
         assert!((found.marginals[0][0] - 0.8).abs() < 2e-3, "{:?}", found.marginals[0]);
     }
 
-    fn without_further(grid: Grid, values: Vec<Weighed>) -> Result<Distribution, PosteriorRefusal> {
+    fn without_further(grid: Grid, values: Vec<WeightedValue>) -> Result<Distribution, PosteriorRefusal> {
         let mut test = |_: Vec<TestedCell>| Ok::<_, Infallible>(Vec::new());
         let found = shown(grid, values, 10, 0, &mut test).unwrap_or_else(|never| match never {});
         found.map(|(_, distribution)| distribution)

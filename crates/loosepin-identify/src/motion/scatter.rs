@@ -1,4 +1,4 @@
-//! What runs at one value of the unknowns scatter by, and where a measurement stands among them.
+//! Scatter of the runs at one value of the unknowns, and the place of a measurement in it.
 
 use loosepin_study::MotionError;
 
@@ -11,7 +11,7 @@ const LOOKS: usize = 16;
 /// Steps of a golden section.
 const SECTIONS: usize = 60;
 
-/// What was measured.
+/// A measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Observation {
     /// Mean over the repeats of each feature, SI.
@@ -24,7 +24,7 @@ pub(crate) struct Observation {
 
 impl Observation {
     /// The true values where the common error of each instrument is `shares` of its largest.
-    pub fn without_error(&self, shares: &[f64]) -> Vec<f64> {
+    pub fn corrected_values(&self, shares: &[f64]) -> Vec<f64> {
         let of = |place: usize| self.true_value(place, shares[self.instruments[place]]);
         (0..self.values_si.len()).map(of).collect()
     }
@@ -64,10 +64,10 @@ impl Observation {
     }
 }
 
-/// Runs that ended, as they are compared: logarithms of features that are positive.
+/// Finished runs in the scale of comparison: logarithms of features that are positive.
 pub(crate) struct Scatter {
     pub rows: Vec<Vec<f64>>,
-    /// Of each feature whether logarithms are taken.
+    /// Whether logarithms are taken, for each feature.
     pub is_log: Vec<bool>,
     pub form: Form,
     /// Runs that failed.
@@ -75,7 +75,7 @@ pub(crate) struct Scatter {
 }
 
 impl Scatter {
-    /// Nothing where all runs failed.
+    /// `None` if all runs failed.
     pub fn new(runs: &[Vec<f64>], seen: &Observation) -> Option<Self> {
         let rows: Vec<&Vec<f64>> = runs.iter().filter(|run| run.iter().all(|value| value.is_finite())).collect();
         let failed = runs.len() - rows.len();
@@ -92,7 +92,7 @@ impl Scatter {
         Some(Self { rows, is_log, form, failed })
     }
 
-    /// Values as they are compared.
+    /// Values in the scale of comparison.
     pub fn scaled(&self, values: &[f64]) -> Vec<f64> {
         scaled(values, &self.is_log)
     }
@@ -107,7 +107,7 @@ impl Scatter {
             for &instrument in &movable {
                 let mut at = |share: f64| {
                     shares[instrument] = share;
-                    distance(&self.scaled(&seen.without_error(&shares)))
+                    distance(&self.scaled(&seen.corrected_values(&shares)))
                 };
                 let even = |k: usize| -1.0 + 2.0 * k as f64 / LOOKS as f64;
                 let mut best = (f64::INFINITY, 0);
@@ -161,12 +161,12 @@ impl Form {
     /// Mahalanobis distance.
     pub fn distance(&self, values: &[f64]) -> f64 {
         let off: Vec<f64> = values.iter().zip(&self.mean).map(|(value, mean)| value - mean).collect();
-        self.solved(&off).iter().map(|value| value * value).sum::<f64>().sqrt()
+        self.whiten(&off).iter().map(|value| value * value).sum::<f64>().sqrt()
     }
 
     /// L⁻¹ of a difference of values.
-    pub fn solved(&self, off: &[f64]) -> Vec<f64> {
-        solved(&self.factor, off)
+    pub fn whiten(&self, off: &[f64]) -> Vec<f64> {
+        forward_substitution(&self.factor, off)
     }
 }
 
@@ -195,7 +195,7 @@ pub(crate) fn cholesky(
 }
 
 /// L⁻¹ of values.
-pub(crate) fn solved(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
+pub(crate) fn forward_substitution(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
     let mut solved: Vec<f64> = Vec::with_capacity(values.len());
     for (i, row) in factor.iter().enumerate() {
         let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();

@@ -18,14 +18,14 @@
 //! the two breaks lines at the median, and no longer sees a sum of features that hardly scatters; the second one does. The 1 keeps
 //! the factor near 1 beside the median.
 
-use super::scatter::{Form, cholesky, least_deviation, solved};
+use super::scatter::{Form, cholesky, forward_substitution, least_deviation};
 use loosepin_study::MotionError;
 
 /// Middle, scatter on each side, and covariance of draws. It does not depend on their order.
 pub(crate) struct SidedForm {
     form: Form,
     median: Vec<f64>,
-    /// Of each feature s- and s+.
+    /// s- and s+ of each feature.
     sides: Vec<[f64; 2]>,
     /// L of R.
     factor: Vec<Vec<f64>>,
@@ -57,7 +57,7 @@ impl SidedForm {
     /// Distance of values from the middle.
     pub fn distance(&self, values: &[f64]) -> f64 {
         let z = over_sides(values, &self.median, &self.sides);
-        let own = length(&solved(&self.factor, &z));
+        let own = length(&forward_substitution(&self.factor, &z));
         let both: Vec<f64> = (0..z.len())
             .map(|k| {
                 let [below, above] = self.sides[k];

@@ -12,7 +12,7 @@ mod repetitions;
 mod uncertain;
 mod written;
 
-use loosepin_identify::record::{Consistent, Misfit, Outcome, Specimen};
+use loosepin_identify::record::{ConsistentPlays, Misfit, Outcome, Specimen};
 use loosepin_identify::{NO_CALLBACK, Options, identify};
 use loosepin_mechanics::model::Model;
 use loosepin_study::Study;
@@ -40,9 +40,9 @@ pub(crate) fn answer(study: &Study) -> Specimen {
     answer.specimens.remove(0)
 }
 
-pub(crate) fn known(specimen: &Specimen) -> &Consistent {
+pub(crate) fn known(specimen: &Specimen) -> &ConsistentPlays {
     match &specimen.outcome {
-        Outcome::Consistent(known) => known,
+        Outcome::ConsistentPlays(known) => known,
         Outcome::Misfit(misfit) => panic!("{misfit:?}"),
     }
 }
@@ -50,6 +50,6 @@ pub(crate) fn known(specimen: &Specimen) -> &Consistent {
 pub(crate) fn misfit(specimen: &Specimen) -> &Misfit {
     match &specimen.outcome {
         Outcome::Misfit(misfit) => misfit,
-        Outcome::Consistent(known) => panic!("{known:?}"),
+        Outcome::ConsistentPlays(known) => panic!("{known:?}"),
     }
 }

@@ -1,11 +1,11 @@
 //! From the answer to the input: the narrowed study, and the reading that is named next.
 
 use super::{answer, case, known, study, text_of};
-use loosepin_identify::record::{Consistent, Outcome};
+use loosepin_identify::record::{ConsistentPlays, Outcome};
 use loosepin_identify::{NO_CALLBACK, Options, identify, narrowed, write_narrowed};
 use loosepin_study::Study;
 
-fn consistent(study: &Study) -> Consistent {
+fn consistent(study: &Study) -> ConsistentPlays {
     known(&answer(study)).clone()
 }
 
@@ -87,7 +87,7 @@ fn identity_the_named_reading_tells_apart_what_one_reading_does_not() {
     let first = study(&text_of("model.toml"), &text_of("first.toml"));
     let answer =
         identify(&first, &Options::default(), NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    let Outcome::Consistent(known) = &answer.specimens[0].outcome else { panic!("it fits") };
+    let Outcome::ConsistentPlays(known) = &answer.specimens[0].outcome else { panic!("it fits") };
     assert_eq!(known.alike, [[0, 1, 2]]);
     let further = known.further.as_ref().expect("there is a better place");
     assert!(further.candidates > 1000);

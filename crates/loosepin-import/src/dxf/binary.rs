@@ -1,6 +1,6 @@
 //! Groups of a binary file.
 
-use super::error::{DxfError, DxfProblem, Place};
+use super::error::{DxfError, DxfProblem, FilePosition};
 use super::group::{Group, Value, ValueType};
 
 /// First bytes of a binary file.
@@ -26,8 +26,8 @@ impl<'a> BinaryGroups<'a> {
     }
 
     /// The place in the file of the next byte.
-    pub fn place(&self) -> Place {
-        Place::Byte(SENTINEL.len() + self.at)
+    pub fn place(&self) -> FilePosition {
+        FilePosition::Byte(SENTINEL.len() + self.at)
     }
 
     pub fn next(&mut self) -> Result<Option<Group<'a>>, DxfError> {

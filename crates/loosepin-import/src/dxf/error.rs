@@ -11,30 +11,30 @@ const SHOWN_CHARS: usize = 24;
 #[derive(Debug, Error)]
 #[error("{place}: {problem}")]
 pub(crate) struct DxfError {
-    place: Place,
+    place: FilePosition,
     problem: DxfProblem,
 }
 
 /// A place in a file.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Place {
-    /// Of a text, from 1.
+pub(super) enum FilePosition {
+    /// Line of a text, from 1.
     Line(usize),
-    /// Of a binary file, from 0.
+    /// Byte of a binary file, from 0.
     Byte(usize),
 }
 
-impl Place {
+impl FilePosition {
     pub fn error(self, problem: DxfProblem) -> DxfError {
         DxfError { place: self, problem }
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePosition {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::Line(line) => write!(formatter, "line {line}"),
-            Place::Byte(byte) => write!(formatter, "byte {byte}"),
+            FilePosition::Line(line) => write!(formatter, "line {line}"),
+            FilePosition::Byte(byte) => write!(formatter, "byte {byte}"),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::slice::Split;
 
-use super::error::{DxfError, DxfProblem, Place};
+use super::error::{DxfError, DxfProblem, FilePosition};
 use super::group::{Group, Value, ValueType};
 
 /// The byte order mark that some editors write before a text.
@@ -24,8 +24,8 @@ impl<'a> TextGroups<'a> {
     }
 
     /// The line that was read last.
-    pub fn place(&self) -> Place {
-        Place::Line(self.line)
+    pub fn place(&self) -> FilePosition {
+        FilePosition::Line(self.line)
     }
 
     pub fn next(&mut self) -> Result<Option<Group<'a>>, DxfError> {

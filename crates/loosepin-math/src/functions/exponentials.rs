@@ -2,7 +2,7 @@
 
 use core::f64::consts::LOG2_E;
 
-use crate::fused::on_vectors;
+use crate::fused::with_vector_instructions;
 
 /// Arguments up to this in size take the same way, and their exponentials are normal numbers.
 const LARGEST: f64 = 700.0;
@@ -32,7 +32,7 @@ const UNIT_DIGIT: f64 = (1_u64 << 52) as f64;
 /// order, without branches, so that they are done for several numbers at once.
 pub fn exponentials(arguments: &[f64], results: &mut [f64]) {
     debug_assert_eq!(arguments.len(), results.len(), "one result for each argument");
-    on_vectors(
+    with_vector_instructions(
         #[inline(always)]
         || {
             for (result, argument) in results.iter_mut().zip(arguments) {

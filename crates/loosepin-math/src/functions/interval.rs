@@ -17,11 +17,11 @@ pub struct Interval {
 /// The outcome of a comparison of intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Certainty {
-    /// It holds for all numbers in them.
+    /// The relation holds for all numbers in them.
     Always,
-    /// It holds for none.
+    /// The relation holds for none.
     Never,
-    /// It holds for some, or nothing is known.
+    /// The relation holds for some, or is undecided.
     Sometimes,
 }
 
@@ -230,16 +230,16 @@ impl Real for Interval {
         self.only_exact(|value| value.powf(exponent))
     }
     fn exponential(self) -> Self {
-        self.only_exact(crate::any_exponential)
+        self.only_exact(crate::full_range_exponential)
     }
     fn logarithm(self) -> Self {
-        self.only_exact(crate::any_logarithm)
+        self.only_exact(crate::full_range_logarithm)
     }
     fn power(self, exponent: Self) -> Self {
         if exponent.low != exponent.high {
             return Self::WHOLE;
         }
-        self.only_exact(|value| crate::any_power(value, exponent.low))
+        self.only_exact(|value| crate::full_range_power(value, exponent.low))
     }
     fn min(self, other: Self) -> Self {
         Self { low: f64::min(self.low, other.low), high: f64::min(self.high, other.high) }

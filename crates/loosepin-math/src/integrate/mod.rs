@@ -13,5 +13,5 @@ pub use dop853::DOP853;
 pub use dormand_prince::DORMAND_PRINCE_5;
 pub use radau::{Radau, RadauAttempt};
 pub use stepper::{StepRows, Stepper, System};
-pub use tableau::{ErrorEstimate, Row, Tableau};
+pub use tableau::{ErrorEstimate, Tableau, TableauRow};
 pub use tsitouras::TSITOURAS_5;

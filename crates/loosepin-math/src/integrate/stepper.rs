@@ -1,7 +1,7 @@
 //! Single steps of an embedded pair: trial, error, dense output. Written once over [`Real`]: for one run, and for what many runs
 //! on lanes do, written down.
 
-use super::tableau::{ErrorEstimate, Row, Tableau};
+use super::tableau::{ErrorEstimate, Tableau, TableauRow};
 use crate::Real;
 
 /// A system of first-order ordinary differential equations, dy/ds = f(y), and integrals of functions of y.
@@ -23,7 +23,7 @@ pub struct StepRows<'r, T> {
     pub start: &'r mut [T],
     /// State at the end of the step.
     pub end: &'r mut [T],
-    /// Where the derivative is evaluated next.
+    /// Point of the next evaluation of the derivative.
     pub point: &'r mut [T],
     /// [`Stepper::rows`] rows: derivatives at the start and at the points of the step, at its end, at the further points of the
     /// dense output; then the dense output itself.
@@ -99,7 +99,7 @@ impl Stepper {
         }
     }
 
-    /// Computes what dense output of the step at hand needs, once a step.
+    /// Computes what dense output of the current step needs, once a step.
     pub fn prepare_dense<T: Real>(&self, rows: &mut StepRows<'_, T>, step: T, system: &mut impl System<T>) {
         for (extra, row) in self.tableau.dense_stages.iter().enumerate() {
             self.derivative_at_point(rows, self.end_row() + 1 + extra, row, step, system);
@@ -171,7 +171,7 @@ impl Stepper {
         &self,
         rows: &mut StepRows<'_, T>,
         stage: usize,
-        row: Row,
+        row: TableauRow,
         step: T,
         system: &mut impl System<T>,
     ) {
@@ -184,7 +184,7 @@ impl Stepper {
 
     /// Σ row · stages for the unknown `i`.
     #[inline(always)]
-    fn combine<T: Real>(&self, stages: &[T], row: Row, i: usize) -> T {
+    fn combine<T: Real>(&self, stages: &[T], row: TableauRow, i: usize) -> T {
         let mut sum = T::zero();
         for &(stage, coefficient) in row {
             sum = stages[stage * self.stride + i].mul_add(T::from_f64(coefficient), sum);
@@ -193,7 +193,7 @@ impl Stepper {
     }
 
     /// Σ (weight · row · stages)² over the unknowns, for two rows.
-    fn squares<T: Real>(&self, stages: &[T], rows: [Row; 2], weights: &[T]) -> [T; 2] {
+    fn squares<T: Real>(&self, stages: &[T], rows: [TableauRow; 2], weights: &[T]) -> [T; 2] {
         let mut sums = [T::zero(); 2];
         for (i, weight) in weights.iter().enumerate() {
             for (sum, row) in sums.iter_mut().zip(rows) {

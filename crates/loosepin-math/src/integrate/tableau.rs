@@ -1,19 +1,19 @@
 //! An embedded pair of explicit Runge-Kutta methods as data.
 
 /// Entries of a row that are not zero: (stage, coefficient).
-pub type Row = &'static [(usize, f64)];
+pub type TableauRow = &'static [(usize, f64)];
 
 /// How the error of a step is estimated from its stages.
 #[derive(Debug, Clone, Copy)]
 pub enum ErrorEstimate {
     /// h Σ eᵢ kᵢ; may use the stage at the end of the step.
-    Single(Row),
+    Single(TableauRow),
     /// Hairer's combination of two estimates, err = |h| e5²/√(e5² + 0.01 e3²); uses no stage at the end of the step.
     Combined {
         /// Weights of the estimate of order 5.
-        fifth: Row,
+        fifth: TableauRow,
         /// Weights of the estimate of order 3.
-        third: Row,
+        third: TableauRow,
     },
 }
 
@@ -28,15 +28,15 @@ pub struct Tableau {
     /// c of each stage.
     pub nodes: &'static [f64],
     /// a of each stage.
-    pub stages: &'static [Row],
+    pub stages: &'static [TableauRow],
     /// b: the step.
-    pub weights: Row,
+    pub weights: TableauRow,
     /// The error estimate.
     pub error: ErrorEstimate,
     /// a of the further stages that only dense output needs; numbered after the derivative at the end.
-    pub dense_stages: &'static [Row],
+    pub dense_stages: &'static [TableauRow],
     /// Rows of the dense output beyond those from both values and both derivatives.
-    pub dense: &'static [Row],
+    pub dense: &'static [TableauRow],
 }
 
 #[cfg(test)]
@@ -74,14 +74,14 @@ mod tests {
     }
 
     /// For each tree its order, its density γ and Σ row · Φ over the stages, the one at the end of the step included.
-    fn elementary_weights(tableau: &Tableau, row: Row, order: u32) -> Vec<(u32, f64, f64)> {
-        let rows: Vec<Row> = tableau.stages.iter().copied().chain([tableau.weights]).collect();
+    fn elementary_weights(tableau: &Tableau, row: TableauRow, order: u32) -> Vec<(u32, f64, f64)> {
+        let rows: Vec<TableauRow> = tableau.stages.iter().copied().chain([tableau.weights]).collect();
         let trees = trees(order);
         let mut densities: Vec<f64> = Vec::new();
         let mut stages: Vec<Vec<f64>> = Vec::new();
         for tree in &trees {
             densities.push(tree.branches.iter().fold(f64::from(tree.order), |product, &k| product * densities[k]));
-            let of_stage = |row: &Row| {
+            let of_stage = |row: &TableauRow| {
                 let sum = |branch: usize| row.iter().map(|(j, a)| a * stages[branch][*j]).sum::<f64>();
                 tree.branches.iter().map(|&branch| sum(branch)).product()
             };

@@ -3,7 +3,7 @@
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
 //! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
 
-use crate::fused::on_vectors;
+use crate::fused::with_vector_instructions;
 use crate::solve::four_rows::FourTriangleRows;
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
@@ -15,7 +15,7 @@ pub struct Cholesky {
 }
 
 impl Cholesky {
-    /// Factorises `matrix` (row by row, `order` x `order`); nothing where it is not positive definite to round-off.
+    /// Factorises `matrix` (row by row, `order` x `order`); `None` if it is not positive definite to round-off.
     pub fn new(matrix: Vec<f64>, order: usize) -> Option<Self> {
         Self::with_known_rows(matrix, order, 0)
     }
@@ -32,7 +32,7 @@ impl Cholesky {
 
     /// Factorises `matrix`, whose first `known` rows are those of the factor already.
     fn with_known_rows(mut matrix: Vec<f64>, order: usize, known: usize) -> Option<Self> {
-        let is_definite = on_vectors(
+        let is_definite = with_vector_instructions(
             #[inline(always)]
             || factorise(&mut matrix, order, known),
         );
@@ -80,7 +80,7 @@ impl Cholesky {
                 .zip(known.into_iter().flat_map(|known| known.0.row(row)))
                 .for_each(|(own, entry)| *own = entry);
         }
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || self.invert_into(&mut entries, first),
         );
@@ -213,7 +213,7 @@ fn dot_in_lanes(a: &[f64], b: &[f64]) -> f64 {
 /// The product of a matrix (row by row) and a vector.
 pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     let mut product = vec![0.0; matrix.len().div_ceil(vector.len().max(1))];
-    on_vectors(
+    with_vector_instructions(
         #[inline(always)]
         || {
             for (row, entry) in matrix.chunks(vector.len().max(1)).zip(&mut product) {
@@ -228,7 +228,7 @@ pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
 /// is zero.
 pub fn gram(rows: &[f64], size: usize) -> Vec<f64> {
     let mut gram = vec![0.0; size * size];
-    on_vectors(
+    with_vector_instructions(
         #[inline(always)]
         || {
             for row in rows.chunks(size.max(1)) {

@@ -1,4 +1,4 @@
-//! Matrices for products with vectors, four rows beside one another.
+//! Matrices for products with vectors, in interleaved blocks of four rows.
 //!
 //! The scalar product of a short row waits for each of its additions, and longest for the sum of its eight partial sums. Here the same
 //! entry of four rows lies in one vector: four products are formed at once, each by the additions of [`crate::solve::dense::dot`] in their order.
@@ -8,7 +8,7 @@
 
 use core::array::from_fn;
 
-use crate::fused::on_vectors;
+use crate::fused::with_vector_instructions;
 
 /// The same entry of four rows.
 type Four = [f64; 4];
@@ -35,7 +35,7 @@ pub(crate) struct FourTriangleRows {
 }
 
 impl FourRows {
-    /// The `matrix` (row by row) with so many `columns`.
+    /// The `matrix` (row by row) with `columns` columns.
     pub fn new(matrix: &[f64], columns: usize) -> Self {
         let rows = matrix.len().checked_div(columns).unwrap_or(0);
         let mut entries = Vec::with_capacity(rows.div_ceil(4) * columns);
@@ -49,7 +49,7 @@ impl FourRows {
     /// A x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = Vec::with_capacity(self.rows.next_multiple_of(4));
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 for entries in self.entries.chunks_exact(self.columns.max(1)) {
@@ -62,9 +62,9 @@ impl FourRows {
         product
     }
 
-    /// The matrix whose rows lie beside one another in fours already: of each four rows an entry for each of the `columns`, of the last
-    /// ones those beyond `rows` are zero.
-    pub fn of_fours(rows: usize, columns: usize, entries: Vec<[f64; 4]>) -> Self {
+    /// The matrix from rows that are already interleaved by fours: of each four rows an entry for each of the `columns`, of the last ones
+    /// those beyond `rows` are zero.
+    pub fn from_interleaved_rows(rows: usize, columns: usize, entries: Vec<[f64; 4]>) -> Self {
         debug_assert_eq!(entries.len(), rows.div_ceil(4) * columns, "an entry for each column");
         Self { rows, columns, entries }
     }
@@ -72,7 +72,7 @@ impl FourRows {
     /// A x of N vectors.
     pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
         let mut products = Vec::with_capacity(self.rows.next_multiple_of(4));
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let vectors = &vectors[..self.columns];
@@ -87,9 +87,9 @@ impl FourRows {
     }
 
     /// Takes A x of N vectors out of `from`, column by column.
-    pub fn take_out_each<const N: usize>(&self, from: &mut [[f64; N]], vectors: &[[f64; N]]) {
+    pub fn subtract_products<const N: usize>(&self, from: &mut [[f64; N]], vectors: &[[f64; N]]) {
         debug_assert!(self.columns == 0 || from.len() == self.rows, "one entry for each row");
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let vectors = &vectors[..self.columns];
@@ -107,9 +107,9 @@ impl FourRows {
     }
 
     /// Takes A x out of `from`, column by column.
-    pub fn take_out(&self, from: &mut [f64], vector: &[f64]) {
+    pub fn subtract_product(&self, from: &mut [f64], vector: &[f64]) {
         debug_assert!(self.columns == 0 || from.len() == self.rows, "one entry for each row");
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(from.chunks_mut(4)) {
@@ -143,7 +143,7 @@ impl FourTriangleRows {
     /// T x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; self.order];
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let mut entries = &self.entries[..];
@@ -177,7 +177,7 @@ impl FourTriangleRows {
     /// Tᵀ x, row by row.
     pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; self.order];
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 for (rows, own) in self.groups() {
@@ -200,7 +200,7 @@ impl FourTriangleRows {
     pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
         // The first row of the first group and the last ones of the last are missing.
         let mut products = Vec::with_capacity((self.order + 4).next_multiple_of(4));
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 for (rows, own) in self.groups() {
@@ -220,7 +220,7 @@ impl FourTriangleRows {
     /// Tᵀ x of N vectors, row by row.
     pub fn multiply_transposed_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
         let mut products = vec![[0.0; N]; self.order];
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 for (rows, own) in self.groups() {
@@ -268,7 +268,7 @@ impl FourTriangleRows {
 }
 
 /// At most N `vectors` of the same length side by side; those that are missing are zero.
-pub fn beside_one_another<const N: usize>(vectors: &[&[f64]]) -> Vec<[f64; N]> {
+pub fn interleaved<const N: usize>(vectors: &[&[f64]]) -> Vec<[f64; N]> {
     let mut entries = vec![[0.0; N]; vectors.first().map_or(0, |vector| vector.len())];
     debug_assert!(vectors.len() <= N && vectors.iter().all(|vector| vector.len() == entries.len()), "of one length");
     for (place, vector) in vectors.iter().enumerate() {
@@ -280,8 +280,8 @@ pub fn beside_one_another<const N: usize>(vectors: &[&[f64]]) -> Vec<[f64; N]> {
 }
 
 /// The scalar product of each of N vectors with its own of N others.
-pub fn dots_of_each<const N: usize>(vectors: &[[f64; N]], others: &[[f64; N]]) -> [f64; N] {
-    on_vectors(
+pub fn pairwise_dots<const N: usize>(vectors: &[[f64; N]], others: &[[f64; N]]) -> [f64; N] {
+    with_vector_instructions(
         #[inline(always)]
         || {
             let mut sums = [[0.0; N]; PARTS];
@@ -398,10 +398,10 @@ fn scalar_products(rows: &[Four], vector: &[f64]) -> Four {
 
 #[cfg(test)]
 mod tests {
-    use super::{FourRows, FourTriangleRows, beside_one_another, dots_of_each};
+    use super::{FourRows, FourTriangleRows, interleaved, pairwise_dots};
     use crate::solve::dense::dot;
 
-    /// Numbers of both signs, none of which is a short binary fraction.
+    /// Numbers of both signs that are no short binary fractions.
     fn number(i: usize) -> f64 {
         libm::sin(1.7 * i as f64 + 0.3) * libm::exp(0.1 * (i % 90) as f64)
     }
@@ -465,12 +465,12 @@ mod tests {
             let own = found.iter().zip(matrix.chunks(columns));
             let rest = own.map(|(value, row)| row.iter().zip(&vector).fold(*value, |rest, (a, x)| rest - x * a));
             let expected = bits(rest);
-            FourRows::new(&matrix, columns).take_out(&mut found, &vector);
+            FourRows::new(&matrix, columns).subtract_product(&mut found, &vector);
             assert_eq!(bits(found), expected, "{rows}");
         }
     }
 
-    /// N vectors of so many numbers, side by side.
+    /// N vectors of `count` numbers, side by side.
     fn vectors<const N: usize>(count: usize) -> Vec<[f64; N]> {
         (0..count).map(|i| core::array::from_fn(|vector| number(1000 * (vector + 1) + i))).collect()
     }
@@ -486,12 +486,12 @@ mod tests {
                 let matrix: Vec<f64> = (0..rows * columns).map(number).collect();
                 let (matrix, own) = (FourRows::new(&matrix, columns), vectors::<N>(columns));
                 let (found, mut taken) = (matrix.multiply_each(&own), vectors::<N>(rows));
-                matrix.take_out_each(&mut taken, &own);
+                matrix.subtract_products(&mut taken, &own);
                 for vector in 0..N {
                     let own = vector_of(&own, vector);
                     assert_eq!(bits(vector_of(&found, vector)), bits(matrix.multiply(&own)), "{rows} x {columns}");
                     let mut expected = vector_of(&vectors::<N>(rows), vector);
-                    matrix.take_out(&mut expected, &own);
+                    matrix.subtract_product(&mut expected, &own);
                     assert_eq!(bits(vector_of(&taken, vector)), bits(expected), "{rows} x {columns}");
                 }
             }
@@ -501,7 +501,7 @@ mod tests {
             let matrix: Vec<f64> = (0..order * order).map(entry).collect();
             let (triangle, own) = (FourTriangleRows::new(&matrix, order), vectors::<N>(order));
             let (found, transposed) = (triangle.multiply_each(&own), triangle.multiply_transposed_each(&own));
-            let squares = dots_of_each(&own, &own);
+            let squares = pairwise_dots(&own, &own);
             for vector in 0..N {
                 let own = vector_of(&own, vector);
                 assert_eq!(bits(vector_of(&found, vector)), bits(triangle.multiply(&own)), "{order}");
@@ -522,9 +522,9 @@ mod tests {
     fn identity_vectors_beside_one_another_are_those_that_were_given() {
         let own = vectors::<8>(7);
         let [first, second] = [0, 1].map(|vector| vector_of(&own, vector));
-        let found = beside_one_another::<8>(&[&first, &second]);
+        let found = interleaved::<8>(&[&first, &second]);
         assert_eq!([0, 1].map(|vector| vector_of(&found, vector)), [first, second]);
-        assert!(found.iter().all(|own| own[2..] == [0.0; 6]) && beside_one_another::<8>(&[]).is_empty());
+        assert!(found.iter().all(|own| own[2..] == [0.0; 6]) && interleaved::<8>(&[]).is_empty());
     }
 
     #[test]
@@ -534,8 +534,8 @@ mod tests {
             let matrix: Vec<f64> = (0..rows * columns).map(number).collect();
             let vector: Vec<f64> = (0..columns).map(|i| number(1000 + i)).collect();
             let of_rows = FourRows::new(&matrix, columns);
-            let of_fours = FourRows::of_fours(rows, columns, of_rows.entries.clone());
-            assert_eq!(bits(of_fours.multiply(&vector)), bits(of_rows.multiply(&vector)), "{rows}");
+            let from_interleaved_rows = FourRows::from_interleaved_rows(rows, columns, of_rows.entries.clone());
+            assert_eq!(bits(from_interleaved_rows.multiply(&vector)), bits(of_rows.multiply(&vector)), "{rows}");
         }
     }
 }

@@ -75,7 +75,7 @@ impl<T: Real> GramSystem<T> {
 
     /// Adds M⁻¹ Jᵀ λ to `change`.
     #[inline(always)]
-    pub fn add_answer(&self, multipliers: &[T], change: &mut [T]) {
+    pub fn add_correction(&self, multipliers: &[T], change: &mut [T]) {
         let n = change.len();
         for (row, multiplier) in multipliers.iter().enumerate() {
             for (mobility, change) in self.mobilities[row * n..(row + 1) * n].iter().zip(change.iter_mut()) {
@@ -173,7 +173,7 @@ mod tests {
         let mut multipliers = [round_off, 0.7];
         system.solve(&mut multipliers);
         let mut change = [0.0; 2];
-        system.add_answer(&multipliers, &mut change);
+        system.add_correction(&multipliers, &mut change);
         assert!((0.3 * change[0] + 1.2 * change[1] - 0.7).abs() < ROUND_OFF, "{change:?}");
         // With a scale of its own the first row would demand change[0] = round_off / small = 1e-7. Three passes take 3 small/ε of
         // what it misses, -0.137 small: 3e-9.

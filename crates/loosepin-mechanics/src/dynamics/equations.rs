@@ -2,17 +2,17 @@
 
 use super::inverse::InverseDynamics;
 use crate::contact::PlayState;
-use crate::dynamics::elements::beam_room::BeamRoom;
+use crate::dynamics::elements::beam_workspace::BeamWorkspace;
 use crate::dynamics::elements::element_force::{ActuatorForce, LoadForce};
 use crate::dynamics::elements::joint_friction::JointFrictions;
-use crate::dynamics::elements::nodal_room::NodalRoom;
+use crate::dynamics::elements::nodal_workspace::NodalWorkspace;
 use crate::dynamics::play::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
 use crate::dynamics::play::motion::PlayMotion;
 use crate::mechanism::constraints;
 use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, moved, room, turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, moved, turned_by, workspace_length,
 };
-use crate::model::{ActsOn, Course, FeedForward, PlayId};
+use crate::model::{ActsOn, FeedForward, PlayId, TimeCourse};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
@@ -57,9 +57,9 @@ pub struct Dynamics<'a, T> {
     /// Power that the dampers turned into heat at the last evaluation, W.
     pub(super) damping_loss_w: T,
     /// Room for flexible bodies.
-    pub(super) beam_rooms: Vec<BeamRoom<T>>,
+    pub(super) beam_workspaces: Vec<BeamWorkspace<T>>,
     /// Room for flexible bodies in absolute nodal coordinates.
-    pub(super) nodal_rooms: Vec<NodalRoom<T>>,
+    pub(super) nodal_workspaces: Vec<NodalWorkspace<T>>,
     /// Power that the damping of flexible bodies turned into heat at the last evaluation, W.
     pub(super) beam_loss_w: T,
     /// Loads at the last evaluation.
@@ -77,9 +77,9 @@ pub struct Dynamics<'a, T> {
     /// The equations behind the torques that controls feed forward.
     pub(super) inverse: Option<InverseDynamics<'a, T>>,
     /// Room for the functions of loads and controls.
-    pub(super) function_room: Vec<T>,
+    pub(super) function_workspace: Vec<T>,
     /// Room for the functions of drives.
-    pub(super) drive_room: Vec<TimeDual<T>>,
+    pub(super) drive_workspace: Vec<TimeDual<T>>,
     /// Time of the last state, s.
     pub(super) time_s: T,
     /// Free accelerations q̈.
@@ -88,13 +88,13 @@ pub struct Dynamics<'a, T> {
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
     pub(super) mass: Vec<T>,
-    /// Where M may have entries other than zero.
+    /// The possibly non-zero entries of M.
     envelope: Envelope,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     pub(super) driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
     pub(super) forces: Vec<T>,
-    /// Partial velocities of the centre of mass of the link at hand.
+    /// Partial velocities of the centre of mass of the current link.
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
@@ -144,12 +144,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
         });
         let loads = loads.collect();
         let fed_forward = mechanism.model.controls.iter().filter_map(|control| match &control.feed_forward {
-            FeedForward::Course(course) => Some(course),
+            FeedForward::TimeCourse(course) => Some(course),
             FeedForward::None | FeedForward::InverseDynamics => None,
         });
         let courses = mechanism.model.loads.iter().filter_map(|load| load.course.as_ref()).chain(fed_forward);
         let steps = courses.map(|course| match course {
-            Course::Function(function) => function.steps(),
+            TimeCourse::Function(function) => function.steps(),
             _ => 0,
         });
         let function_steps = steps.max().unwrap_or(0);
@@ -172,15 +172,15 @@ impl<'a, T: Real> Dynamics<'a, T> {
                     None => spring.kind.bodies().map(|body| tree.slot_of_body[body.0]),
                 })
                 .collect(),
-            beam_rooms: tree
+            beam_workspaces: tree
                 .beams
                 .iter()
-                .map(|beam| BeamRoom::new(beam, tree.links[beam.slot - 1].dependences.len()))
+                .map(|beam| BeamWorkspace::new(beam, tree.links[beam.slot - 1].dependences.len()))
                 .collect(),
-            nodal_rooms: tree
+            nodal_workspaces: tree
                 .nodal_beams
                 .iter()
-                .map(|beam| NodalRoom::new(beam.mesh.nodes(), tree.links[beam.slot - 1].dependences.len()))
+                .map(|beam| NodalWorkspace::new(beam.mesh.nodes(), tree.links[beam.slot - 1].dependences.len()))
                 .collect(),
             beam_loss_w: T::zero(),
             damping_loss_w: T::zero(),
@@ -191,8 +191,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
             error_integrals: vec![T::zero(); mechanism.model.controls.len()],
             controls_w: T::zero(),
             inverse: mechanism.known_chain.as_ref().map(InverseDynamics::new),
-            function_room: vec![T::zero(); function_steps],
-            drive_room: vec![Dual::constant(Dual::constant(T::zero())); room(&mechanism.model)],
+            function_workspace: vec![T::zero(); function_steps],
+            drive_workspace: vec![Dual::constant(Dual::constant(T::zero())); workspace_length(&mechanism.model)],
             time_s: T::zero(),
             accelerations: vec![T::zero(); n],
             multipliers: vec![T::zero(); rows],
@@ -216,12 +216,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
         self.rates[..n].copy_from_slice(&free_rates[..n]);
         for (k, drive) in tree.drives.iter().enumerate() {
-            let motion = self.sample.drives.motion(*drive, time_s, &mut self.drive_room);
+            let motion = self.sample.drives.motion(*drive, time_s, &mut self.drive_workspace);
             [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
         }
         self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
         self.kinematics.set_velocities(tree, &self.rates);
-        if !self.nodal_rooms.is_empty() {
+        if !self.nodal_workspaces.is_empty() {
             self.set_nodes();
         }
         for ((slots, play), entry) in self.play_slots.iter().zip(&self.sample.plays).zip(&mut self.plays) {
@@ -264,7 +264,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     #[inline(always)]
     fn has_beams(&self) -> bool {
-        !(self.beam_rooms.is_empty() && self.nodal_rooms.is_empty())
+        !(self.beam_workspaces.is_empty() && self.nodal_workspaces.is_empty())
     }
 
     /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
@@ -386,7 +386,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         }
         self.gram.set(&self.jacobian, columns, &self.mass, n);
         self.gram.solve(&mut self.multipliers);
-        self.gram.add_answer(&self.multipliers, &mut self.accelerations);
+        self.gram.add_correction(&self.multipliers, &mut self.accelerations);
     }
 
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.

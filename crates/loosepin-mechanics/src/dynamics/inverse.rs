@@ -35,12 +35,12 @@ impl<'a, T: Real> InverseDynamics<'a, T> {
     /// Follows the drives and references of `sample` to `time_s` and works out the efforts along them:
     /// Σ m (a - g)·∂v/∂q̇_k + I α ∂ω/∂q̇_k over all bodies.
     #[inline(always)]
-    pub fn evaluate(&mut self, model: &Model, sample: &Sample<T>, time_s: T, room: &mut [TimeDual<T>]) {
+    pub fn evaluate(&mut self, model: &Model, sample: &Sample<T>, time_s: T, workspace: &mut [TimeDual<T>]) {
         let tree = &self.chain.tree;
         for k in 0..tree.drives.len() {
             let motion = match self.chain.control_of(model, k) {
-                Some(control) => sample.references.law_motion(control, time_s, room),
-                None => sample.drives.motion(tree.drives[k], time_s, room),
+                Some(control) => sample.references.law_motion(control, time_s, workspace),
+                None => sample.drives.motion(tree.drives[k], time_s, workspace),
             };
             [self.coordinates[k], self.rates[k], self.accelerations[k]] = motion;
         }

@@ -3,7 +3,7 @@
 use super::equations::Dynamics;
 use crate::dynamics::play::contact_motion::ContactMotion;
 use crate::dynamics::play::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, KeptPoints, acceleration_at};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, PointRowsAtState, acceleration_at};
 use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -217,7 +217,7 @@ impl<T: Real> Dynamics<'_, T> {
                 let mut multipliers_n = [T::zero(); 2];
                 multipliers_n[..keeps.count()].copy_from_slice(&self.multipliers[row..row + keeps.count()]);
                 row += cut.rows.count();
-                let force_n = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap_m).force_n(multipliers_n);
+                let force_n = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap_m).force_n(multipliers_n);
                 if cut.rows.is_on_line() { force_n + self.guide_friction_n(cut.joint) } else { force_n }
             })
             .collect()

@@ -6,7 +6,7 @@ use crate::model::{ActsOn, BodyId, JointId, PlayId, PointId};
 use loosepin_flexible::{Nodal, Station};
 use loosepin_math::{Real, Vec2};
 
-/// What the part of a link nearer to its root does to the part beyond a cut.
+/// Force of the part of a link nearer to its root on the part beyond a cut.
 #[derive(Debug, Clone, Copy)]
 pub struct SectionForce<T> {
     /// Force along the axis of the section, N: negative under tension, as the inner part pulls the outer one back.
@@ -184,7 +184,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
             Carrier::Nodes(link) => {
                 let (mesh, nodes) =
-                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_rooms[link.beam].nodes);
+                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_workspaces[link.beam].nodes);
                 let numbers = &self.sample.real.nodal_beams[link.beam].beam;
                 numbers.point_m(mesh, nodes, link.share(station)) - nodes[0].position
             }
@@ -222,7 +222,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
             Carrier::Nodes(link) => {
                 let (mesh, nodes) =
-                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_rooms[link.beam].nodes);
+                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_workspaces[link.beam].nodes);
                 let slope = self.sample.real.nodal_beams[link.beam].beam.slope(mesh, nodes, link.share(station));
                 let along = slope * (T::one() / slope.length());
                 if link.is_turned { -along } else { along }
@@ -238,7 +238,7 @@ impl<T: Real> Dynamics<'_, T> {
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
         let root_m = match &motion.carrier {
             // The places along it count from the root of the mesh.
-            Carrier::Nodes(link) => self.nodal_rooms[link.beam].nodes[0].position,
+            Carrier::Nodes(link) => self.nodal_workspaces[link.beam].nodes[0].position,
             Carrier::Shapes(_) | Carrier::Rigid => place_m(motion.slot, numbers.ends_m[0]),
         };
         let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);

@@ -64,7 +64,7 @@ impl Mechanism {
             return Err(MechanismError::BeyondBeam { body, point });
         }
         let real = Tree::flexible(model, values, |id| !model.has_play(id, values)).map_err(driven_loop)?;
-        if let Some(body) = real.beam_that_hangs_wrongly(model) {
+        if let Some(body) = real.misattached_beam(model) {
             return Err(MechanismError::BeamHangs { body: model.bodies[body.0].name.clone() });
         }
         let size_m = size_m(model, values);

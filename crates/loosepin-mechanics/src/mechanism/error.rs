@@ -1,6 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
-use crate::mechanism::loops::constraints::Opening;
+use crate::mechanism::loops::constraints::LargestResidual;
 use crate::model::{PeriodProblem, QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{Dimension, counted, format_apart, format_value, listed, quoted};
@@ -51,7 +51,7 @@ problems! {
                   redundant"),
             hint("remove the redundant constraint, or the friction");
         CannotClose {
-            open: Opening,
+            open: LargestResidual,
             at: Option<Box<DrivePlace>>,
             /// Starting positions from which the loops were to be closed.
             starts: usize,
@@ -78,7 +78,7 @@ problems! {
                 describe_path(path)
             ),
             hint("its line points in the opposite direction: change the angle of its guide or slider by 180 deg");
-        CannotCloseAsGiven { open: Opening } => Code::StartNotPossible,
+        CannotCloseAsGiven { open: LargestResidual } => Code::StartNotPossible,
             says("the links cannot close at the start that [initial] gives: {open} at best"),
             hint("remove the values under [initial] that follow from the others");
         StartNotDetermined {
@@ -146,7 +146,7 @@ problems! {
     }
 }
 
-/// Where bodies are, in words.
+/// Positions of bodies, in words.
 fn places_of(bodies: &[String]) -> String {
     if bodies.len() == 1 { format!("where {} is", quoted(bodies)) } else { format!("where {} are", quoted(bodies)) }
 }
@@ -168,7 +168,7 @@ fn undetermined_words(bodies: &[String]) -> String {
     }
 }
 
-/// Where a drive is.
+/// Position of a drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrivePlace {
     /// Name of the drive.
@@ -189,7 +189,7 @@ fn guess_words(guesses: &[(String, f64)]) -> String {
     }
 }
 
-/// Where the drive is, behind an instant; nothing where that is not known.
+/// Words for the position of the drive, behind an instant; empty if it is unknown.
 fn at_words(at: Option<&DrivePlace>) -> String {
     let Some(DrivePlace { drive, position_si, dimension }) = at else { return String::new() };
     let in_turn =
@@ -285,7 +285,7 @@ problems! {
                 (1000.0 * length_ratio).round() / 1000.0
             ),
             hint("use the film \"finite-length\" or \"pinkus-sternlicht\" for such a long bearing");
-        CannotClose { open: Opening, time_s: f64, at: Option<Box<DrivePlace>> } => Code::CannotClose,
+        CannotClose { open: LargestResidual, time_s: f64, at: Option<Box<DrivePlace>> } => Code::CannotClose,
             says("the links cannot close at {}{}: {open}", format_value(*time_s, Dimension::TIME), at_words(at.as_deref())),
             hint("the lengths do not permit a whole turn; check them, or drive another joint");
         StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,

@@ -2,14 +2,14 @@
 
 use super::compile::Mechanism;
 use super::error::{DrivePlace, SampleError};
-use crate::mechanism::loops::constraints::{self, Opening};
-use crate::mechanism::parts::drive::{Drives, room};
+use crate::mechanism::loops::constraints::{self, LargestResidual};
+use crate::mechanism::parts::drive::{Drives, workspace_length};
 use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
 use crate::mechanism::tree::mobility::eliminate_free;
+use crate::mechanism::tree::motion_branches::{MotionBranches, motion_branches};
 use crate::mechanism::tree::spanning_tree::Tree;
-use crate::mechanism::tree::ways_on::{WaysOn, ways_on};
 use crate::model::TimeDual;
 use loosepin_math::{Dual, solve_square};
 
@@ -45,7 +45,7 @@ pub struct IdealMotion<'a> {
     matrix: Vec<f64>,
     right_hand_side: Vec<f64>,
     /// Room for the functions of drives.
-    room: Vec<TimeDual<f64>>,
+    workspace: Vec<TimeDual<f64>>,
     pivot_ratio: f64,
     /// Constraint rows that are solved. Where joints repeat each other, which rows carry the motion changes along the way.
     rows: Vec<usize>,
@@ -84,7 +84,7 @@ impl<'a> IdealMotion<'a> {
             jacobian: vec![0.0; rows * tree.coordinates()],
             matrix: vec![0.0; n * n],
             right_hand_side: vec![0.0; n],
-            room: vec![Dual::constant(Dual::constant(0.0)); room(&mechanism.model)],
+            workspace: vec![Dual::constant(Dual::constant(0.0)); workspace_length(&mechanism.model)],
             pivot_ratio: 1.0,
             rows: mechanism.ideal_rows().to_vec(),
         };
@@ -122,7 +122,7 @@ impl<'a> IdealMotion<'a> {
     /// c, c', c'' such that q(-d), q'(-d), q''(-d) are those before
     /// ```
     fn predict(&mut self, next_s: f64) {
-        /// The longest step that the last one tells about, in units of it: the error grows with its sixth power.
+        /// The longest step that the last one predicts, in units of it: the error grows with its sixth power.
         const FURTHEST: f64 = 2.0;
         /// What it may add to the guess of degree two, as a share of the step.
         const MAX_CORRECTION: f64 = 0.25;
@@ -211,9 +211,9 @@ impl<'a> IdealMotion<'a> {
         &self.accelerations
     }
     /// The two ways on from here, at a change point.
-    pub fn ways_on(&self) -> Option<WaysOn> {
+    pub fn motion_branches(&self) -> Option<MotionBranches> {
         let (tree, driven) = (&self.mechanism.ideal, &self.driven_accelerations);
-        ways_on(tree, &self.geometry, &self.coordinates, &self.rates, driven)
+        motion_branches(tree, &self.geometry, &self.coordinates, &self.rates, driven)
     }
     /// The matrix dΦ/dq of the independent loop equations at the present position, n × n, row-major.
     pub fn loop_matrix(&self) -> Vec<f64> {
@@ -234,7 +234,7 @@ impl<'a> IdealMotion<'a> {
         let n = tree.free;
         self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
         for (k, &drive) in tree.drives.iter().enumerate() {
-            let motion = self.drives.motion(drive, time_s, &mut self.room);
+            let motion = self.drives.motion(drive, time_s, &mut self.workspace);
             if motion.iter().any(|number| !number.is_finite()) {
                 let drive = self.mechanism.model.drives[drive.0].name.clone();
                 return Err(SampleError::DriveWithoutValue { drive, time_s });
@@ -322,7 +322,7 @@ impl<'a> IdealMotion<'a> {
     }
 
     fn cannot_close(&self) -> SampleError {
-        let open = Opening::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
+        let open = LargestResidual::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
         SampleError::CannotClose { open, time_s: self.time_s, at: self.drive_place() }
     }
 

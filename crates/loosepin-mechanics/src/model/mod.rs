@@ -33,11 +33,12 @@ pub use drive::{
 };
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use joint::{
-    AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay,
-    Keeps, KindOfJoint, Line, NotDriven, PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+    AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, IdealRows, JointKind, JointPlay,
+    KindOfJoint, Line, NotDriven, PlayParts, PointConstraint, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+    TreeAttachment,
 };
 pub use load::{
-    ActsOn, Course, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TorqueLoad,
+    ActsOn, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TimeCourse, TorqueLoad,
 };
 pub use loosepin_text::document::describe_path;
 pub use loosepin_text::units::Rule;
@@ -46,8 +47,8 @@ pub use output::{
     Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Recorded,
     Relative, Stress, Wear, relative_words,
 };
-pub use part_reader::{Later, PartReader};
-pub use parts::beam::{Beam, Formulation, Lump};
+pub use part_reader::{DeferredQuantity, PartReader};
+pub use parts::beam::{Beam, Formulation, LumpedMass};
 pub use parts::control::{Control, FeedForward};
 pub use parts::cycle::{CYCLE_NUMBERS, Cycle, CycleSpan};
 pub use parts::friction::{Friction, SlidingVelocity};
@@ -57,9 +58,9 @@ pub use parts::spring::{Elasticity, Spring, SpringKind};
 pub use parts::table_curve::TableCurve;
 pub use parts::topology::{Body, Guess, Joint, Model, Point};
 pub use parts::wear::{
-    FoundationChoice, JointWear, Jumps, LifeLimit, MAX_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
+    CycleJumps, FoundationChoice, JointWear, LifeLimit, MAX_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
-pub use plausible::HardlyPossible;
+pub use plausible::ImplausibleNumber;
 pub use problem::ModelProblem;
 pub use read::model_schema;
 pub use values::function::{Changing, Function};

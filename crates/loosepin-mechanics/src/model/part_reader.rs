@@ -1,8 +1,8 @@
-//! What every kind of part needs to read its table: the reader of the model, as far as all of them know it.
+//! Reader common to every kind of part: the part of the model's reader that all of them know.
 
 use super::ids::{BodyId, JointId, PointId};
 use crate::model::values::quantity::QuantityId;
-use loosepin_text::document::{Entry, Reads, Table, Usual, Value};
+use loosepin_text::document::{DefaultValue, Entry, Reads, Table, Value};
 use loosepin_text::units::parse_quantity;
 
 /// The reader of a model with the parts that stand above. What returns nothing has reported.
@@ -38,40 +38,40 @@ impl<'t, R: PartReader + ?Sized> Value<'t, R> for QuantityId {
     }
 }
 
-impl<'t, R: PartReader + ?Sized> Usual<'t, R, &'static str> for QuantityId {
-    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+impl<'t, R: PartReader + ?Sized> DefaultValue<'t, R, &'static str> for QuantityId {
+    fn default_value(reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
         let usual = parse_quantity(usual).expect("the description of a table states a value with a unit");
         reader.quantity_or(table, key, usual.value_si)
     }
 }
 
 /// A quantity, written or usual, that is read after others: quantities keep the order in which they are read.
-pub enum Later<'t> {
+pub enum DeferredQuantity<'t> {
     /// As the file has it.
     Written(Entry<'t>),
-    /// Left out of the table under this key, with what it is then.
-    Usual(Table<'t>, &'static str, &'static str),
+    /// Omitted from the table under this key, with its default value.
+    DefaultValue(Table<'t>, &'static str, &'static str),
 }
 
-impl Later<'_> {
+impl DeferredQuantity<'_> {
     /// Reads it; `None` after a diagnostic.
     pub fn quantity<R: PartReader + ?Sized>(&self, reader: &mut R) -> Option<QuantityId> {
         match self {
             Self::Written(entry) => reader.quantity_at(entry),
-            Self::Usual(table, key, usual) => QuantityId::usual(reader, table, key, usual),
+            Self::DefaultValue(table, key, usual) => QuantityId::default_value(reader, table, key, usual),
         }
     }
 }
 
-impl<'t, R: ?Sized> Value<'t, R> for Later<'t> {
+impl<'t, R: ?Sized> Value<'t, R> for DeferredQuantity<'t> {
     fn read(_reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
         Some(Self::Written(entry.clone()))
     }
 }
 
-impl<'t, R: ?Sized> Usual<'t, R, &'static str> for Later<'t> {
-    fn usual(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
-        Some(Self::Usual(table.clone(), key, usual))
+impl<'t, R: ?Sized> DefaultValue<'t, R, &'static str> for DeferredQuantity<'t> {
+    fn default_value(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+        Some(Self::DefaultValue(table.clone(), key, usual))
     }
 }
 

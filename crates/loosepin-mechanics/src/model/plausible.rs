@@ -10,7 +10,7 @@ use loosepin_text::units::{Dimension, format_number, format_value, parse_quantit
 
 mod usual;
 
-use usual::{USUAL, Usual};
+use usual::{USUAL_RANGES, UsualRange};
 
 /// Ratio of two masses of one mechanism above which one of them looks wrong.
 const MAX_MASS_RATIO: f64 = 1000.0;
@@ -33,21 +33,21 @@ const POSITIVE_NAMES: [&str; 5] = ["length", "radius", "diameter", "thickness", 
 problems! {
     /// A number that is allowed and hardly possible. `entry` is a path in words; `slip` is the likely meaning.
     #[derive(Debug, Clone, PartialEq)]
-    pub enum HardlyPossible {
-        Unusual { entry: String, found: String, usual: &'static str, slip: Option<String> } => Code::HardlyPossible,
+    pub enum ImplausibleNumber {
+        Unusual { entry: String, found: String, usual: &'static str, slip: Option<String> } => Code::ImplausibleNumber,
             says("{entry} {found}; usual values are {usual}"),
             hint_of(Some(or_meant(slip)));
-        Upwards { found: String, turned: String } => Code::HardlyPossible,
+        Upwards { found: String, turned: String } => Code::ImplausibleNumber,
             says("gravity {found} acts upwards: gravity is the acceleration along -y"),
             hint("did you mean \"{turned}\"?");
-        BelowAbsoluteZero { entry: String, found: String } => Code::HardlyPossible,
+        BelowAbsoluteZero { entry: String, found: String } => Code::ImplausibleNumber,
             says("{entry} {found}; from 20 °C this is below absolute zero"),
             hint("give the difference from the temperature of the drawing, in K");
-        NegativeLength { entry: String, found: String, turned: String } => Code::HardlyPossible,
+        NegativeLength { entry: String, found: String, turned: String } => Code::ImplausibleNumber,
             says("{entry} is {found}; a length is usually above 0"),
             hint("did you mean \"{turned}\"?");
         Masses { entry: String, found: String, other: String, other_found: String, ratio: String, slip: Option<String> } =>
-            Code::HardlyPossible,
+            Code::ImplausibleNumber,
             says("{entry} {found}; body '{other}' has {other_found}, a ratio of {ratio}"),
             hint_of(Some(or_meant(slip)));
         Inertia {
@@ -56,22 +56,22 @@ problems! {
             /// Radius of gyration, √(inertia/mass).
             gyration: String,
             extent: String,
-            /// That of a slender rod of the same mass and extent.
+            /// Inertia of a slender rod of the same mass and extent.
             of_rod: String,
             slip: Option<String>,
-        } => Code::HardlyPossible,
+        } => Code::ImplausibleNumber,
             says("{entry} {found}; its radius of gyration is then {gyration}, with points {extent} apart"),
             hint_of(Some(match slip {
                 Some(slip) => slip.clone(),
                 None => format!("a slender rod of that mass and length has {of_rod}"),
             }));
-        CentreOfMass { entry: String, distance: String, extent: String } => Code::HardlyPossible,
+        CentreOfMass { entry: String, distance: String, extent: String } => Code::ImplausibleNumber,
             says("{entry} lies {distance} from the points of the body, which are {extent} apart"),
             hint("give it in the frame of the body, like the points");
-        Clearance { entry: String, found: String, radius: String } => Code::HardlyPossible,
+        Clearance { entry: String, found: String, radius: String } => Code::ImplausibleNumber,
             says("{entry} {found}; usual values are up to a tenth of the radius, {radius}"),
             hint("the clearance is radius of the hole minus radius of the pin, not the radius of the pin");
-        Restitution { entry: String, found: String, law: &'static str, delivered: String } => Code::HardlyPossible,
+        Restitution { entry: String, found: String, law: &'static str, delivered: String } => Code::ImplausibleNumber,
             says("{entry} {found}; with the law {law} impacts have {delivered}"),
             hint("this law is for nearly elastic impacts; flores and exact-restitution deliver the given restitution");
     }
@@ -84,9 +84,9 @@ fn or_meant(slip: &Option<String>) -> String {
 
 impl Model {
     /// Warnings of numbers that are hardly possible, at the values of the file.
-    pub(super) fn hardly_possible(&self) -> Vec<Diagnostic> {
+    pub(super) fn implausible_numbers(&self) -> Vec<Diagnostic> {
         let values = self.quantities.nominal();
-        let mut found: Vec<(String, HardlyPossible)> = Vec::new();
+        let mut found: Vec<(String, ImplausibleNumber)> = Vec::new();
         self.judge_quantities(&values, &mut found);
         self.judge_masses(&values, &mut found);
         let has_wrong_mass = |body: &Body| found.iter().any(|(path, _)| *path == mass_path(body));
@@ -107,29 +107,31 @@ impl Model {
         self.bodies.iter().map(|body| extent_m(body, values)).fold(0.0, f64::max)
     }
 
-    /// Numbers whose usual range goes by their key alone.
-    fn judge_quantities(&self, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
+    /// Numbers whose usual range depends on their key alone.
+    fn judge_quantities(&self, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         for (id, quantity) in self.quantities.iter() {
             let (value, entry) = (values[id], describe_path(&quantity.path));
             let shown = |value: f64| format_value(value, quantity.dimension);
             if quantity.path == "gravity" && value < 0.0 {
-                let problem = HardlyPossible::Upwards { found: shown(value), turned: shown(-value) };
+                let problem = ImplausibleNumber::Upwards { found: shown(value), turned: shown(-value) };
                 found.push((quantity.path.clone(), problem));
             } else if quantity.path.ends_with("temperature_rise") && value < MIN_RISE_K {
-                found.push((quantity.path.clone(), HardlyPossible::BelowAbsoluteZero { entry, found: shown(value) }));
+                found
+                    .push((quantity.path.clone(), ImplausibleNumber::BelowAbsoluteZero { entry, found: shown(value) }));
             } else if let Some(name) = quantity.path.strip_prefix("parameter.") {
                 let is_length = quantity.dimension == Dimension::LENGTH;
                 if is_length && value < 0.0 && POSITIVE_NAMES.iter().any(|word| name.contains(word)) {
                     let (found_text, turned) = (shown(value), shown(-value));
-                    let problem = HardlyPossible::NegativeLength { entry, found: found_text, turned };
+                    let problem = ImplausibleNumber::NegativeLength { entry, found: found_text, turned };
                     found.push((quantity.path.clone(), problem));
                 }
-            } else if let Some(usual) = USUAL.iter().find(|usual| usual.is_of(&quantity.path, quantity.dimension))
+            } else if let Some(usual) =
+                USUAL_RANGES.iter().find(|usual| usual.is_of(&quantity.path, quantity.dimension))
                 && !usual.holds(value)
             {
                 let slip =
                     self.slip(id, usual.units, |meant| usual.holds(meant)).or_else(|| by_factor(usual, value, shown));
-                let problem = HardlyPossible::Unusual { entry, found: shown(value), usual: usual.words, slip };
+                let problem = ImplausibleNumber::Unusual { entry, found: shown(value), usual: usual.words, slip };
                 found.push((quantity.path.clone(), problem));
             }
         }
@@ -151,7 +153,7 @@ impl Model {
     }
 
     /// The heaviest and the lightest body.
-    fn judge_masses(&self, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
+    fn judge_masses(&self, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         let mut masses: Vec<(&Body, QuantityId, f64)> =
             self.bodies.iter().filter_map(|body| body.mass_kg.map(|id| (body, id, values[id]))).collect();
         masses.sort_by(|a, b| a.2.total_cmp(&b.2));
@@ -168,7 +170,7 @@ impl Model {
         let slip = self.slip(wrong.1, &[("kg", "g"), ("t", "kg"), ("g", "kg"), ("mg", "g")], is_plausible);
         let shown = |mass: f64| format_value(mass, Dimension::MASS);
         let path = mass_path(wrong.0);
-        let problem = HardlyPossible::Masses {
+        let problem = ImplausibleNumber::Masses {
             entry: describe_path(&path),
             found: shown(wrong.2),
             other: other.0.name.clone(),
@@ -180,7 +182,7 @@ impl Model {
     }
 
     /// Inertia and centre of mass of a body against the extent of its points.
-    fn judge_body(&self, body: &Body, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
+    fn judge_body(&self, body: &Body, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         let (Some(mass), Some(inertia), Some(centre)) = (body.mass_kg, body.inertia_kg_m2, body.centre_of_mass_m)
         else {
             return;
@@ -198,7 +200,7 @@ impl Model {
             let path = format!("body.{}.centre_of_mass", body.name);
             let entry = describe_path(&path);
             let problem =
-                HardlyPossible::CentreOfMass { entry, distance: length(distance_m), extent: length(extent_m) };
+                ImplausibleNumber::CentreOfMass { entry, distance: length(distance_m), extent: length(extent_m) };
             found.push((format!("{path}.x"), problem));
             return;
         }
@@ -215,7 +217,7 @@ impl Model {
         let pairs: Vec<(&str, &str)> = units.iter().flat_map(|w| units.iter().map(move |m| (*w, *m))).collect();
         let show_inertia = |value: f64| format_value(value, Dimension::INERTIA);
         let path = format!("body.{}.inertia", body.name);
-        let problem = HardlyPossible::Inertia {
+        let problem = ImplausibleNumber::Inertia {
             entry: describe_path(&path),
             found: show_inertia(values[inertia]),
             gyration: length((values[inertia] / values[mass]).sqrt()),
@@ -230,14 +232,14 @@ impl Model {
     }
 
     /// What a contact law makes of the restitution.
-    fn judge_restitution(&self, contact: &Contact, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
+    fn judge_restitution(&self, contact: &Contact, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         let (Some(restitution), Some(law)) = (contact.law.restitution(), contact.law.loss()) else { return };
         let damping_factor = (law.damping_factor)(values[restitution]);
         let delivered = delivered_restitution(damping_factor);
         // A law without loss says so by its name.
         if damping_factor > 0.0 && delivered - values[restitution] > MAX_RESTITUTION_GAINED {
             let path = format!("contact.{}.restitution", contact.name);
-            let problem = HardlyPossible::Restitution {
+            let problem = ImplausibleNumber::Restitution {
                 entry: describe_path(&path),
                 found: format_number(values[restitution]),
                 law: law.name,
@@ -248,7 +250,7 @@ impl Model {
     }
 
     /// Clearances against the radius of the hole or the ends of the slot.
-    fn judge_clearances(&self, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
+    fn judge_clearances(&self, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         for joint in &self.joints {
             let Some(play) = joint.kind.play() else { continue };
             let (key, clearance, Some(radius)) = (joint.kind.clearance_key(), play.clearance_m, play.radius_m) else {
@@ -257,7 +259,7 @@ impl Model {
             if values[clearance] > MAX_CLEARANCE_PER_RADIUS * values[radius] {
                 let path = format!("joint.{}.{key}", joint.name);
                 let [found_text, radius] = [clearance, radius].map(|id| format_value(values[id], Dimension::LENGTH));
-                let problem = HardlyPossible::Clearance { entry: describe_path(&path), found: found_text, radius };
+                let problem = ImplausibleNumber::Clearance { entry: describe_path(&path), found: found_text, radius };
                 found.push((path, problem));
             }
         }
@@ -265,7 +267,7 @@ impl Model {
 }
 
 /// The likely meaning of a number by a factor.
-fn by_factor(usual: &Usual, value: f64, shown: impl Fn(f64) -> String) -> Option<String> {
+fn by_factor(usual: &UsualRange, value: f64, shown: impl Fn(f64) -> String) -> Option<String> {
     let meant = usual.factors.iter().map(|factor| factor * value).find(|meant| usual.holds(*meant))?;
     Some(format!("did you mean {}?", shown(meant)))
 }

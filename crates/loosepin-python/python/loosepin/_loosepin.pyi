@@ -1,4 +1,4 @@
-"""The compiled part of loosepin; what people use is the package `loosepin`."""
+"""The compiled part of loosepin; use the package `loosepin`."""
 
 import os
 from collections.abc import Callable, Iterator
@@ -25,7 +25,7 @@ __all__ = [
 __version__: str
 
 _Made = tuple[int, NDArray[np.float64], NDArray[np.int32]]
-_Maker = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[_Made | None]]
+_RunProvider = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[_Made | None]]
 _Texts = tuple[tuple[str, str], tuple[str, str], str, list[tuple[str, str]]]
 
 class LoosepinError(Exception):
@@ -133,7 +133,7 @@ class Study:
         progress: Callable[[int, int], object] | None,
         accuracy: list[str],
         budget: str | None,
-        maker: _Maker | None,
+        provider: _RunProvider | None,
     ) -> StudyResult: ...
     def texts(self) -> _Texts: ...
     @staticmethod
@@ -164,7 +164,7 @@ class Study:
         accuracy: dict[str, Any],
         threads: int | None,
         progress: Callable[[int, int], object] | None,
-        maker: _Maker | None,
+        provider: _RunProvider | None,
     ) -> dict[str, Any]: ...
 
 @final

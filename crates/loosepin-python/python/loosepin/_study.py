@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from . import _loosepin
-from ._cluster import maker
+from ._cluster import run_provider
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
@@ -102,7 +102,7 @@ class Study:
         told = listener(progress)
         place = None if folder is None else os.fspath(folder)
         try:
-            made = None if client is None else maker(client, self._native, tuple(accuracy), budget)
+            made = None if client is None else run_provider(client, self._native, tuple(accuracy), budget)
             native = self._native.run(place, resume, force, threads, told, list(accuracy), budget, made)
         finally:
             if told is not None:
@@ -190,7 +190,7 @@ class Study:
             return table(function(run), rows, names)
 
         try:
-            made = None if client is None else maker(client, self._native, (), None)
+            made = None if client is None else run_provider(client, self._native, (), None)
             record = self._native.bounds(evaluate, names, asked, limits, threads, told, made)
         finally:
             if told is not None:

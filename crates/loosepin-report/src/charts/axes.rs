@@ -13,7 +13,7 @@ pub(crate) const NUMBERS_BESIDE: f64 = 7.0;
 pub(crate) const NAME_ABOVE_EDGE: f64 = 8.0;
 /// Half the height of a digit: numbers beside an axis stand so far below their tick.
 pub(crate) const HALF_DIGIT: f64 = 4.0;
-/// Where the line of the upright name stands, from the left edge of the picture.
+/// Position of the name of the vertical axis from the left edge of the picture.
 pub(crate) const UPRIGHT_NAME: f64 = 13.0;
 /// Room for numbers on the left.
 const LEFT: f64 = 74.0;
@@ -47,7 +47,7 @@ impl Axis {
     }
 
     /// With some room at both ends.
-    pub fn wider(self) -> Axis {
+    pub fn with_margin(self) -> Axis {
         let room = 0.04 * (self.to - self.from);
         Axis { from: self.from - room, to: self.to + room }
     }
@@ -57,7 +57,7 @@ impl Axis {
     }
 }
 
-/// Two axes in a picture of so many units; a unit is about a pixel.
+/// Two axes in a picture, in its units; a unit is about a pixel.
 pub(crate) struct Axes {
     pub width: f64,
     pub height: f64,
@@ -66,13 +66,13 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Where a value of the horizontal axis stands.
-    pub fn across(&self, value: f64) -> f64 {
+    /// Position of a value on the horizontal axis.
+    pub fn x_position(&self, value: f64) -> f64 {
         LEFT + self.x.share(value) * (self.width - LEFT - MARGIN)
     }
 
-    /// Where a value of the vertical axis stands.
-    pub fn up(&self, value: f64) -> f64 {
+    /// Position of a value on the vertical axis.
+    pub fn y_position(&self, value: f64) -> f64 {
         self.height - BELOW - self.y.share(value) * (self.height - BELOW - MARGIN)
     }
 
@@ -83,12 +83,12 @@ impl Axes {
         let ((x_ticks, x_step), (y_ticks, y_step)) = (of(&self.x), of(&self.y));
         html! {
             @for tick in x_ticks {
-                @let place = self.across(tick);
+                @let place = self.x_position(tick);
                 line.grid x1=(format!("{place:.1}")) x2=(format!("{place:.1}")) y1=(MARGIN) y2=(bottom) {}
                 text x=(format!("{place:.1}")) y=(bottom + NUMBERS_BELOW) text-anchor="middle" { (tick_text(tick, x_step)) }
             }
             @for tick in y_ticks {
-                @let place = self.up(tick);
+                @let place = self.y_position(tick);
                 line.grid x1=(LEFT) x2=(right) y1=(format!("{place:.1}")) y2=(format!("{place:.1}")) {}
                 text x=(LEFT - NUMBERS_BESIDE) y=(format!("{:.1}", place + HALF_DIGIT)) text-anchor="end" { (tick_text(tick, y_step)) }
             }

@@ -2,7 +2,7 @@
 
 use maud::Markup;
 
-use crate::medium::script_data::{rounded, rounded_apart};
+use crate::medium::script_data::{rounded, rounded_distinct};
 use crate::numbers::number::NumberWriter;
 use loosepin_text::units::SiUnit;
 
@@ -163,7 +163,7 @@ pub(crate) struct Chart {
     /// Upright lines.
     pub marks: Vec<Mark>,
     pub height: u32,
-    /// One sentence on what is to be seen, for the caption.
+    /// One sentence on the figure, for the caption.
     pub caption: Markup,
     /// Text alternative for readers who cannot see the chart.
     pub alternative: String,
@@ -182,7 +182,7 @@ impl Chart {
             id,
             x_label: x_label.to_owned(),
             x_symbol: writer.symbol(x_unit),
-            x: rounded_apart(&scaled(x_si, x_unit, writer)),
+            x: rounded_distinct(&scaled(x_si, x_unit, writer)),
             height: 300,
             ..Chart::default()
         }
@@ -195,7 +195,7 @@ impl Chart {
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }
 
-    /// What the vertical axis shows, with its unit.
+    /// Sets the quantity of the vertical axis, with its unit.
     pub fn set_vertical_axis(&mut self, what: impl Into<String>, unit: &SiUnit, writer: &NumberWriter) {
         (self.y_label, self.y_symbol) = (what.into(), writer.symbol(unit));
     }

@@ -25,7 +25,7 @@ const KEY_MARGIN: f64 = 6.0;
 /// Share of the range that is left free above and below.
 const FREE_SHARE: f64 = 0.06;
 
-/// Where the curves stand in the picture, and what their frame shows, in display units.
+/// Place of the curves in the picture, and the range of their frame, in display units.
 pub(crate) struct Plot {
     left: f64,
     top: f64,
@@ -57,11 +57,11 @@ impl Plot {
         self.y.map(|number| number.to_string()).join(" ")
     }
 
-    fn across(&self, value: f64) -> f64 {
+    fn x_position(&self, value: f64) -> f64 {
         self.left + (value - self.x[0]) / (self.x[1] - self.x[0]) * self.width
     }
 
-    fn up(&self, value: f64) -> f64 {
+    fn y_position(&self, value: f64) -> f64 {
         self.top + (self.y[1] - value) / (self.y[1] - self.y[0]) * self.height
     }
 }
@@ -106,14 +106,14 @@ pub(crate) fn drawing(chart: &Chart) -> Drawn {
         }
         g.up {
             @for (tick, text) in y_ticks.iter().zip(&y_texts) {
-                @let place = at(plot.up(*tick));
+                @let place = at(plot.y_position(*tick));
                 line.grid x1=(at(plot.left)) x2=(at(plot.left + plot.width)) y1=(place) y2=(place) {}
-                text x=(at(plot.left - NUMBERS_BESIDE)) y=(at(plot.up(*tick) + HALF_DIGIT)) text-anchor="end" { (text) }
+                text x=(at(plot.left - NUMBERS_BESIDE)) y=(at(plot.y_position(*tick) + HALF_DIGIT)) text-anchor="end" { (text) }
             }
         }
         g.across {
             @for tick in &x_ticks {
-                @let place = at(plot.across(*tick));
+                @let place = at(plot.x_position(*tick));
                 line.grid x1=(place) x2=(place) y1=(at(plot.top)) y2=(at(bottom)) {}
                 text x=(place) y=(at(bottom + NUMBERS_BELOW)) text-anchor="middle" { (tick_text(told(*tick), x_step)) }
             }
@@ -135,9 +135,9 @@ pub(crate) fn drawing(chart: &Chart) -> Drawn {
         g.marks {
             @for mark in &chart.marks {
                 @if let Some(value) = mark.at {
-                    @let place = at(plot.across(value));
+                    @let place = at(plot.x_position(value));
                     line.mark data-at=(value) x1=(place) x2=(place) y1=(at(plot.top)) y2=(at(bottom)) {}
-                    text.mark data-at=(value) x=(at(plot.across(value) + 5.0)) y=(at(plot.top + 13.0)) { (mark.label) }
+                    text.mark data-at=(value) x=(at(plot.x_position(value) + 5.0)) y=(at(plot.top + 13.0)) { (mark.label) }
                 }
             }
         }
@@ -201,7 +201,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     if from.is_finite() && to.is_finite() { [from, to] } else { [0.0, 1.0] }
 }
 
-/// One turn that does not begin at 0° is still told in angles from 0° to 360°.
+/// Whether the chart is over one turn: also one that does not begin at 0° is shown in angles from 0° to 360°.
 fn is_one_turn(chart: &Chart, plot: &Plot) -> bool {
     chart.is_in_degrees() && (plot.x[1] - plot.x[0] - TURN_DEG).abs() < 1e-3 && plot.x[0] != 0.0
 }
@@ -219,7 +219,12 @@ fn line(chart: &Chart, plot: &Plot, values: &[Option<f64>]) -> String {
         // Points within a level stretch say nothing.
         let is_level = is_down && row > 0 && height(row - 1) == Some(y) && height(row + 1) == Some(y);
         if !is_level {
-            path.push_str(&format!("{}{:.1} {:.1}", if is_down { 'L' } else { 'M' }, plot.across(*x), plot.up(y)));
+            path.push_str(&format!(
+                "{}{:.1} {:.1}",
+                if is_down { 'L' } else { 'M' },
+                plot.x_position(*x),
+                plot.y_position(y)
+            ));
         }
         is_down = true;
     }
@@ -229,7 +234,7 @@ fn line(chart: &Chart, plot: &Plot, values: &[Option<f64>]) -> String {
 /// A line of no length at each point, which round ends make a dot.
 fn points(dots: &Dots, plot: &Plot) -> String {
     let finite = dots.points.iter().filter(|point| point.iter().all(|value| value.is_finite()));
-    finite.map(|[x, y]| format!("M{:.1} {:.1}h0", plot.across(*x), plot.up(*y))).collect()
+    finite.map(|[x, y]| format!("M{:.1} {:.1}h0", plot.x_position(*x), plot.y_position(*y))).collect()
 }
 
 /// The area between two curves: one piece for each stretch in which both have values.
@@ -238,7 +243,9 @@ fn area(chart: &Chart, plot: &Plot, lower: &[Option<f64>], upper: &[Option<f64>]
         .x
         .iter()
         .zip(lower.iter().zip(upper))
-        .map(|(x, (lower, upper))| Some([plot.across((*x)?), plot.up((*lower)?), plot.up((*upper)?)]))
+        .map(|(x, (lower, upper))| {
+            Some([plot.x_position((*x)?), plot.y_position((*lower)?), plot.y_position((*upper)?)])
+        })
         .collect();
     let mut path = String::new();
     for stretch in points.split(|point| point.is_none()).filter(|stretch| stretch.len() > 1) {
@@ -287,7 +294,7 @@ mod tests {
         let Drawn { plot, .. } = drawing(&periodic);
         assert_eq!(plot.x, [0.0, 360.0]);
         let path = line(&periodic, &plot, list);
-        assert!(path.ends_with(&format!("L{:.1} {:.1}", plot.left + plot.width, plot.up(1.0))), "{path}");
+        assert!(path.ends_with(&format!("L{:.1} {:.1}", plot.left + plot.width, plot.y_position(1.0))), "{path}");
         // Not where nobody says so, where the values do not come back, for a part of a turn, nor with a gap at an end.
         assert!(!chart(&angles, &cosine).close_turn());
         assert!(!Chart { is_periodic: true, ..chart(&angles, &angles) }.close_turn());

@@ -6,7 +6,7 @@ use crate::charts::axes::with_unit;
 use crate::charts::chart::{Chart, Entry, EntryValues};
 use crate::charts::drawing::{Drawn, drawing};
 use crate::charts::figure::{Picture, csv_element, csv_text};
-use crate::medium::script_data::digits_apart;
+use crate::medium::script_data::distinguishing_digits;
 use crate::numbers::number::PLAIN_DIGITS;
 
 /// Rows that the numbers behind a chart hold at most; longer histories keep the extremes of each stretch.
@@ -98,7 +98,7 @@ impl Chart {
     fn numbers(&self) -> Markup {
         let step = self.x.len().div_ceil(TABLE_ROWS).max(1);
         let shown: Vec<f64> = self.x.iter().step_by(step).copied().flatten().collect();
-        let digits = digits_apart(&shown, PLAIN_DIGITS);
+        let digits = distinguishing_digits(&shown, PLAIN_DIGITS);
         let symbol = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(" ({symbol})") };
         html! {
             details.numbers {

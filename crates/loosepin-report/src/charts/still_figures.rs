@@ -104,7 +104,7 @@ fn key(class: &str, stands_for: &str) -> Markup {
     }
 }
 
-/// The forces that part the samples on the rim into thirds, N, to one digit; none where no forces are known, or hardly different ones.
+/// The forces that part the samples on the rim into thirds, N, to one digit; `None` if no forces are known, or hardly different ones.
 fn force_steps(orbit: &JournalOrbit) -> Option<[f64; 2]> {
     if orbit.force_n.len() != orbit.x_m.len() {
         return None;
@@ -176,7 +176,7 @@ fn drawn_samples(orbit: &JournalOrbit) -> impl Iterator<Item = usize> + use<> {
     (0..samples(orbit)).step_by(step(orbit))
 }
 
-/// One of so many samples is in a page.
+/// Interval between the samples shown in a page.
 fn step(orbit: &JournalOrbit) -> usize {
     samples(orbit).div_ceil(ORBIT_POINTS).max(1)
 }
@@ -185,7 +185,7 @@ fn samples(orbit: &JournalOrbit) -> usize {
     orbit.x_m.len().min(orbit.y_m.len())
 }
 
-/// Where a journal was, in units of the picture.
+/// Position of a journal, in units of the picture.
 fn place(orbit: &JournalOrbit, sample: usize) -> Option<String> {
     let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
     let (x_m, y_m) = (orbit.x_m[sample], orbit.y_m[sample]);
@@ -227,7 +227,7 @@ fn csv(orbit: &JournalOrbit, writer: &NumberWriter) -> String {
     table
 }
 
-/// A number to so many places, without zeros at its end.
+/// A number rounded to this number of decimals, without trailing zeros.
 fn to_places(value: f64, places: usize) -> String {
     let text = format!("{value:.places$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -238,8 +238,8 @@ fn to_places(value: f64, places: usize) -> String {
 pub(crate) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
     let joint = &journal.joint;
     let tag = Tag::joint(joint, "clearance", "radial");
-    let clearance = writer.about(&tag).value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
-    let turns = writer.about(&Tag::Given("turns that are examined")).count(journal.x_m.len() as u64);
+    let clearance = writer.with_tag(&tag).value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let turns = writer.with_tag(&Tag::Given("turns that are examined")).count(journal.x_m.len() as u64);
     let places = drawn_samples(journal).filter_map(|sample| place(journal, sample));
     let dots: String = places.map(|place| format!("M{place}h0")).collect();
     let caption =
@@ -299,7 +299,7 @@ fn in_circle(
         .figure(caption, csv)
 }
 
-/// Where `value` lies between `from` and `to`, in percent of the width.
+/// Position of `value` between `from` and `to`, in percent of the width.
 pub(crate) fn percent_of(value: f64, from: f64, to: f64) -> String {
     let share = if to > from { (value - from) / (to - from) } else { 0.5 };
     // The ends may be infinite where a bound does not exist.

@@ -28,10 +28,10 @@ pub(crate) fn surrogate_figure(
     let (low, high) = (ends(-1.0), ends(1.0));
     let x_axis = Axis::over(picture.input_si.iter().map(|value| across.from_si(*value)));
     let shown = picture.run_output_si.iter().chain(&low).chain(&high);
-    let y_axis = Axis::over(shown.map(|value| up.from_si(*value))).wider();
+    let y_axis = Axis::over(shown.map(|value| up.from_si(*value))).with_margin();
     let axes = Axes { width: WIDTH, height: HEIGHT, x: x_axis, y: y_axis };
-    let x = |value_si: f64| axes.across(across.from_si(value_si));
-    let y = |value_si: f64| axes.up(up.from_si(value_si));
+    let x = |value_si: f64| axes.x_position(across.from_si(value_si));
+    let y = |value_si: f64| axes.y_position(up.from_si(value_si));
     let line = |values: &[f64]| {
         let mut path = String::new();
         for (input, value) in picture.input_si.iter().zip(values) {

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::headline::{is_same_curve, reach_si};
 use super::outputs::SharedOutputs;
-use super::sides::in_both;
+use super::sides::for_both;
 use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::{NumberWriter, Rounding};
@@ -22,7 +22,7 @@ const DIGITS: usize = 3;
 /// Both bands of an output over the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedBand {
-    /// Of what: `Deviation of slider`.
+    /// Title: `Deviation of slider`.
     pub title: String,
     /// How far each band reaches, in a sentence.
     pub words: String,
@@ -59,7 +59,7 @@ pub fn compared(
         if before.cycle.drive == after.cycle.drive {
             bands.push(band(pair, [curve, other], title(curve), writer));
         } else {
-            let drives = in_both([&before.cycle.drive, &after.cycle.drive]);
+            let drives = for_both([&before.cycle.drive, &after.cycle.drive]);
             left_out.push(format!("{}: the bands are over the angle of another drive: {drives}.", title(curve)));
         }
     }
@@ -101,7 +101,7 @@ fn band(
         ),
         None => "nothing known".to_owned(),
     });
-    let words = format!("Farthest from zero: {}.", in_both(told));
+    let words = format!("Farthest from zero: {}.", for_both(told));
     chart.alternative = format!("Chart of both bands over one cycle. {title}. {words}");
     let both = curves.map(|curve| ends_at(curve, &angles));
     let reaches = (0..angles.len()).map(|pose| [0, 1].map(|which| reach_words(&both[which], pose, first, writer)));
@@ -109,7 +109,7 @@ fn band(
     ComparedBand { title, words, reaches: reaches.collect(), angle_deg, figure: chart.document() }
 }
 
-/// Where a band begins and ends at a pose: `-0.15 mm to 0.14 mm`.
+/// Both ends of a band at a pose: `-0.15 mm to 0.14 mm`.
 fn reach_words(ends: &[Vec<f64>; 2], pose: usize, curve: &DeviationCurve, writer: &NumberWriter) -> String {
     let [lower, upper] = [0, 1].map(|which| ends[which][pose]);
     if !lower.is_finite() || !upper.is_finite() {
@@ -167,7 +167,7 @@ fn within(curve: &DeviationCurve, from_rad: f64) -> impl Iterator<Item = (f64, u
     poses.iter().enumerate().map(move |(pose, angle)| (if is_turn { shifted(*angle) } else { *angle }, pose))
 }
 
-/// Both ends of the band at these angles: between poses on the straight line between them, as they are drawn; not known beyond the poses.
+/// Both ends of the band at these angles: between poses on the straight line between them, as drawn; unknown beyond the poses.
 fn ends_at(curve: &DeviationCurve, angles: &[f64]) -> [Vec<f64>; 2] {
     let from = angles.first().copied().unwrap_or(0.0);
     let mut poses: Vec<(f64, usize)> = within(curve, from).collect();

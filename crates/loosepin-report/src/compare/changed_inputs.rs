@@ -1,4 +1,4 @@
-//! What differs in the inputs of two studies: uncertain inputs in words, then every other entry of the two texts, and tables.
+//! Differences between the inputs of two studies: uncertain inputs in words, then every other entry of the two texts, and tables.
 
 use serde::Serialize;
 
@@ -7,18 +7,18 @@ use loosepin_result::study::{InputDescription, StudyResult};
 use loosepin_text::diagnostics::Source;
 use loosepin_text::document::{Difference, describe_path, differences};
 
-/// Tables of a study whose entries are told in words.
+/// Tables of a study whose entries are described in words.
 const UNCERTAIN: [&str; 2] = ["random", "epistemic"];
-/// Entries that are told at most.
+/// Largest number of entries that are shown.
 const MOST: usize = 200;
-/// Characters of an entry that are told.
+/// Largest number of characters of an entry that are shown.
 const LONGEST: usize = 300;
 
-/// Where an input of a study stands.
+/// Place of an input of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputPlace {
-    /// Among the uncertain inputs.
+    /// An uncertain input.
     Uncertain,
     /// In the model.
     Model,
@@ -33,19 +33,19 @@ pub enum InputPlace {
 /// An input that two studies have differently.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangedInput {
-    /// Where it stands.
+    /// Place of the input.
     pub place: InputPlace,
     /// Its path: `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// The same in words.
     pub words: String,
-    /// What A has, with its unit; nothing where it has no such entry.
+    /// Entry of A, with its unit; `None` if it has no such entry.
     pub before: Option<String>,
-    /// What B has.
+    /// Entry of B.
     pub after: Option<String>,
 }
 
-/// What differs; and what could not be compared, in sentences.
+/// The differences; and sentences on what could not be compared.
 pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     let mut left_out = Vec::new();
     let [model, study] = [InputRole::Model, InputRole::Study].map(|role| texts(pair, role));
@@ -87,7 +87,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     (found, left_out)
 }
 
-/// The text of a kind in both results; nothing where one of them has none.
+/// The text of a kind in both results; `None` if one of them has none.
 fn texts(pair: [&StudyResult; 2], role: InputRole) -> Option<[std::sync::Arc<Source>; 2]> {
     let [before, after] = pair.map(|result| result.repeat.file_of(role));
     let source = |file: &InputText| Source::new(file.name.as_str(), file.text.as_str());
@@ -120,7 +120,7 @@ fn uncertain(pair: [&StudyResult; 2], model: Option<&[std::sync::Arc<Source>; 2]
     rows.filter(|row| row.before != row.after).collect()
 }
 
-/// Whether an entry of a study is that of an uncertain input that is told in words.
+/// Whether an entry of a study belongs to an uncertain input that is described in words.
 fn is_told(entry: &Difference, told: &[String]) -> bool {
     let [table, path, ..] = &entry.keys[..] else { return false };
     UNCERTAIN.contains(&table.as_str()) && told.contains(path)

@@ -1,7 +1,7 @@
 //! How much smaller or larger the main answer is in the second study.
 
 use super::outputs::SharedOutputs;
-use super::sides::in_both;
+use super::sides::for_both;
 use super::statistics::{Weight, is_same};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::study::output_summary::{OutputSummary, output_summaries};
@@ -9,7 +9,7 @@ use crate::words::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
 
-/// Where the studies share no main answer.
+/// Headline if the studies share no main answer.
 pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
@@ -31,7 +31,7 @@ pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &Numbe
     let [before, after] = main.values_si;
     let values =
         main.values_si.map(|value_si| format!("±{}", writer.rounded(value_si, main.unit, DIGITS, Rounding::Up)));
-    let sentence = format!("{} stays within {}.", main.subject, in_both(values));
+    let sentence = format!("{} stays within {}.", main.subject, for_both(values));
     match Weight::of(after - before, main.errors_si) {
         Weight::None => format!("{sentence} There is no difference."),
         Weight::WithinErrors => format!("{sentence} The difference is within the numerical errors."),
@@ -88,7 +88,7 @@ pub(super) fn is_same_curve(a: &DeviationCurve, b: &DeviationCurve) -> bool {
     a.output == b.output && a.of == b.of && a.unit == b.unit && a.probabilities == b.probabilities
 }
 
-/// Where the band is farthest from zero, rad, and how far; nothing where the study has none.
+/// Pose at which the band is farthest from zero, rad, and its distance there; `None` if the study has none.
 pub(super) fn reach_si(curve: &DeviationCurve) -> Option<(f64, f64)> {
     let band = &curve.mixed;
     let at = |list: &[f64], pose: usize| list.get(pose).copied().filter(|value| value.is_finite()).map(f64::abs);

@@ -17,7 +17,7 @@ const MAX_ROWS: usize = 200;
 /// A statistic that both studies bound.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedStatistic {
-    /// Of what: `slider (x of slider.pin): deviation, largest absolute value in the cycle`.
+    /// The response: `slider (x of slider.pin): deviation, largest absolute value in the cycle`.
     pub response: String,
     /// Which one, and by which treatment where it is not the mixed one.
     pub statistic: String,
@@ -44,14 +44,14 @@ pub struct ComparedEnd {
 pub enum Weight {
     /// There is none.
     None,
-    /// It is not larger than both errors together: it may be that of the computation alone.
+    /// The difference is not larger than both errors together: it may be numerical alone.
     WithinErrors,
-    /// It is larger.
+    /// The difference is larger.
     BeyondErrors,
 }
 
 impl Weight {
-    /// That of a difference.
+    /// The weight of a difference.
     pub fn of(difference_si: f64, errors_si: f64) -> Self {
         if difference_si == 0.0 {
             Self::None

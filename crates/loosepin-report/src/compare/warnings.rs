@@ -1,8 +1,8 @@
-//! What makes the numbers of two studies less comparable.
+//! Reasons why the numbers of two studies are less comparable.
 
-use super::sides::in_both;
+use super::sides::for_both;
 use crate::numbers::number::NumberWriter;
-use crate::words::force::ForcesOf;
+use crate::words::force::JointForces;
 use loosepin_result::study::{JointImpacts, StudyResult};
 use loosepin_text::units::SiUnit;
 
@@ -12,7 +12,7 @@ pub fn warnings(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<String> {
     let mut found = Vec::new();
     let mut differ = |what: &str, values: [String; 2]| {
         if values[0] != values[1] {
-            found.push(format!("{what}: {}.", in_both(values)));
+            found.push(format!("{what}: {}.", for_both(values)));
         }
     };
     differ("Other model", pair.map(|result| format!("'{}'", result.model)));
@@ -44,7 +44,7 @@ pub fn warnings(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<String> {
 
 /// The laws of every joint with play that both have, in words.
 fn laws_of_both(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<(String, [String; 2])> {
-    let words = |joint: &JointImpacts| ForcesOf::study(joint).laws(writer).join(", ");
+    let words = |joint: &JointImpacts| JointForces::study(joint).laws(writer).join(", ");
     let of_both = pair[0].impacts.iter().filter_map(|joint| {
         let other = pair[1].impacts.iter().find(|other| other.joint == joint.joint)?;
         let laws = [words(joint), words(other)];

@@ -53,17 +53,17 @@ pub(super) fn strip(specimen: &MotionSpecimen, unknown: usize, name: String, wri
     let axes = Axes {
         width: WIDTH,
         height: STRIP_HEIGHT,
-        x: Axis::over(own.before_si.map(scaled).into_iter()).wider(),
+        x: Axis::over(own.before_si.map(scaled).into_iter()).with_margin(),
         y: Axis::over([0.0, MAX_DISTANCE].into_iter()),
     };
     let at = |point: &TestedPoint| {
         let value = point.values_si.get(unknown)?;
-        Some([axes.across(scaled(*value)), axes.up(point.distance.min(MAX_DISTANCE))])
+        Some([axes.x_position(scaled(*value)), axes.y_position(point.distance.min(MAX_DISTANCE))])
     };
-    let [left, right] = own.after_si.map(|end_si| axes.across(scaled(end_si)));
-    let [top, bottom] = [MAX_DISTANCE, 0.0].map(|distance| axes.up(distance));
-    let [from, to] = own.before_si.map(|end_si| axes.across(scaled(end_si)));
-    let limit = axes.up(1.0);
+    let [left, right] = own.after_si.map(|end_si| axes.x_position(scaled(end_si)));
+    let [top, bottom] = [MAX_DISTANCE, 0.0].map(|distance| axes.y_position(distance));
+    let [from, to] = own.before_si.map(|end_si| axes.x_position(scaled(end_si)));
+    let limit = axes.y_position(1.0);
     let drawn = html! {
         (axes.grid())
         @if specimen.misfit.is_none() {
@@ -103,7 +103,7 @@ pub(super) fn map(
     let axes = Axes { width: WIDTH, height: MAP_HEIGHT, x: axis(0), y: axis(1) };
     let at = |point: &TestedPoint| {
         let (x, y) = (point.values_si.get(across)?, point.values_si.get(up)?);
-        Some([axes.across(scaled(0, *x)), axes.up(scaled(1, *y))])
+        Some([axes.x_position(scaled(0, *x)), axes.y_position(scaled(1, *y))])
     };
     let place = |mut cell: usize, wanted: usize| {
         for count in &specimen.grid[..wanted] {
@@ -122,8 +122,8 @@ pub(super) fn map(
     let squares: String = cells
         .iter()
         .map(|&[x, y]| {
-            let [left, right] = [x, x + 1].map(|place| axes.across(edge(0, across, place)));
-            let [bottom, top] = [y, y + 1].map(|place| axes.up(edge(1, up, place)));
+            let [left, right] = [x, x + 1].map(|place| axes.x_position(edge(0, across, place)));
+            let [bottom, top] = [y, y + 1].map(|place| axes.y_position(edge(1, up, place)));
             format!("M{left:.1} {bottom:.1}H{right:.1}V{top:.1}H{left:.1}Z")
         })
         .collect();
@@ -160,7 +160,7 @@ pub(super) struct RangeRow {
     pub unit: SiUnit,
     pub before_si: [f64; 2],
     pub after_si: Option<[f64; 2]>,
-    /// What was measured, with its common error.
+    /// The measured value, with its common error.
     pub measured_si: Option<(f64, [f64; 2])>,
 }
 

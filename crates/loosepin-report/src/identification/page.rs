@@ -75,7 +75,7 @@ pub fn identification_page(answer: &Identification) -> String {
     .into_html()
 }
 
-/// What `push` says of each specimen, below its name where there are several; nothing where it says nothing of any.
+/// The contents that `push` makes for each specimen, below its name if there are several; empty if it makes none.
 fn each<S>(
     (id, title): (&'static str, &'static str),
     specimens: &[S],
@@ -116,7 +116,7 @@ fn answer_sentences(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<S
         named(&specimen.name, format!("{}.", words.join("; ")))
     };
     let of_readings = |specimen: &Specimen| match &specimen.outcome {
-        Outcome::Consistent(known) => named(&specimen.name, headline(&specimen.readings, known, writer)),
+        Outcome::ConsistentPlays(known) => named(&specimen.name, headline(&specimen.readings, known, writer)),
         Outcome::Misfit(_) => named(&specimen.name, "misfit: no values of the plays explain the readings.".to_owned()),
     };
     let mut words: Vec<String> = answer.motion.iter().map(of_motion).collect();

@@ -41,14 +41,14 @@ pub(super) fn density(
     let steps: String = cells
         .iter()
         .map(|([left, right], density)| {
-            let [left, right, up] = [axes.across(*left), axes.across(*right), axes.up(*density)];
+            let [left, right, up] = [axes.x_position(*left), axes.x_position(*right), axes.y_position(*density)];
             format!("V{up:.1}H{right:.1}").replacen('V', &format!("L{left:.1} {up:.1}V"), 1)
         })
         .collect();
-    let start = cells.first().map_or(0.0, |([left, _], _)| axes.across(*left));
-    let zero = axes.up(0.0);
-    let [left, right] = summary.credible_si.map(|end_si| axes.across(writer.scaled(end_si, &unknown.unit)));
-    let top = axes.up(cells.iter().map(|(_, density)| *density).fold(0.0, f64::max));
+    let start = cells.first().map_or(0.0, |([left, _], _)| axes.x_position(*left));
+    let zero = axes.y_position(0.0);
+    let [left, right] = summary.credible_si.map(|end_si| axes.x_position(writer.scaled(end_si, &unknown.unit)));
+    let top = axes.y_position(cells.iter().map(|(_, density)| *density).fold(0.0, f64::max));
     let credible = writer.percent(probability, Rounding::Nearest);
     let unit = if symbol.is_empty() { String::new() } else { format!("1/{symbol}") };
     let drawn = html! {

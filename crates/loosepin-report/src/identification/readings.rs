@@ -1,4 +1,4 @@
-//! What readings of a rig leave of the plays.
+//! Remaining range of the plays by readings of a rig.
 
 use super::figures::{RangeRow, ranges};
 use super::ranges::{range, range_digits, stated};
@@ -6,7 +6,7 @@ use super::readings_words::{headline, misfit_words, next_words, sums_words};
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::words::wording::remark;
-use loosepin_result::identification::{Consistent, Outcome, PlayBounds, Specimen, TestReading};
+use loosepin_result::identification::{ConsistentPlays, Outcome, PlayBounds, Specimen, TestReading};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::{SiUnit, counted};
 use maud::{Markup, html};
@@ -20,7 +20,7 @@ const ERROR_DIGITS: usize = 2;
 pub(super) fn push_readings(section: &mut Section, specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) {
     let readings = &specimen.readings;
     match &specimen.outcome {
-        Outcome::Consistent(known) => push_consistent(section, (known, readings), index, writer),
+        Outcome::ConsistentPlays(known) => push_consistent(section, (known, readings), index, writer),
         Outcome::Misfit(misfit) => {
             let of_all = match readings.len() {
                 1 => "the reading".to_owned(),
@@ -37,7 +37,7 @@ pub(super) fn push_readings(section: &mut Section, specimen: &Specimen, index: u
 
 fn push_consistent(
     section: &mut Section,
-    (known, readings): (&Consistent, &[TestReading]),
+    (known, readings): (&ConsistentPlays, &[TestReading]),
     index: usize,
     writer: &NumberWriter<'_>,
 ) {

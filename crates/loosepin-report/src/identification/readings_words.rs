@@ -1,9 +1,9 @@
-//! What readings of a rig leave of the plays, in sentences.
+//! Remaining range of the plays by readings of a rig, in sentences.
 
 use super::ranges::{range, stated};
 use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::identification::{
-    Combination, Consistent, Culprit, FurtherReading, Misfit, PlayBounds, Searched, TestReading,
+    Combination, ConsistentPlays, FurtherReading, InconsistentReading, Misfit, PlayBounds, ReadingSearch, TestReading,
 };
 use loosepin_text::units::{SiUnit, counted, listed};
 
@@ -12,8 +12,8 @@ const FACTOR_DIGITS: usize = 4;
 /// Digits of an error.
 const ERROR_DIGITS: usize = 2;
 
-/// What became of the plays, in one sentence.
-pub(super) fn headline(readings: &[TestReading], known: &Consistent, writer: &NumberWriter<'_>) -> String {
+/// The result for the plays, in one sentence.
+pub(super) fn headline(readings: &[TestReading], known: &ConsistentPlays, writer: &NumberWriter<'_>) -> String {
     let fixed = known.plays.iter().filter(|play| play.is_identifiable).count();
     let plays = known.plays.len();
     let fix = if readings.len() == 1 { "fixes" } else { "fix" };
@@ -32,7 +32,7 @@ pub(super) fn headline(readings: &[TestReading], known: &Consistent, writer: &Nu
 }
 
 /// The sums of several plays that the readings fix.
-pub(super) fn sums_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn sums_words(known: &ConsistentPlays, writer: &NumberWriter<'_>) -> Vec<String> {
     let is_of_several = |sum: &&Combination| sum.weights.iter().filter(|weight| **weight != 0.0).count() > 1;
     let sums = known.combinations.iter().filter(is_of_several);
     sums.map(|sum| sum_words(sum, &known.plays, writer)).collect()
@@ -73,12 +73,12 @@ fn names(places: &[usize], plays: &[PlayBounds]) -> String {
     listed(&names, "and")
 }
 
-/// Which readings tell nothing more, and which would narrow most.
-pub(super) fn next_words(known: &Consistent, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
+/// Readings without further information, and readings that would narrow most.
+pub(super) fn next_words(known: &ConsistentPlays, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
     alike_words(known, readings).into_iter().chain(further_words(known, writer)).collect()
 }
 
-fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
+fn alike_words(known: &ConsistentPlays, readings: &[TestReading]) -> Vec<String> {
     let which = if readings.len() == 1 { "the reading" } else { "every reading" };
     let of_group = |group: &Vec<usize>| {
         let is_equal = readings.iter().all(|reading| {
@@ -94,8 +94,8 @@ fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
     known.alike.iter().map(of_group).collect()
 }
 
-fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
-    let of_searched = |searched: Searched| {
+fn further_words(known: &ConsistentPlays, writer: &NumberWriter<'_>) -> Vec<String> {
+    let of_searched = |searched: ReadingSearch| {
         format!("of the {} that looked best among {}", searched.in_full, counted(searched.candidates, "reading"))
     };
     let Some(further) = &known.further else {
@@ -148,7 +148,7 @@ fn test_words(further: &FurtherReading, writer: &NumberWriter<'_>) -> String {
 
 /// Why no values of the plays explain the readings.
 pub(super) fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
-    let of_culprit = |culprit: &Culprit| {
+    let of_culprit = |culprit: &InconsistentReading| {
         let reading = &readings[culprit.reading];
         let who = if culprit.is_alone { "the intervals of the study alone" } else { "the other readings" };
         format!(

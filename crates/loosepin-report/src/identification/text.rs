@@ -48,7 +48,7 @@ fn named(id: &'static str, name: &Option<String>, what: &str) -> Section {
     Section::new(id, name.as_ref().map_or_else(String::new, |name| format!("Specimen {name}{what}")))
 }
 
-/// What features would tell, as text.
+/// Expected information in features, as text.
 pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
     terminal_text(&plan.study, [plan_section(plan, &NumberWriter::for_terminal(units))])
 }
@@ -56,7 +56,9 @@ pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
 #[cfg(test)]
 mod tests {
     use super::motion_plan_text;
-    use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
+    use loosepin_result::motion_identification::{
+        IndistinguishableMembers, MotionPlan, PlannedFeature, PlannedUnknown,
+    };
     use loosepin_text::units::DisplayUnits;
 
     #[test]
@@ -71,7 +73,7 @@ mod tests {
             }],
             features: vec![feature.clone()],
             together: feature,
-            not_distinguishable: vec![AlikeMembers {
+            not_distinguishable: vec![IndistinguishableMembers {
                 unknown: 0,
                 members: ["flores".to_owned(), "hunt-crossley".to_owned()],
                 told: 0.25,

@@ -17,7 +17,7 @@ use loosepin_text::units;
 
 /// Name of the figure.
 const NAME: &str = "mechanism";
-/// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
+/// Digits of the poses in a page: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;
 /// Most poses in a page.
 const MAX_POSES: usize = 361;
@@ -241,7 +241,7 @@ fn riding(motion: &Motion, body: usize, at_mm: (f64, f64), magnification: f64, d
     }
 }
 
-/// Where a point of a body is at a pose, mm, its deviation magnified.
+/// Position of a point of a body at a pose, mm, its deviation magnified.
 fn carried(motion: &Motion, body: usize, pose: usize, magnification: f64, (x, y): (f64, f64)) -> (f64, f64) {
     let [body_x, body_y, angle_deg] = placed(motion, body, pose, magnification);
     let (sine, cosine) = angle_deg.to_radians().sin_cos();
@@ -263,7 +263,7 @@ fn with_scale(frame: Frame, font_mm: f64) -> Frame {
 const PICTURE_PX: [f64; 2] = [520.0, 420.0];
 
 /// The mechanism in one pose as an SVG file of its own, that needs no network and follows the colours of the reader's
-/// system; nothing where the record holds no poses.
+/// system; empty if the record holds no poses.
 pub fn mechanism_picture(drawing: &Drawing, name: &str) -> String {
     if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
         return String::new();

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::mechanism::shapes::{
-    BLOCK_PINS, Frame, HATCH_DEPTH_PINS, RAIL_PINS, carried_mm, fixed_rails, has_rails, hull_mm, point_mm,
-    support_points,
+    BLOCK_PINS, Frame, HATCH_DEPTH_PINS, RAIL_PINS, fixed_rails, has_rails, hull_mm, point_mm, support_points,
+    transformed_mm,
 };
 use crate::mechanism::signs::{ARROW_PINS, drive_sign};
 use loosepin_result::simulation::{Drawing, DrawnPin, PoseTable};
@@ -39,12 +39,12 @@ pub(crate) struct Label {
     /// The body, and the point in its frame, mm.
     pub body: usize,
     pub at_mm: (f64, f64),
-    place: Place,
+    place: LabelPosition,
 }
 
-/// Where a text stands beside its point: one end of its base line, and whether that is its right or left end or its middle.
+/// Position of a text beside its point: one end of its base line, and whether that is its right or left end or its middle.
 #[derive(Clone, Copy)]
-struct Place {
+struct LabelPosition {
     x: f64,
     y: f64,
     anchor: &'static str,
@@ -108,7 +108,7 @@ pub(crate) struct Sizes {
 pub(crate) fn labels(drawing: &Drawing, poses: &PoseTable, frame: &Frame, sizes: Sizes) -> Vec<Label> {
     let scene = Scene::new(drawing, poses, frame, sizes);
     let mut wanted: Vec<Label> = Vec::new();
-    let blank = Place { x: 0.0, y: 0.0, anchor: "start", pole: 0.0 };
+    let blank = LabelPosition { x: 0.0, y: 0.0, anchor: "start", pole: 0.0 };
     for output in &drawing.output_points {
         let Some(at_mm) = point_mm(drawing, output.point) else { continue };
         let body = output.point.body;
@@ -171,9 +171,9 @@ impl Label {
         self.kind == Kind::Output
     }
 
-    fn places(&self, sizes: Sizes) -> Vec<Place> {
+    fn places(&self, sizes: Sizes) -> Vec<LabelPosition> {
         let Sizes { pin, font_mm } = sizes;
-        let place = |x: f64, y: f64, anchor| Place { x, y, anchor, pole: 0.0 };
+        let place = |x: f64, y: f64, anchor| LabelPosition { x, y, anchor, pole: 0.0 };
         let around = |distance: f64| {
             let (middle, corner) = (-0.35 * font_mm, 0.75 * distance);
             [
@@ -195,7 +195,7 @@ impl Label {
                         for up in [1.0, -1.0] {
                             let pole = up * height * pin;
                             let y = pole - up * 0.5 * PENNANT_PINS[1] * pin - 0.35 * font_mm;
-                            places.push(Place { x: side * (PENNANT_PINS[0] + 0.6) * pin, y, anchor, pole });
+                            places.push(LabelPosition { x: side * (PENNANT_PINS[0] + 0.6) * pin, y, anchor, pole });
                         }
                     }
                 }
@@ -209,7 +209,7 @@ impl Label {
     }
 
     /// What it covers, from its point.
-    fn area(&self, place: Place, sizes: Sizes) -> Area {
+    fn area(&self, place: LabelPosition, sizes: Sizes) -> Area {
         let width = LETTER[0] * sizes.font_mm * self.shown().chars().count() as f64;
         let left = match place.anchor {
             "start" => place.x,
@@ -240,7 +240,7 @@ impl Label {
 
     /// The label around its point, y up.
     pub fn drawn(&self, sizes: Sizes) -> Markup {
-        let Place { x, y, anchor, pole } = self.place;
+        let LabelPosition { x, y, anchor, pole } = self.place;
         let class = match self.kind {
             Kind::Output => "output",
             Kind::Drive => "of-drive",
@@ -313,7 +313,7 @@ impl<'a> Scene<'a> {
         for &pose in &poses {
             let (mut lines, mut points) = (Vec::new(), Vec::new());
             for (index, body) in drawing.bodies.iter().enumerate() {
-                let at = |point: (f64, f64)| carried_mm(table, index, pose, point);
+                let at = |point: (f64, f64)| transformed_mm(table, index, pose, point);
                 points.extend((0..body.points.len()).filter_map(|point| {
                     point_mm(drawing, loosepin_result::simulation::PointReference { body: index, point }).map(at)
                 }));
@@ -330,11 +330,11 @@ impl<'a> Scene<'a> {
     }
 
     /// What a label at a place costs over all poses, and at how many of them it hides another one.
-    fn cost(&self, label: &Label, place: Place, placed: &[Label]) -> (f64, f64) {
+    fn cost(&self, label: &Label, place: LabelPosition, placed: &[Label]) -> (f64, f64) {
         let own = label.area(place, self.sizes);
         let (mut cost, mut hidden) = (0.0, 0.0);
         for (index, &pose) in self.poses.iter().enumerate() {
-            let area = own.moved(carried_mm(self.table, label.body, pose, label.at_mm));
+            let area = own.moved(transformed_mm(self.table, label.body, pose, label.at_mm));
             let crossed =
                 |lines: &[[(f64, f64); 2]]| lines.iter().filter(|[a, b]| area.is_crossed(*a, *b)).count() as f64;
             cost += crossed(&self.bars[index]) + crossed(&self.rails);
@@ -346,7 +346,7 @@ impl<'a> Scene<'a> {
                 && area.high <= self.frame.high;
             cost += if is_inside { 0.0 } else { COSTS[1] };
             let is_over = placed.iter().any(|other| {
-                let at = carried_mm(self.table, other.body, pose, other.at_mm);
+                let at = transformed_mm(self.table, other.body, pose, other.at_mm);
                 other.areas(self.sizes).into_iter().any(|covered| covered.moved(at).meets(area))
             });
             if is_over {
@@ -375,7 +375,7 @@ mod tests {
 
     #[test]
     fn analytic_a_flag_covers_its_pennant_and_a_long_name_is_cut() {
-        let place = Place { x: 3.2, y: 5.0, anchor: "start", pole: 7.0 };
+        let place = LabelPosition { x: 3.2, y: 5.0, anchor: "start", pole: 7.0 };
         let label = Label { kind: Kind::Output, text: "abcd".to_owned(), body: 0, at_mm: (0.0, 0.0), place };
         let sizes = Sizes { pin: 1.0, font_mm: 2.0 };
         let area = label.area(place, sizes);

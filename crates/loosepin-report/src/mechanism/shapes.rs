@@ -69,11 +69,11 @@ pub(crate) fn frame(drawing: &Drawing, poses: &PoseTable) -> Frame {
 
 fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pose: usize) -> (f64, f64) {
     let point = &body.points[point];
-    carried_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
+    transformed_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
-/// Where a point of a body is at a pose, mm.
-pub(crate) fn carried_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
+/// Position of a point of a body at a pose, mm.
+pub(crate) fn transformed_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
     let (sine, cosine) = poses.angle_rad[body][pose].sin_cos();
     (poses.x_m[body][pose] * MM_PER_M + cosine * x - sine * y, poses.y_m[body][pose] * MM_PER_M + sine * x + cosine * y)
 }
@@ -132,7 +132,7 @@ pub(crate) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f
     }
 }
 
-/// A point in the frame of its body; none where the record names one that is not there.
+/// A point in the frame of its body; `None` if the record names one that is not there.
 pub(crate) fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
     let point = drawing.bodies.get(end.body)?.points.get(end.point)?;
     Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
@@ -143,8 +143,8 @@ pub(crate) fn has_rails(joint: &DrawnJoint) -> bool {
     joint.kind.has_faces()
 }
 
-/// Where the second point of a joint is from the first in all poses, mm, in the frame of the first one's body; none where the record names
-/// no such point.
+/// Position of the second point of a joint from the first in all poses, mm, in the frame of the first one's body; `None` if the record
+/// names no such point.
 fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<Vec<(f64, f64)>> {
     let origin_mm = point_mm(drawing, joint.first)?;
     point_mm(drawing, joint.second)?;
@@ -161,7 +161,7 @@ fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<V
 }
 
 /// How far a slider moves along its guide, mm from the guide's point, in all poses; `None` if the record names no such point.
-pub(crate) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+pub(crate) fn slider_travel_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
     gaps_mm(drawing, joint, poses).map(|gaps_mm| way_of(joint, &gaps_mm))
 }
 
@@ -216,7 +216,7 @@ fn rails(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame
     vec![[at(from, -side), at(to, -side)], [at(to, side), at(from, side)]]
 }
 
-/// The rails of a guide that the ground carries, where it lies; none for another.
+/// The rails of a guide on the ground, at their position; empty for other guides.
 pub(crate) fn fixed_rails(
     drawing: &Drawing,
     joint: &DrawnJoint,

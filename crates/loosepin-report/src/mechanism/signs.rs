@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::charts::ticks::{tick_text, ticks};
-use crate::mechanism::shapes::{Frame, RAIL_PINS, point_mm, way};
+use crate::mechanism::shapes::{Frame, RAIL_PINS, point_mm, slider_travel_mm};
 use loosepin_result::simulation::{Drawing, DrawnDrive, DriveSense, PoseTable};
 
 /// Radius of the arrow around a driven pin, in pins: outside of bearings.
@@ -81,7 +81,7 @@ impl DriveSign {
     }
 }
 
-/// The sign of a drive; none where the record names no such joint.
+/// The sign of a drive; `None` if the record names no such joint.
 pub(crate) fn drive_sign(drawing: &Drawing, drive: &DrawnDrive, poses: &PoseTable, pin: f64) -> Option<DriveSign> {
     let joint = drawing.joints.get(drive.joint)?;
     let is_ground = |body: usize| drawing.bodies.get(body).is_some_and(|body| body.is_ground);
@@ -98,7 +98,7 @@ pub(crate) fn drive_sign(drawing: &Drawing, drive: &DrawnDrive, poses: &PoseTabl
     if !joint.kind.has_line() {
         return None;
     }
-    let (from, to) = way(drawing, joint, poses)?;
+    let (from, to) = slider_travel_mm(drawing, joint, poses)?;
     let (x, y) = point_mm(drawing, joint.first)?;
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
     let (along, aside) = (0.5 * (from + to), ARROW_OFFSET_PINS * pin);
@@ -134,7 +134,7 @@ pub(crate) fn scale_width_mm(width_mm: f64, font_mm: f64) -> f64 {
     length_mm + 15.0 * font_mm
 }
 
-/// By how much play is magnified; `scripts/mechanism.ts` says the same.
+/// Words for the magnification of play; `scripts/mechanism.ts` has the same.
 fn magnified_words(magnification: f64) -> String {
     if magnification == 1.0 { "play true to scale".to_owned() } else { format!("play × {magnification}") }
 }

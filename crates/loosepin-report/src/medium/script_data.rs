@@ -18,8 +18,8 @@ const MAX_DIGITS: usize = 15;
 /// Neighbours that are closer than this share of the largest value differ by round-off.
 const ROUND_OFF_SHARE: f64 = 1e-12;
 
-/// Digits by which all `values` are told from their neighbours, to a hundredth of the least distance; at least `fewest`.
-pub(crate) fn digits_apart(values: &[f64], fewest: usize) -> usize {
+/// Digits that distinguish all `values` from their neighbours, to a hundredth of the least distance; at least `fewest`.
+pub(crate) fn distinguishing_digits(values: &[f64], fewest: usize) -> usize {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let largest = finite().fold(0.0, |most: f64, value| most.max(value.abs()));
     let gaps = finite().zip(finite().skip(1)).map(|(one, next)| (next - one).abs());
@@ -29,8 +29,8 @@ pub(crate) fn digits_apart(values: &[f64], fewest: usize) -> usize {
 }
 
 /// Values of a horizontal axis: to the digits of a chart, and to more where neighbours need them.
-pub(crate) fn rounded_apart(values: &[f64]) -> Vec<Option<f64>> {
-    let digits = digits_apart(values, CHART_DIGITS);
+pub(crate) fn rounded_distinct(values: &[f64]) -> Vec<Option<f64>> {
+    let digits = distinguishing_digits(values, CHART_DIGITS);
     values.iter().map(|value| round_to_digits(*value, digits)).collect()
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn rounded(values: &[f64]) -> Vec<Option<f64>> {
     values.iter().map(|value| round_to_digits(*value, CHART_DIGITS)).collect()
 }
 
-/// The number nearest to `value` with so many significant digits; `None` for what is not finite.
+/// The number nearest to `value` with `digits` significant digits; `None` if it is not finite.
 pub(crate) fn round_to_digits(value: f64, digits: usize) -> Option<f64> {
     if !value.is_finite() {
         return None;
@@ -49,23 +49,24 @@ pub(crate) fn round_to_digits(value: f64, digits: usize) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{digits_apart, rounded_apart};
+    use super::{distinguishing_digits, rounded_distinct};
 
     #[test]
     fn analytic_neighbours_stay_apart_and_have_no_noise() {
         // A record that begins late, with samples 0.1 ms apart.
         let late: Vec<f64> = (0..5000).map(|sample| 1000.0 + 1e-4 * f64::from(sample)).collect();
-        let written: Vec<String> = rounded_apart(&late).into_iter().flatten().map(|value| value.to_string()).collect();
+        let written: Vec<String> =
+            rounded_distinct(&late).into_iter().flatten().map(|value| value.to_string()).collect();
         assert_eq!(written[..3], ["1000", "1000.0001", "1000.0002"]);
         assert!(written.windows(2).all(|pair| pair[0] != pair[1]));
         assert!(written.iter().all(|text| text.len() <= "1000.0001".len()), "no noise");
         // Six digits were enough before.
         let degrees: Vec<f64> = (0..180).map(|pose| f64::from(2 * pose) + 1.0 / 3.0).collect();
-        assert_eq!(rounded_apart(&degrees)[100], Some(200.333));
-        assert_eq!(digits_apart(&[], 4), 4);
-        assert_eq!(digits_apart(&[7.0], 4), 4);
-        assert_eq!(digits_apart(&[7.0, 7.0, f64::NAN, 7.0], 4), 4);
+        assert_eq!(rounded_distinct(&degrees)[100], Some(200.333));
+        assert_eq!(distinguishing_digits(&[], 4), 4);
+        assert_eq!(distinguishing_digits(&[7.0], 4), 4);
+        assert_eq!(distinguishing_digits(&[7.0, 7.0, f64::NAN, 7.0], 4), 4);
         // Two samples at one time, but for round-off.
-        assert_eq!(digits_apart(&[0.3, 0.1 + 0.2, 0.4], 4), 4);
+        assert_eq!(distinguishing_digits(&[0.3, 0.1 + 0.2, 0.4], 4), 4);
     }
 }

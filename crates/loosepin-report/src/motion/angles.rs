@@ -1,4 +1,4 @@
-//! Where in the cycle of a motion something is.
+//! Place in the cycle of a motion.
 
 use crate::charts::chart::Chart;
 use crate::numbers::number::{NumberWriter, Rounding, within_turn_rad};
@@ -11,7 +11,7 @@ pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, w
     writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
 }
 
-/// An angle of the drive as it is told: within its turn where the record holds a whole one.
+/// The displayed angle of the drive: within its turn if the record holds a whole one.
 pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-9;
     let span_rad = match record.drive_angle_rad[..] {
@@ -21,7 +21,7 @@ pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
 }
 
-/// Where over the cycle a history is largest, and how large.
+/// Place and value of the maximum of a history over the cycle.
 pub(crate) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
     record
         .drive_angle_rad

@@ -73,15 +73,15 @@ pub(super) fn scatter_words(record: &MotionRecord, output: &OutputMotion, writer
     let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
     let [most, at] = ["largest", "at"].map(|part| Tag::joint(&output.name, "scatter", part));
     [
-        writer.about(&most).rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-        turn_angle(record, angle_rad, 3, &writer.about(&at)),
+        writer.with_tag(&most).rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        turn_angle(record, angle_rad, 3, &writer.with_tag(&at)),
     ]
 }
 
 /// The angle of the drive at which the mechanism is singular.
 pub(super) fn singular_place(record: &MotionRecord, position: &SingularPosition, writer: &NumberWriter) -> String {
     let tag = Tag::whole("singular", &position.drive_angle_rad.to_string());
-    writer.about(&tag).value_trimmed(shown_angle_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)
+    writer.with_tag(&tag).value_trimmed(shown_angle_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)
 }
 
 /// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`
@@ -92,7 +92,7 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
         .map(|[from_rad, to_rad]| {
             let [from, to] = [from_rad, to_rad].map(|angle_rad| {
                 let tag = Tag::joint(&overhang.joint, "overhang", &angle_rad.to_string());
-                writer.about(&tag).value_trimmed(shown_angle_rad(record, *angle_rad), &SiUnit::ANGLE)
+                writer.with_tag(&tag).value_trimmed(shown_angle_rad(record, *angle_rad), &SiUnit::ANGLE)
             });
             if from == to { from } else { format!("{from} to {to}") }
         })
@@ -106,7 +106,7 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
     )
 }
 
-/// What moves in words: the output, or for an error of a path the point along or across it.
+/// Words for the moving object: the output, or for an error of a path the point along or across it.
 pub(crate) fn moved_words(output: &OutputMotion) -> String {
     let Some(PathMotion { path, part }) = &output.path_error else { return output.name.clone() };
     match part {

@@ -14,7 +14,7 @@ use super::angles::angle_chart;
 use super::answer::has_clearance;
 use super::play_effect::{Shown, play_effect};
 
-/// What the charts are, and one of each output but the first, whose chart stands below the answer.
+/// Explanation of the charts, and a chart of each output but the first, whose chart stands below the answer.
 pub(super) fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
@@ -121,7 +121,7 @@ pub(super) fn range(
     writer: &NumberWriter,
 ) -> Option<[String; 2]> {
     let number = |part: &str, value_si: f64| {
-        writer.about(&Tag::joint(&output.name, &format!("ideal {what}"), part)).value(value_si, unit)
+        writer.with_tag(&Tag::joint(&output.name, &format!("ideal {what}"), part)).value(value_si, unit)
     };
     let lowest = values_si.iter().copied().reduce(f64::min)?;
     let highest = values_si.iter().copied().reduce(f64::max)?;

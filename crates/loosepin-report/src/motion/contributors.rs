@@ -1,4 +1,4 @@
-//! What each joint contributes to the effect of play.
+//! Contributions of the joints to the effect of play.
 
 use maud::html;
 
@@ -51,12 +51,12 @@ fn group(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) ->
         vec![
             output.name.as_str().into(),
             joint.joint.as_str().into(),
-            writer.about(&of_clearance).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH).into(),
-            writer.about(&tag("effect")).value(part_si, &output.unit).into(),
-            share_bar(part_si / sum_si, &writer.about(&tag("share"))),
+            writer.with_tag(&of_clearance).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH).into(),
+            writer.with_tag(&tag("effect")).value(part_si, &output.unit).into(),
+            share_bar(part_si / sum_si, &writer.with_tag(&tag("share"))),
         ]
     });
-    let at = turn_angle(record, angle_rad, 3, &writer.about(&Tag::joint(&output.name, "first order", "at")));
+    let at = turn_angle(record, angle_rad, 3, &writer.with_tag(&Tag::joint(&output.name, "first order", "at")));
     let heading = format!("{}, at {at}", named_words(&output.name, &output.words));
     Group { heading: Text::by_medium(heading, ""), rows: rows.collect() }
 }

@@ -1,4 +1,4 @@
-//! What the drives must do to make the ideal motion.
+//! Efforts of the drives for the ideal motion.
 
 use maud::html;
 
@@ -13,7 +13,7 @@ use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 
 use super::angles::{angle_chart, largest, turn_angle};
 
-/// Where the drives must do least and most, and on a page a chart of each effort; `None` if no effort is an output.
+/// Least and largest efforts of the drives, and on a page a chart of each effort; `None` if no effort is an output.
 pub(super) fn efforts_section(record: &MotionRecord, writer: &NumberWriter) -> Option<Section> {
     if record.efforts.is_empty() {
         return None;
@@ -41,8 +41,8 @@ fn row(record: &MotionRecord, effort: &EffortMotion, writer: &NumberWriter) -> V
     let (high_rad, high_si) = largest(record, &effort.value_si);
     let ends = [("smallest", low_rad, -low_si), ("largest", high_rad, high_si)].map(|(part, angle_rad, value_si)| {
         let tag = Tag::joint(&effort.name, "effort", part);
-        let place = turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.about(&tag.part("at")));
-        [writer.about(&tag).value(value_si, &effort.unit), place]
+        let place = turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&tag.part("at")));
+        [writer.with_tag(&tag).value(value_si, &effort.unit), place]
     });
     std::iter::once(named_words(&effort.name, &effort.words)).chain(ends.into_iter().flatten()).collect()
 }

@@ -49,7 +49,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
             (record.mobility)
             @if let Some(speed) = record.drive_speed_rad_s {
                 " · " (record.drive) " at "
-                (writer.about(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+                (writer.with_tag(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
             }
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
@@ -65,8 +65,8 @@ pub fn motion_page(record: &MotionRecord) -> String {
 }
 
 fn method(record: &MotionRecord, writer: &NumberWriter) -> article::Section {
-    let positions = count(record.drive_angle_rad.len() as u64, &writer.about(&Tag::Count("positions")));
-    let [two, four] = [2, 4].map(|divisor| writer.about(&Tag::Given("divisor")).count(divisor));
+    let positions = count(record.drive_angle_rad.len() as u64, &writer.with_tag(&Tag::Count("positions")));
+    let [two, four] = [2, 4].map(|divisor| writer.with_tag(&Tag::Given("divisor")).count(divisor));
     let first_order = format!(
         "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own Jacobian: Σ c|g| at most; \
          variance Σ c²|g|²/{four} (anywhere in the disc), Σ c²|g|²/{two} (on the rim)"

@@ -1,4 +1,4 @@
-//! How far play moves an output without dynamics, and what was shown of that number, in words.
+//! Largest quasi-static effect of play on an output, and the proof of that number, in words.
 
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
@@ -17,18 +17,18 @@ pub(super) struct PlayEffect {
     pub shown: Shown,
 }
 
-/// What is known of [`PlayEffect::largest_si`].
+/// Proof of [`PlayEffect::largest_si`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shown {
-    /// It is the sum of first-order effects.
+    /// The sum of first-order effects.
     FirstOrder,
-    /// It was found, and no play makes it larger than this number, which is proven.
+    /// Found by a search, with a proven upper limit.
     UpTo(f64),
-    /// It was found; nothing is proven of larger ones.
+    /// Found by a search; larger values are not excluded.
     Found,
 }
 
-/// The largest effect of play on an output; not a number where there are no positions.
+/// The largest effect of play on an output; NaN if there are no positions.
 pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayEffect {
     let answer = &output.clearance;
     if answer.worst_case_si.is_empty() {
@@ -46,7 +46,7 @@ impl PlayEffect {
     /// `±0.5503 mm`, rounded up.
     pub fn written(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
         let tag = Tag::joint(&output.name, "play", "largest");
-        format!("±{}", writer.about(&tag).rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+        format!("±{}", writer.with_tag(&tag).rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
     }
 
     /// The angle of the drive where it is largest.
@@ -58,14 +58,14 @@ impl PlayEffect {
         writer: &NumberWriter<'_>,
     ) -> String {
         let tag = Tag::joint(&output.name, "play", "at");
-        turn_angle(record, self.angle_rad, digits, &writer.about(&tag))
+        turn_angle(record, self.angle_rad, digits, &writer.with_tag(&tag))
     }
 
     /// `±0.5504 mm`, the proven end; `None` if nothing is proven.
     pub fn proven(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
         let Shown::UpTo(proven_si) = self.shown else { return None };
         let tag = Tag::joint(&output.name, "play", "proven");
-        Some(format!("±{}", writer.about(&tag).rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up)))
+        Some(format!("±{}", writer.with_tag(&tag).rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up)))
     }
 
     /// `worst case, at 270°; proven: never more than ±0.5504 mm`.
@@ -86,10 +86,10 @@ impl PlayEffect {
 pub(super) fn spread_on_rims(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
     let (_, spread_si) = largest(record, &output.clearance.rim_standard_deviation_si);
     let tag = Tag::joint(&output.name, "play", "standard deviation on the rims");
-    writer.about(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
+    writer.with_tag(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
 }
 
-/// Where no end of the worst cases is proven, a sentence for each reason.
+/// Spans in which no end of the worst cases is proven, a sentence for each reason.
 pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
     let mut reasons: Vec<&str> = record.unproven_spans.iter().map(|span| span.words.as_str()).collect();
     reasons.sort_unstable();
@@ -98,7 +98,7 @@ pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_
         let spans = record.unproven_spans.iter().filter(|span| span.words == words).map(|span| {
             let [from, to] = span.span_rad.map(|angle_rad| {
                 let tag = Tag::whole("unproven", &angle_rad.to_string());
-                writer.about(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
+                writer.with_tag(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
             });
             if from == to { format!("at {from}") } else { format!("from {from} to {to}") }
         });

@@ -48,17 +48,17 @@ fn group(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) ->
     let (angle_rad, total_si) = largest(record, &output.dimensional_standard_deviation_si);
     let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
     let tag = |part: &str| Tag::joint(&output.name, "scatter", part);
-    let at = |digits: usize| turn_angle(record, angle_rad, digits, &writer.about(&tag("at")));
+    let at = |digits: usize| turn_angle(record, angle_rad, digits, &writer.with_tag(&tag("at")));
     let row = |name: Text, part_si: f64, path: &str, over_cycle_si: f64| -> Vec<Cell> {
         let number = |part: &str, value_si: f64| {
-            writer.about(&tag(part).at(path)).rounded(value_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
+            writer.with_tag(&tag(part).at(path)).rounded(value_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
         };
         vec![
             output.name.as_str().into(),
             name.into(),
             number("largest", part_si).into(),
             at(PLAIN_DIGITS).into(),
-            writer.about(&tag("share").at(path)).percent((part_si / total_si).powi(2), Rounding::Nearest).into(),
+            writer.with_tag(&tag("share").at(path)).percent((part_si / total_si).powi(2), Rounding::Nearest).into(),
             number("over the cycle", over_cycle_si).into(),
         ]
     };

@@ -1,4 +1,4 @@
-//! What `motion` says of the requirements of a study without dynamics, in sentences for pages and terminals.
+//! Verdicts of `motion` on the requirements of a study without dynamics, in sentences for pages and terminals.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
@@ -7,7 +7,7 @@ use crate::words::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;
 
-/// The headline over all requirements; nothing where there are none.
+/// The headline over all requirements; `None` if there are none.
 pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
     let verdicts = || record.requirements.iter().map(|requirement| requirement.verdict);
     if record.requirements.is_empty() {
@@ -39,26 +39,28 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
     let MotionRequirement { output, unit, of, pose_rad, proven_si, found_si, verdict, .. } = requirement;
     let tag = |part: &str| Tag::motion_requirement(requirement, part);
     let place = match pose_rad {
-        Some(pose_rad) => format!("at {}", writer.about(&Tag::Given("pose")).value_trimmed(*pose_rad, &SiUnit::ANGLE)),
+        Some(pose_rad) => {
+            format!("at {}", writer.with_tag(&Tag::Given("pose")).value_trimmed(*pose_rad, &SiUnit::ANGLE))
+        }
         None => "over the whole cycle".to_owned(),
     };
     let what = format!(
         "{} of {output} {} {place}, in at least {} of the mechanisms",
         deviation_words(*of),
         limits_words(requirement.lower_si, requirement.upper_si, unit, writer),
-        writer.about(&Tag::Given("required share")).percent(requirement.probability_at_least, Rounding::Nearest)
+        writer.with_tag(&Tag::Given("required share")).percent(requirement.probability_at_least, Rounding::Nearest)
     );
     let between = |what: &str, ends: [f64; 2]| {
-        let low = writer.about(&tag(&format!("lowest {what}"))).rounded(ends[0], unit, 4, Rounding::Down);
-        let high = writer.about(&tag(&format!("highest {what}"))).rounded(ends[1], unit, 4, Rounding::Up);
+        let low = writer.with_tag(&tag(&format!("lowest {what}"))).rounded(ends[0], unit, 4, Rounding::Down);
+        let high = writer.with_tag(&tag(&format!("highest {what}"))).rounded(ends[1], unit, 4, Rounding::Up);
         format!("{low} to {high}")
     };
     let share = match requirement.share_within_limits {
         1.0 => "All parts lie within the limits that are stated for them.".to_owned(),
         share => format!(
             "At least {} of the mechanisms have all parts within the limits stated for them, or within ±{} standard deviations.",
-            writer.about(&tag("share within limits")).percent(share, Rounding::Down),
-            writer.about(&Tag::Given("standard deviations")).count(3)
+            writer.with_tag(&tag("share within limits")).percent(share, Rounding::Down),
+            writer.with_tag(&Tag::Given("standard deviations")).count(3)
         ),
     };
     let is_proven = proven_si.iter().all(|end| end.is_finite());
@@ -76,8 +78,8 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             let tag = tag(["lowest found", "highest found"][side]);
             format!(
                 "It reaches {} at {} of {}, in the worst case of play and parts. `loosepin study` computes how often.",
-                writer.about(&tag).rounded(found_si[side], unit, 4, Rounding::Nearest),
-                writer.about(&tag.part("at")).angle_in_turn(requirement.found_at_rad[side], 4),
+                writer.with_tag(&tag).rounded(found_si[side], unit, 4, Rounding::Nearest),
+                writer.with_tag(&tag.part("at")).angle_in_turn(requirement.found_at_rad[side], 4),
                 record.drive
             )
         }
@@ -116,7 +118,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
 
 fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) -> String {
     let MotionAllowance { path, unit, up_to_si, loosest_si, fit, reason } = allowance;
-    let up_to = writer.about(&Tag::Given("largest value to try")).value_trimmed(*up_to_si, unit);
+    let up_to = writer.with_tag(&Tag::Given("largest value to try")).value_trimmed(*up_to_si, unit);
     match (reason, loosest_si, fit) {
         (Some(reason), ..) => format!("{path} is not loosened here: {reason}."),
         (None, Some(_), Some(fit)) => {
@@ -131,7 +133,7 @@ fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) ->
         }
         (None, Some(loosest_si), None) => format!(
             "{path} may increase to {} (of at most {up_to}): up to this value, the requirements are proven to be met without dynamics.",
-            writer.about(&Tag::joint(path, "loosest", "")).rounded(*loosest_si, unit, 4, Rounding::Down)
+            writer.with_tag(&Tag::joint(path, "loosest", "")).rounded(*loosest_si, unit, 4, Rounding::Down)
         ),
         (None, None, _) => {
             format!("{path}: no value up to {up_to} is proven to meet the requirements without dynamics.")

@@ -4,7 +4,7 @@ use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue}
 use std::f64::consts::TAU;
 
 pub(crate) use crate::numbers::rounding::Rounding;
-use crate::numbers::tag::{Tag, marked, read_the_same};
+use crate::numbers::tag::{Tag, marked, same_wording};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
@@ -60,7 +60,7 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// The same writer for numbers that are `tag`.
-    pub fn about<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
+    pub fn with_tag<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
     where
         'a: 't,
     {
@@ -68,14 +68,14 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// The same writer for numbers that are `tag`, where it is known.
-    pub fn about_maybe<'t>(&self, tag: Option<&'t Tag>) -> NumberWriter<'t>
+    pub fn with_optional_tag<'t>(&self, tag: Option<&'t Tag>) -> NumberWriter<'t>
     where
         'a: 't,
     {
         NumberWriter { tag, ..*self }
     }
 
-    /// What the next numbers are.
+    /// Tag of the next numbers.
     pub fn tag(&self) -> Option<&'a Tag> {
         self.tag
     }
@@ -111,7 +111,7 @@ impl<'a> NumberWriter<'a> {
         self.with_symbol(without_trailing_zeros(text), value_si, unit, Rounding::Nearest)
     }
 
-    /// An input number without unit, in the fewest digits that tell it.
+    /// An input number without unit, in the fewest digits that identify it.
     pub fn shortest(&self, value_si: f64, unit: &SiUnit) -> String {
         let digits = self.shortest_digits(value_si, unit);
         marked(self.dress(digits.clone()), &digits, self.tag, self.scaled(value_si, unit), Rounding::Nearest)
@@ -121,7 +121,7 @@ impl<'a> NumberWriter<'a> {
         without_trailing_zeros(significant(self.scaled(value_si, unit), INPUT_DIGITS, Rounding::Nearest))
     }
 
-    /// An input number with unit, in the fewest digits that tell it.
+    /// An input number with unit, in the fewest digits that identify it.
     pub fn value_shortest(&self, value_si: f64, unit: &SiUnit) -> String {
         self.with_symbol(self.shortest_digits(value_si, unit), value_si, unit, Rounding::Nearest)
     }
@@ -178,9 +178,9 @@ impl<'a> NumberWriter<'a> {
     /// Two shares, the lower rounded down and the upper up; one where they are the same.
     pub fn percent_range(&self, least: f64, most: f64) -> String {
         let [lower, upper] = ["lower", "upper"].map(|part| self.tag.map(|tag| tag.part(part)));
-        let [of_lower, of_upper] = [&lower, &upper].map(|tag| self.about_maybe(tag.as_ref()));
+        let [of_lower, of_upper] = [&lower, &upper].map(|tag| self.with_optional_tag(tag.as_ref()));
         let (least, most) = (of_lower.percent(least, Rounding::Down), of_upper.percent(most, Rounding::Up));
-        if read_the_same(&least, &most) { least } else { format!("{least} to {most}") }
+        if same_wording(&least, &most) { least } else { format!("{least} to {most}") }
     }
 
     /// The epistemic inputs of a witness in plain words, in the order of the study file.
@@ -197,11 +197,11 @@ impl<'a> NumberWriter<'a> {
                     WitnessValue::Number(value_si) => {
                         let digits = input.map_or(PLAIN_DIGITS, |input| digits_within(&input.kind, *value_si));
                         let tag = self.tag.map(|tag| tag.at(path));
-                        self.about_maybe(tag.as_ref()).trimmed(*value_si, unit, digits)
+                        self.with_optional_tag(tag.as_ref()).trimmed(*value_si, unit, digits)
                     }
                     WitnessValue::Choice(choice) => {
                         let tag = self.tag.map(|tag| tag.at(path));
-                        self.about_maybe(tag.as_ref()).as_written(choice)
+                        self.with_optional_tag(tag.as_ref()).as_written(choice)
                     }
                 };
                 format!("{} {shown}", plain_name(path, inputs))
@@ -256,7 +256,7 @@ fn path_words(path: &str) -> String {
     shortened.replace(['.', '_'], " ")
 }
 
-/// A finite number to so many significant digits, in powers of ten (`1.2e-9`) where it is very small or large.
+/// A finite number with `digits` significant digits, in powers of ten (`1.2e-9`) where it is very small or large.
 pub(crate) fn significant(value: f64, digits: usize, rounding: Rounding) -> String {
     if !value.is_finite() {
         return not_finite(value);
@@ -399,7 +399,7 @@ fn superscript(character: char) -> char {
     }
 }
 
-/// So many digits that a value of the input is told to a thousandth of its range.
+/// Digits that resolve a value of the input to a thousandth of its range.
 fn digits_within(kind: &InputKind, value_si: f64) -> usize {
     let width = match kind {
         InputKind::Interval { lower_si, upper_si }

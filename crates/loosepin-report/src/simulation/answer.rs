@@ -7,7 +7,7 @@ use crate::words::force::run_sentences;
 use crate::words::trust::TrustedRun;
 use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, ExtremePoint, QuasiStaticShare, SimulationRecord, SimulationSettings, SwingCourse,
+    ControlHistory, ExtremePoint, OscillationTrend, QuasiStaticShare, SimulationRecord, SimulationSettings,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
@@ -26,7 +26,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         .map(|joint| {
             let drawn = record.drawing.joints.iter().find(|drawn| drawn.name == joint.joint);
             let value = |kind: &str, value_m: f64| {
-                writer.about(&Tag::joint(&joint.joint, "clearance", kind)).value_trimmed(value_m, &SiUnit::LENGTH)
+                writer.with_tag(&Tag::joint(&joint.joint, "clearance", kind)).value_trimmed(value_m, &SiUnit::LENGTH)
             };
             let (kind, clearance) = match drawn.map(|drawn| drawn.kind) {
                 // No joint but a coupling: a cam has no clearance, teeth have half of their backlash on each side.
@@ -45,7 +45,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     if let Some(extreme) = deviation {
         let shown = |part: &str, point: &ExtremePoint| {
             let value_si = without_round_off(record, point.value_si, &extreme.unit);
-            writer.about(&Tag::extreme(extreme, part)).value(value_si, &extreme.unit)
+            writer.with_tag(&Tag::extreme(extreme, part)).value(value_si, &extreme.unit)
         };
         sentences.push(format!(
             "{with}, the {} deviates from its ideal motion by {} to {}.",
@@ -62,20 +62,20 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)));
     for joint in &record.joints {
         let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
-        let force = writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE);
+        let force = writer.with_tag(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE);
         let contact = if joint.impacts == 0 {
             format!("no impact, normal contact force up to {force}")
         } else {
             format!(
                 "{}, approach speed up to {}, normal contact force up to {force}",
-                counted(joint.impacts, "impact", &writer.about(&tag("impacts", "number"))),
-                writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+                counted(joint.impacts, "impact", &writer.with_tag(&tag("impacts", "number"))),
+                writer.with_tag(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
             )
         };
         sentences.push(format!(
             "{}: {contact}, penetration up to {}.",
             joint.joint,
-            writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.with_tag(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
     sentences.extend(run_sentences(record, writer));
@@ -85,7 +85,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences.extend(kind_sentences(record, writer));
     sentences.push(format!(
         "The energy balance has an error of {} of the largest energy exchanged.",
-        writer.about(&Tag::whole("energy residual", "relative")).rounded(
+        writer.with_tag(&Tag::whole("energy residual", "relative")).rounded(
             record.energy.relative_residual,
             &SiUnit::NONE,
             2,
@@ -103,7 +103,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences
 }
 
-/// What is known of how long its positions can be trusted.
+/// The trust in the positions of the run.
 pub(super) fn trusted_run(record: &SimulationRecord) -> TrustedRun<'_> {
     let SimulationSettings { transient_turns, drive_speed_rad_s, .. } = record.settings;
     TrustedRun { trust: &record.trust, subject: "Positions", has_start_up: transient_turns > 0.0, drive_speed_rad_s }
@@ -125,8 +125,8 @@ fn quasi_static_sentence(
     let tag = |part: &str| Tag::joint(&worst.output, "quasi-static check", part);
     let deviates = || {
         let (output, place) = (&worst.output, place_of(worst));
-        let found = writer.about(&tag("deviation")).value(worst.deviation_si, &worst.unit);
-        let allowed = writer.about(&tag("worst case")).value(worst.worst_case_si, &worst.unit);
+        let found = writer.with_tag(&tag("deviation")).value(worst.deviation_si, &worst.unit);
+        let allowed = writer.with_tag(&tag("worst case")).value(worst.worst_case_si, &worst.unit);
         format!("the {output} deviates by {found}{place}, but clearances and penetrations permit only {allowed}")
     };
     let mut sentence = if worst.is_exceeded && skipped > 0 {
@@ -141,13 +141,13 @@ fn quasi_static_sentence(
         format!(
             "No output deviates more than clearances and penetrations permit. The {} has the largest share: {} of the permitted deviation.",
             worst.output,
-            writer.about(&tag("share")).percent(worst.largest_share, Rounding::Up)
+            writer.with_tag(&tag("share")).percent(worst.largest_share, Rounding::Up)
         )
     };
     if skipped > 0 {
         sentence.push_str(&format!(
             " {} could not be checked: a dead point lies within the clearances, or a slider overhangs its guide.",
-            counted(skipped as u64, "sample", &writer.about(&Tag::Count("samples that were not checked")))
+            counted(skipped as u64, "sample", &writer.with_tag(&Tag::Count("samples that were not checked")))
         ));
     }
     Some(sentence)
@@ -173,22 +173,22 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
         "Control {}: {} deviates from its reference by up to {}, with an effort of up to {} in {}.",
         control.name,
         control.measured,
-        writer.about(&tag("largest error")).value(largest(&control.error_si), &control.unit),
-        writer.about(&tag("largest effort")).value(largest(&control.effort_si), &control.effort_unit),
+        writer.with_tag(&tag("largest error")).value(largest(&control.error_si), &control.unit),
+        writer.with_tag(&tag("largest effort")).value(largest(&control.effort_si), &control.effort_unit),
         control.joint,
     )];
     if let Some(swing) = &control.swing {
-        let amplitude = writer.about(&tag("amplitude")).value(swing.amplitude_si, &control.unit);
-        let period = writer.about(&tag("period")).value(swing.period_s, &SiUnit::TIME);
+        let amplitude = writer.with_tag(&tag("amplitude")).value(swing.amplitude_si, &control.unit);
+        let period = writer.with_tag(&tag("period")).value(swing.period_s, &SiUnit::TIME);
         sentences.push(match swing.course {
-            SwingCourse::Steady => format!(
+            OscillationTrend::Steady => format!(
                 "Control {}: {} does not come to rest although its reference does. It oscillates with amplitude {amplitude} and period \
                  {period} (a limit cycle, {} oscillations).",
                 control.name,
                 control.measured,
-                count(swing.swings as u64, &writer.about(&tag("oscillations")))
+                count(swing.swings as u64, &writer.with_tag(&tag("oscillations")))
             ),
-            SwingCourse::Grows => format!(
+            OscillationTrend::Grows => format!(
                 "Control {}: {} is unstable although its reference rests. It oscillates with period {period}, at the end with amplitude \
                  {amplitude}.",
                 control.name, control.measured

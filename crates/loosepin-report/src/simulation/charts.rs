@@ -29,7 +29,7 @@ pub(super) fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWr
     Chart::over_angle(id, &record.settings.drive, &angles_rad, writer)
 }
 
-/// Where an impact stands in the charts of a run.
+/// Place of an impact in the charts of a run.
 pub(super) fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, writer: &NumberWriter) -> f64 {
     if !is_over_angle(record) {
         return writer.scaled(impact.time_s, &SiUnit::TIME);
@@ -43,7 +43,7 @@ fn before_rad(record: &SimulationRecord) -> f64 {
     (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
 }
 
-/// What the charts of a run are over, in words.
+/// Words for the abscissa of the charts of a run.
 pub(super) fn abscissa_words(record: &SimulationRecord) -> String {
     if is_over_angle(record) { format!("over the angle of {}", record.settings.drive) } else { "over time".to_owned() }
 }
@@ -73,14 +73,14 @@ fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &Numb
 }
 
 /// Outputs with an ideal value.
-pub(super) fn deviating(record: &SimulationRecord) -> impl Iterator<Item = &OutputHistory> {
+pub(super) fn outputs_with_deviation(record: &SimulationRecord) -> impl Iterator<Item = &OutputHistory> {
     record.outputs.iter().filter(|output| !output.deviation_si.is_empty())
 }
 
 /// A chart of each deviation but the first, which stands below the answer.
 pub(super) fn other_deviations(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
-        div.charts { @for output in deviating(record).skip(1) { (deviation_chart(record, output, writer).figure()) } }
+        div.charts { @for output in outputs_with_deviation(record).skip(1) { (deviation_chart(record, output, writer).figure()) } }
     }
 }
 
@@ -135,7 +135,7 @@ fn control_chart(
     chart.figure()
 }
 
-/// The parts of the balance, and what is left.
+/// The parts of the balance, and the residual.
 pub(super) fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let account = &record.energy;
     let unit = SiUnit::ENERGY;
@@ -167,7 +167,7 @@ pub(super) fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup
     rest.caption = html! {
         strong { "Residual of the energy balance." } " At most "
         (writer
-            .about(&Tag::whole("energy residual", "relative"))
+            .with_tag(&Tag::whole("energy residual", "relative"))
             .rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
         " of the largest energy exchanged. It checks the run."
     };

@@ -7,7 +7,7 @@ use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::turn_word;
-use crate::words::force::{ForcesOf, floored_words};
+use crate::words::force::{JointForces, min_impact_speed_words};
 use crate::words::wording::{count, head, remark};
 use loosepin_result::simulation::{ImpactRecord, JointSummary, SimulationRecord};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
@@ -56,16 +56,16 @@ fn largest_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
         let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
         let restitution = |part: &str, value: Option<f64>| {
             let tag = tag("restitution", part);
-            value.map_or("-".to_owned(), |value| writer.about(&tag).value_trimmed(value, &SiUnit::NONE))
+            value.map_or("-".to_owned(), |value| writer.with_tag(&tag).value_trimmed(value, &SiUnit::NONE))
         };
         vec![
             joint.joint.clone(),
-            count(joint.impacts, &writer.about(&tag("impacts", "number"))),
-            count(joint.contacts, &writer.about(&tag("contacts", "number"))),
-            writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
-            writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE),
-            writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
-            writer.about(&tag("clearance", "radial")).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+            count(joint.impacts, &writer.with_tag(&tag("impacts", "number"))),
+            count(joint.contacts, &writer.with_tag(&tag("contacts", "number"))),
+            writer.with_tag(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            writer.with_tag(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE),
+            writer.with_tag(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.with_tag(&tag("clearance", "radial")).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
             format!(
                 "{} ({})",
                 restitution("delivered", joint.delivered_restitution),
@@ -85,10 +85,10 @@ fn turn_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
     let row = |joint: &JointSummary| -> Vec<Cell> {
         let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
         let tenths = |statistic: &str, value: f64| {
-            writer.about(&tag(statistic, "per turn")).shortest((value * 10.0).round() / 10.0, &SiUnit::NONE)
+            writer.with_tag(&tag(statistic, "per turn")).shortest((value * 10.0).round() / 10.0, &SiUnit::NONE)
         };
         let share = |statistic: &str, part: &str, share: f64, rounding: Rounding| {
-            writer.about(&tag(statistic, part)).percent(share, rounding)
+            writer.with_tag(&tag(statistic, part)).percent(share, rounding)
         };
         let penetration = (joint.radial_clearance_m > 0.0).then(|| {
             let of_clearance = joint.largest_penetration_m / joint.radial_clearance_m;
@@ -109,8 +109,8 @@ fn turn_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
 
 /// The law with what it rests on; in records of older versions its name.
 fn law_fact(joint: &JointSummary, writer: &NumberWriter) -> Fact {
-    let law = ForcesOf::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone());
-    let slow = floored_words(&joint.joint, joint.floored_contacts, writer);
+    let law = JointForces::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone());
+    let slow = min_impact_speed_words(&joint.joint, joint.floored_contacts, writer);
     Fact::new(
         format!("Contact law in {}", joint.joint),
         [law].into_iter().chain(slow.map(|words| format!("Very slow contacts: {words}"))),
@@ -120,7 +120,7 @@ fn law_fact(joint: &JointSummary, writer: &NumberWriter) -> Fact {
 /// The contact force of each joint, and the first impacts.
 fn impacts(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let shown = record.impacts.len().min(MAX_IMPACTS);
-    let number_shown = count(shown as u64, &writer.about(&Tag::Count("impacts that are shown")));
+    let number_shown = count(shown as u64, &writer.with_tag(&Tag::Count("impacts that are shown")));
     html! {
         @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {
             (force_chart(record, writer).figure())
@@ -130,7 +130,7 @@ fn impacts(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
                 summary {
                     @if shown < record.impacts.len() {
                         "The first " (number_shown) " of "
-                        (count(record.impacts.len() as u64, &writer.about(&Tag::Count("impacts")))) " impacts"
+                        (count(record.impacts.len() as u64, &writer.with_tag(&Tag::Count("impacts")))) " impacts"
                     }
                     @else if shown == 1 { "The impact" }
                     @else { "All " (number_shown) " impacts" }
@@ -149,15 +149,15 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
         let tag = |part: &str| Tag::joint(&impact.joint, &number, part);
         html! {
             tr {
-                th scope="row" { (writer.about(&tag("time")).value(impact.time_s, &SiUnit::TIME)) }
-                @if has_angle { td { (writer.about(&tag("angle")).angle_in_turn(impact.drive_angle_rad, PLAIN_DIGITS)) } }
+                th scope="row" { (writer.with_tag(&tag("time")).value(impact.time_s, &SiUnit::TIME)) }
+                @if has_angle { td { (writer.with_tag(&tag("angle")).angle_in_turn(impact.drive_angle_rad, PLAIN_DIGITS)) } }
                 td { (impact.joint) }
-                td { (writer.about(&tag("speed")).value(impact.speed_m_s, &SiUnit::VELOCITY)) }
-                td { (writer.about(&tag("duration")).value(impact.duration_s, &SiUnit::TIME)) }
-                td { (writer.about(&tag("peak force")).value(impact.peak_force_n, &SiUnit::FORCE)) }
+                td { (writer.with_tag(&tag("speed")).value(impact.speed_m_s, &SiUnit::VELOCITY)) }
+                td { (writer.with_tag(&tag("duration")).value(impact.duration_s, &SiUnit::TIME)) }
+                td { (writer.with_tag(&tag("peak force")).value(impact.peak_force_n, &SiUnit::FORCE)) }
                 td {
                     @match impact.separation_speed_m_s {
-                        Some(speed) => (writer.about(&tag("separation speed")).value(speed, &SiUnit::VELOCITY)),
+                        Some(speed) => (writer.with_tag(&tag("separation speed")).value(speed, &SiUnit::VELOCITY)),
                         None => "still touching",
                     }
                 }

@@ -44,13 +44,13 @@ fn end_cells(
     unit: &SiUnit,
     writer: &NumberWriter,
 ) -> [Cell; 2] {
-    let value = writer.about(tag).value(without_round_off(record, point.value_si, unit), unit);
-    let time = writer.about(&tag.part("time")).value(point.time_s, &SiUnit::TIME);
+    let value = writer.with_tag(tag).value(without_round_off(record, point.value_si, unit), unit);
+    let time = writer.with_tag(&tag.part("time")).value(point.time_s, &SiUnit::TIME);
     // The phase of a cycle in which no drive turns tells nothing that the time does not.
     let place = match record.settings.drive_speed_rad_s {
         None => Text::from(time),
         Some(_) => {
-            let angle = writer.about(&tag.part("angle")).angle_in_turn(point.drive_angle_rad, PLAIN_DIGITS);
+            let angle = writer.with_tag(&tag.part("angle")).angle_in_turn(point.drive_angle_rad, PLAIN_DIGITS);
             let of_drive = format!("{} at ", record.settings.drive);
             Text::from(time).plain(", ").on(Medium::Page, of_drive).plain(angle)
         }

@@ -23,13 +23,13 @@ pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -
 }
 
 fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
-    let turns = counted(u64::from(kind.turns), "turn", &writer.about(&Tag::Given("turns that are examined")));
+    let turns = counted(u64::from(kind.turns), "turn", &writer.with_tag(&Tag::Given("turns that are examined")));
     match kind.period_turns {
         Some(1) => format!("The motion repeats every turn ({turns} examined)."),
         Some(period) => {
             format!(
                 "The motion repeats every {} ({turns} examined).",
-                counted(u64::from(period), "turn", &writer.about(&Tag::whole("motion", "period")))
+                counted(u64::from(period), "turn", &writer.with_tag(&Tag::whole("motion", "period")))
             )
         }
         None => format!(
@@ -42,11 +42,11 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
     let number = |part: &str, value: f64| exponent(writer, part, value, 3, Rounding::Nearest);
     let space = writer.space();
     // The unit: one over seconds.
-    let one = writer.about(&Tag::Given("unit")).count(1);
+    let one = writer.with_tag(&Tag::Given("unit")).count(1);
     let measured = format!(
         "Largest Lyapunov exponent {}{space}{one}/s, with {} confidence between {} and {}{space}{one}/s",
         number("value", found.exponent_1_s),
-        writer.about(&Tag::Given("confidence")).percent(CONFIDENCE, Rounding::Nearest),
+        writer.with_tag(&Tag::Given("confidence")).percent(CONFIDENCE, Rounding::Nearest),
         exponent(writer, "lower", found.lower_1_s, 3, Rounding::Down),
         exponent(writer, "upper", found.upper_1_s, 3, Rounding::Up)
     );
@@ -60,7 +60,7 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
         NeighbourKind::Undecided => {
             format!(
                 "{measured}. Its sign is not certain after {}.",
-                counted(found.growth.len() as u64, "turn", &writer.about(&Tag::Given("turns that are examined")))
+                counted(found.growth.len() as u64, "turn", &writer.with_tag(&Tag::Given("turns that are examined")))
             )
         }
     }
@@ -68,10 +68,10 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
 
 /// A number of the exponent, without its unit.
 fn exponent(writer: &NumberWriter, part: &str, value: f64, digits: usize, rounding: Rounding) -> String {
-    writer.about(&Tag::whole("Lyapunov exponent", part)).rounded(value, &SiUnit::NONE, digits, rounding)
+    writer.with_tag(&Tag::whole("Lyapunov exponent", part)).rounded(value, &SiUnit::NONE, digits, rounding)
 }
 
-/// The section of the page; nothing where a run says nothing about it.
+/// The section of the page; `None` if a run says nothing about it.
 pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
     if record.kind.is_none() && record.lyapunov.is_none() {
         return None;
@@ -84,12 +84,13 @@ pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> 
 }
 
 fn sections(kind: &MotionKind, drive: &str, writer: &NumberWriter) -> Markup {
-    let angle = writer.about(&Tag::Given("angle of the section")).value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
+    let angle =
+        writer.with_tag(&Tag::Given("angle of the section")).value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
     html! {
         p {
             "Once a turn, at " (angle) " of " (drive) " (Poincaré section). A motion that repeats every turn gives one dot, every second \
             turn two dots. A motion that is not periodic gives a cloud. A journal counts as back within "
-            (writer.about(&Tag::Given("share of a clearance")).percent(kind.repeat_share, Rounding::Nearest)) " of its clearance."
+            (writer.with_tag(&Tag::Given("share of a clearance")).percent(kind.repeat_share, Rounding::Nearest)) " of its clearance."
         }
         @if !kind.journals.is_empty() {
             div.orbits { @for journal in &kind.journals { (journal_sections(journal as &JournalOrbit, writer)) } }
@@ -122,9 +123,9 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
         }))
         .collect();
     let turns: Vec<f64> = (0..total.len()).map(|turn| turn as f64).collect();
-    let given = |what: &'static str, value: f64| writer.about(&Tag::Given(what)).shortest(value, &SiUnit::NONE);
+    let given = |what: &'static str, value: f64| writer.with_tag(&Tag::Given(what)).shortest(value, &SiUnit::NONE);
     let separation =
-        writer.about(&Tag::Given("separation")).rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest);
+        writer.with_tag(&Tag::Given("separation")).rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest);
     let settling = given("turns to settle", found.transient_turns);
     let aligning = given("turns to align", f64::from(found.aligning_turns));
     let [one, batches] = [given("unit", 1.0), given("batches", 20.0)];

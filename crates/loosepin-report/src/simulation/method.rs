@@ -1,4 +1,4 @@
-//! How a run was computed: what was asked for, and the work that it took.
+//! Method of a run: its settings, and the work that it took.
 
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
@@ -18,10 +18,10 @@ pub(super) fn method_section(record: &SimulationRecord, writer: &NumberWriter) -
         "{} of start-up, then {} recorded, {} samples per {}",
         turns(settings.transient_turns, speed_rad_s, writer),
         turns(settings.recorded_turns, speed_rad_s, writer),
-        count(settings.samples_per_turn as u64, &writer.about(&Tag::Given("samples"))),
+        count(settings.samples_per_turn as u64, &writer.with_tag(&Tag::Given("samples"))),
         turn_word(speed_rad_s)
     );
-    let tolerance = writer.about(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH);
+    let tolerance = writer.with_tag(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH);
     let work = work_words(record, writer);
     let mut section = Section::headed_on_page("method", "How this was computed");
     section.push_on(Medium::Terminal, Content::sentences([work.clone()]));
@@ -42,7 +42,7 @@ pub(super) fn method_section(record: &SimulationRecord, writer: &NumberWriter) -
 fn work_words(record: &SimulationRecord, writer: &NumberWriter) -> Text {
     let counters = &record.counters;
     let of = |value: u64, singular: &'static str, tag: &'static str| {
-        counted(value, singular, &writer.about(&Tag::Count(tag)))
+        counted(value, singular, &writer.with_tag(&Tag::Count(tag)))
     };
     let factorizations = match counters.factorizations {
         0 => String::new(),
@@ -51,7 +51,7 @@ fn work_words(record: &SimulationRecord, writer: &NumberWriter) -> Text {
     Text::from(format!(
         "{}, {} rejected, {}",
         of(counters.steps, "step", "steps"),
-        count(counters.rejections, &writer.about(&Tag::Count("rejections"))),
+        count(counters.rejections, &writer.with_tag(&Tag::Count("rejections"))),
         of(counters.evaluations, "evaluation", "evaluations"),
     ))
     .on(Medium::Page, " of the equations of motion")

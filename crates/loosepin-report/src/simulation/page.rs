@@ -14,7 +14,7 @@ use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::units::SiUnit;
 
 use super::answer::{headline_sentences, trusted_run};
-use super::charts::{controls, deviating, deviation_chart, energy, other_deviations, outputs};
+use super::charts::{controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation};
 use super::contact::contact_section;
 use super::extremes::extremes_section;
 use super::kind::kind_section;
@@ -27,7 +27,7 @@ use super::wear::wear_section;
 /// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
 pub fn simulation_page(record: &SimulationRecord) -> String {
     let writer = &NumberWriter::for_page(&record.display_units);
-    let first = deviating(record).next();
+    let first = outputs_with_deviation(record).next();
     let own =
         |id: &'static str, title: &'static str, body: Option<Markup>| body.map(|body| Section::new(id, title, body));
     let sections = [
@@ -38,7 +38,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         own(
             "deviation",
             "Other deviations from the ideal motion",
-            (deviating(record).count() > 1).then(|| other_deviations(record, writer)),
+            (outputs_with_deviation(record).count() > 1).then(|| other_deviations(record, writer)),
         ),
         page_section(measured_section(record, writer)),
         page_section(spectrum_section(record, writer)),
@@ -57,7 +57,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         subtitle: html! {
             @if let Some(speed) = record.settings.drive_speed_rad_s {
                 (record.settings.drive) " at "
-                (writer.about(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
+                (writer.with_tag(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
             (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }

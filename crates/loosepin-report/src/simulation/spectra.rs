@@ -1,4 +1,4 @@
-//! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
+//! Oscillations in a run: root mean squares, peaks, and amplitudes over orders of the drive.
 
 use maud::html;
 
@@ -20,12 +20,12 @@ const DRAWN: [&str; 5] = ["m/s^2", "rad/s^2", "N", "N m", "W"];
 
 /// A history with its spectrum.
 struct Oscillation {
-    /// Its name, and in words what it is.
+    /// Its name, and its description in words.
     name: String,
     words: String,
     unit: SiUnit,
     spectrum: Spectrum,
-    /// Of the mechanism without play, where it has such a history.
+    /// Spectrum of the mechanism without play, if it has such a history.
     ideal: Option<Spectrum>,
     /// The largest magnitude, between samples too where that is known.
     peak_si: f64,
@@ -73,9 +73,9 @@ fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
 fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
     let of_order = |(order, amplitude_si): (f64, f64)| {
         // Eighths have three decimals.
-        let order_words = writer.about(&Tag::Given("order")).shortest((order * 1e3).round() / 1e3, &SiUnit::NONE);
+        let order_words = writer.with_tag(&Tag::Given("order")).shortest((order * 1e3).round() / 1e3, &SiUnit::NONE);
         let tag = own.tag(&format!("amplitude of order {order}"));
-        format!("{order_words} ({})", writer.about(&tag).rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
+        format!("{order_words} ({})", writer.with_tag(&tag).rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
     };
     let moves = |amplitude_si: f64| without_round_off(record, amplitude_si, &own.unit) != 0.0;
     let dominant = own.spectrum.dominant(DOMINANT).into_iter().filter(|(_, amplitude_si)| moves(*amplitude_si));
@@ -104,8 +104,8 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
     let row = |own: &Oscillation| {
         vec![
             own.name.clone(),
-            writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
-            writer.about(&own.tag("peak")).value(own.peak_si, &own.unit),
+            writer.with_tag(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
+            writer.with_tag(&own.tag("peak")).value(own.peak_si, &own.unit),
             dominant_words(record, own, writer),
         ]
     };

@@ -4,7 +4,7 @@ use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{SENTENCE_DIGITS, between, largest, output_summaries, smallest};
 use crate::words::error::error_sentence;
-use crate::words::force::{ForcesOf, study_sentences};
+use crate::words::force::{JointForces, study_sentences};
 use crate::words::turn::turns_sentence;
 use crate::words::wording::{
     band_error, capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part,
@@ -17,10 +17,10 @@ use loosepin_result::study::{
 use loosepin_text::units::SiUnit;
 
 /// The answer, for pages and terminals alike.
-pub(crate) struct Answer {
+pub(crate) struct StudyAnswer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
-    /// What may overturn the verdict: it stands beside it.
+    /// Caveats that may overturn the verdict: they stand beside it.
     pub caveats: Vec<String>,
     /// The sentence on the output that matters most.
     pub headline: String,
@@ -34,7 +34,7 @@ pub(crate) struct Answer {
 
 /// Builds the answer from the bounds that the study has: the largest deviation over the cycle where it was asked for,
 /// the band over the cycle otherwise.
-pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
+pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer {
     let curve = main_curve(result);
     let answers = output_summaries(result);
     let mut sentences = answers.iter().map(|summary| summary.sentence(result, writer));
@@ -62,7 +62,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     details.extend(gaps_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    Answer { requirements, caveats, headline, further, details, verdict }
+    StudyAnswer { requirements, caveats, headline, further, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
@@ -72,12 +72,12 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
         Some(format!(
             "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Such fast impacts lose more energy: widen the restitution downwards.",
-            writer.about(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
+            writer.with_tag(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
             joint.joint
         ))
     });
     let of_forces = |joint| {
-        let of = ForcesOf::study(joint);
+        let of = JointForces::study(joint);
         [of.warning(writer), of.slow(writer)].into_iter().flatten()
     };
     let soft = result.impacts.iter().flat_map(of_forces);
@@ -97,7 +97,7 @@ pub(crate) fn verdict_headline(verdict: Verdict) -> &'static str {
 /// " This holds for every gudgeon radial clearance from 0.1 to 0.5 mm." or what replaces it.
 fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> String {
     let given = Tag::Given("range of an input");
-    let writer = &writer.about(&given);
+    let writer = &writer.with_tag(&given);
     let parts: Vec<String> = result
         .inputs
         .iter()
@@ -137,7 +137,7 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
         .filter(|curve| !curve.mixed.lower_si.is_empty())
 }
 
-/// The band of scatter alone beside that of all unknown values; nothing for the output itself, whose size is no deviation.
+/// The band of scatter alone beside that of all unknown values; `None` for the output itself, whose size is no deviation.
 fn scatter_sentence(
     result: &StudyResult,
     curve: &DeviationCurve,
@@ -154,19 +154,19 @@ fn scatter_sentence(
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
         let share = writer
-            .about(&Tag::Given("probability"))
+            .with_tag(&Tag::Given("probability"))
             .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
         let tags = ["random", "mixed"].map(|part| Tag::curve(curve, part));
         let is_on_both_sides = [random_ends, mixed_ends].into_iter().all(|[low, high]| low < 0.0 && high > 0.0);
         let [random, mixed] = if is_on_both_sides {
             [(random, &tags[0]), (mixed, &tags[1])].map(|(most, tag)| {
                 let reach = tag.part("reach");
-                let reach = writer.about(&reach).rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up);
+                let reach = writer.with_tag(&reach).rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up);
                 format!("within ±{reach}")
             })
         } else {
             [(random_ends, &tags[0]), (mixed_ends, &tags[1])]
-                .map(|([low, high], tag)| between(low, high, &curve.unit, &writer.about(tag)))
+                .map(|([low, high], tag)| between(low, high, &curve.unit, &writer.with_tag(tag)))
         };
         let of_several = of_several.then(|| format!("the {} stays", deviation_of(&curve.output, curve.of, &result.outputs)));
         match of_several {
@@ -196,7 +196,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             let searched = format!(
                 "in {} of mechanisms",
                 writer
-                    .about(&Tag::requirement(requirement, "share"))
+                    .with_tag(&Tag::requirement(requirement, "share"))
                     .percent_range(requirement.probability[0], requirement.probability[1])
             );
             let share = match (requirement.promised, &result.promise) {
@@ -204,7 +204,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                     let tag = Tag::requirement(requirement, "promised");
                     format!(
                         "{}; searched over every value: {searched}",
-                        promised_share(promise, least, &writer.about(&tag))
+                        promised_share(promise, least, &writer.with_tag(&tag))
                     )
                 }
                 _ => searched,
@@ -215,7 +215,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 deviation_of(&requirement.output, requirement.of, &result.outputs),
                 place_words(requirement.at, writer),
                 writer
-                    .about(&Tag::Given("required share"))
+                    .with_tag(&Tag::Given("required share"))
                     .percent(requirement.probability_at_least, Rounding::Nearest),
             )
         })
@@ -224,7 +224,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
 
 /// What a promise says of a requirement that it decides, to stand behind the sentence on its verdict.
 fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWriter) -> String {
-    let given = writer.about(&Tag::Given("promise"));
+    let given = writer.with_tag(&Tag::Given("promise"));
     format!(
         "in at least {} of mechanisms, for at least {} of the box of the intervals with {} confidence (not for every value)",
         writer.percent(least_share, Rounding::Down),
@@ -254,14 +254,17 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {
         format!(
             "All {} passed, but {} can prove only {}: increase 'inner' to {} or more.",
-            counted(known.mechanisms, "mechanism", &writer.about(&Tag::requirement(requirement, "mechanisms"))),
-            crate::words::wording::count(known.mechanisms, &writer.about(&Tag::requirement(requirement, "mechanisms"))),
+            counted(known.mechanisms, "mechanism", &writer.with_tag(&Tag::requirement(requirement, "mechanisms"))),
+            crate::words::wording::count(
+                known.mechanisms,
+                &writer.with_tag(&Tag::requirement(requirement, "mechanisms"))
+            ),
             writer
-                .about(&Tag::requirement(requirement, "share lower"))
+                .with_tag(&Tag::requirement(requirement, "share lower"))
                 .percent(requirement.probability[0], Rounding::Down),
             crate::words::wording::count(
                 (needed(&known).ceil() as u64).next_power_of_two(),
-                &writer.about(&Tag::requirement(requirement, "needed"))
+                &writer.with_tag(&Tag::requirement(requirement, "needed"))
             )
         )
     } else if is_by_surrogate(result) {
@@ -283,14 +286,14 @@ pub(crate) fn requirement_words(
     let RequirementOutcome { lower_si, upper_si, .. } = *requirement;
     let is_distance = matches!(path_part(&requirement.output, &result.outputs), Some((_, PathError::Magnitude)));
     if is_distance && lower_si == -upper_si && upper_si.is_finite() {
-        return format!("within {}", writer.about(&Tag::Given("required limit")).value_shortest(upper_si, unit));
+        return format!("within {}", writer.with_tag(&Tag::Given("required limit")).value_shortest(upper_si, unit));
     }
     limits_words(lower_si, upper_si, unit, writer)
 }
 
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
 pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
-    let writer = writer.about(&Tag::Given("required limit"));
+    let writer = writer.with_tag(&Tag::Given("required limit"));
     match (lower_si.is_finite(), upper_si.is_finite()) {
         (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
         (true, true) => {
@@ -306,8 +309,8 @@ pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
     let gaps = result.gaps.filter(|_| !is_by_surrogate(result))?;
     let [points, runs] = [(gaps.between_points, "gap between points"), (gaps.between_runs, "gap between runs")]
-        .map(|(share, what)| writer.about(&Tag::Count(what)).percent(share, Rounding::Up));
-    let values = counted(result.counts.outer, "value", &writer.about(&Tag::Count("values of the unknown inputs")));
+        .map(|(share, what)| writer.with_tag(&Tag::Count(what)).percent(share, Rounding::Up));
+    let values = counted(result.counts.outer, "value", &writer.with_tag(&Tag::Count("values of the unknown inputs")));
     let single = if runs == points {
         String::new()
     } else {
@@ -319,13 +322,13 @@ fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> 
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
-    let runs = counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")));
+    let runs = counted(result.counts.runs, "run", &writer.with_tag(&Tag::Count("runs")));
     let failed = match result.counts.failed {
         0 => "none failed.".to_owned(),
         failed => format!(
             "{} failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
              the finished runs only and have no bound.",
-            crate::words::wording::count(failed, &writer.about(&Tag::Count("failed runs")))
+            crate::words::wording::count(failed, &writer.with_tag(&Tag::Count("failed runs")))
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
@@ -334,7 +337,7 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         match random {
             0 => "no random input".to_owned(),
             some => {
-                let inputs = counted(some as u64, "random input", &writer.about(&Tag::Count("random inputs")));
+                let inputs = counted(some as u64, "random input", &writer.with_tag(&Tag::Count("random inputs")));
                 format!(
                     "{inputs} with {} as stated",
                     if some == 1 { "its distribution" } else { "their distributions" }
@@ -348,7 +351,7 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
 
 /// A number of turns of the drive, or of cycles where no drive turns at a constant speed.
 pub(crate) fn turns(turns: f64, drive_speed_rad_s: Option<f64>, writer: &NumberWriter) -> String {
-    let number = writer.about(&Tag::Given("turns")).shortest(turns, &SiUnit::NONE);
+    let number = writer.with_tag(&Tag::Given("turns")).shortest(turns, &SiUnit::NONE);
     format!("{number} {}{}", turn_word(drive_speed_rad_s), if turns == 1.0 { "" } else { "s" })
 }
 
@@ -374,11 +377,11 @@ pub(crate) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
 /// The share of mechanisms inside a band at the worst of the unknown values, beside the promised one.
 fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let promised = comparison.promised_coverage;
-    let promise = writer.about(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
+    let promise = writer.with_tag(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
     let tag = |part: &str| Tag::band(comparison, band, part);
     let (worst, error) = (tag("share at the worst values"), tag("error of the share"));
-    let least = writer.about(&tag("counted share")).percent(band.coverage_minimum, Rounding::Down);
-    let writer = writer.about(&worst);
+    let least = writer.with_tag(&tag("counted share")).percent(band.coverage_minimum, Rounding::Down);
+    let writer = writer.with_tag(&worst);
     if band.is_promise_unknown(promised) {
         let (of_what, least_share) = if band.is_by_surrogate {
             ("surrogate", band.least_share())
@@ -404,13 +407,13 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     if band.coverage_minimum < promised {
         return format!(
             "At the worst unknown values, {least} ± {} of mechanisms lie inside the band. This agrees with the promised {promise}.",
-            writer.about(&error).percent(band.coverage_error, Rounding::Up)
+            writer.with_tag(&error).percent(band.coverage_error, Rounding::Up)
         );
     }
     format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
 }
 
-/// How much wider or narrower than the mixed band, as far as its error lets that be told; nothing where both hardly differ.
+/// Difference in width from the mixed band, as far as its error resolves it; empty if both hardly differ.
 fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
     let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {
@@ -418,7 +421,7 @@ fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     };
     let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
     let tag = Tag::band(comparison, band, "width compared with the mixed band");
-    let by = writer.about(&tag).percent(wider.abs(), Rounding::Nearest);
+    let by = writer.with_tag(&tag).percent(wider.abs(), Rounding::Nearest);
     let compared = match wider {
         0.02.. => format!("{by} wider than the mixed band"),
         ..=-0.02 => format!("{by} narrower than the mixed band"),

@@ -1,7 +1,7 @@
 //! Loosest values that meet the requirements, and the estimates of small probabilities: sentences for pages and terminals.
 
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
-use crate::study::together::{ALL_ELSE, ALLOWED_DIGITS, subject, together_sentences};
+use crate::study::together::{ALL_ELSE, ALLOWED_DIGITS, joint_loosening_sentences, subject};
 use crate::words::wording::{
     counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words,
 };
@@ -13,7 +13,7 @@ use loosepin_result::study::{
 /// One sentence for each input that may be loosened, then those for several together, then one for the cheapest combination.
 pub(crate) fn inverse_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let allowed = result.allowances.iter().map(|one| allowance(result, one, writer));
-    let together = result.together.iter().flat_map(|one| together_sentences(result, one, writer));
+    let together = result.together.iter().flat_map(|one| joint_loosening_sentences(result, one, writer));
     allowed.chain(together).chain(result.allocation.iter().map(|one| allocation(result, one, writer))).collect()
 }
 

@@ -1,7 +1,7 @@
 //! The summary of each output: one sentence each, the output that matters most first.
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::{Tag, read_the_same};
+use crate::numbers::tag::{Tag, same_wording};
 use crate::words::bound::bound_value;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{
@@ -128,7 +128,7 @@ impl<'r> OutputSummary<'r> {
         }
     }
 
-    /// What its numerical error is.
+    /// Tag of its numerical error.
     pub fn error_tag(self) -> Tag {
         match self {
             Self::Largest(bound, _) | Self::Bound(bound) => Tag::bound(bound, "upper error"),
@@ -136,7 +136,7 @@ impl<'r> OutputSummary<'r> {
         }
     }
 
-    /// What the error is of, in words.
+    /// Words for the bound of this error.
     pub fn limit_words(self) -> &'static str {
         match self {
             Self::Largest(..) => "the limit over the whole cycle",
@@ -195,13 +195,13 @@ fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64,
     format!(
         "The {name} stays within {}{} {from} over the whole cycle in at least {} of mechanisms.",
         if is_distance { "" } else { "±" },
-        writer.about(&Tag::bound(bound, "upper")).for_sentence(
+        writer.with_tag(&Tag::bound(bound, "upper")).for_sentence(
             bound.upper.widened_si,
             bound.upper.error.total_si(),
             &bound.unit,
             Rounding::Up
         ),
-        writer.about(&Tag::Given("probability")).percent(probability, Rounding::Down)
+        writer.with_tag(&Tag::Given("probability")).percent(probability, Rounding::Down)
     )
 }
 
@@ -224,14 +224,14 @@ fn statistic_sentence(result: &StudyResult, first: &BoundRecord, writer: &Number
 fn ends_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
-    if read_the_same(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
+    if same_wording(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
 }
 
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> String {
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
     let share = writer
-        .about(&Tag::Given("probability"))
+        .with_tag(&Tag::Given("probability"))
         .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let mixed = Tag::curve(curve, "mixed");
     let reach = mixed.part("reach");
@@ -245,11 +245,11 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
     let range = if is_distance {
-        format!("within {}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within {}", writer.with_tag(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else if is_even && curve.of != Deviation::Value {
-        format!("within ±{}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within ±{}", writer.with_tag(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else {
-        between(lowest, highest, &curve.unit, &writer.about(&mixed))
+        between(lowest, highest, &curve.unit, &writer.with_tag(&mixed))
     };
     let stays = match curve.of {
         Deviation::Value => format!("lies {range}"),
@@ -258,15 +258,15 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     format!("At each angle of {drive}, the {name} {stays} in at least {share} of mechanisms.")
 }
 
-/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
+/// Both ends, rounded outwards, with enough digits that rounding hardly widens the interval.
 pub(crate) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
     let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MAX_MORE_DIGITS) as usize } else { 0 };
     let [lowest, highest] = ["lowest", "highest"].map(|part| writer.tag().map(|tag| tag.part(part)));
     format!(
         "between {} and {}",
-        writer.about_maybe(lowest.as_ref()).rounded(lowest_si, unit, digits, Rounding::Down),
-        writer.about_maybe(highest.as_ref()).rounded(highest_si, unit, digits, Rounding::Up)
+        writer.with_optional_tag(lowest.as_ref()).rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.with_optional_tag(highest.as_ref()).rounded(highest_si, unit, digits, Rounding::Up)
     )
 }
 

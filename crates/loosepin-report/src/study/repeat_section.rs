@@ -20,7 +20,7 @@ pub(crate) fn study_repeat_section(result: &StudyResult, writer: &NumberWriter) 
             h3 { "One mechanism at the unknown values where a bound is reached" }
             @for (place, run) in result.witness_commands.iter().enumerate() {
                 @let tag = Tag::whole("command of a witness", &place.to_string());
-                p.quiet { (writer.about(&tag).witness(&run.witness, &result.inputs)) }
+                p.quiet { (writer.with_tag(&tag).witness(&run.witness, &result.inputs)) }
                 pre { (run.command) }
             }
         }

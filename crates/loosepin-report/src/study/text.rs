@@ -2,7 +2,7 @@
 
 use crate::medium::article_text::terminal_text;
 use crate::numbers::number::NumberWriter;
-use crate::study::answer::{Answer, answer, verdict_headline};
+use crate::study::answer::{StudyAnswer, answer, verdict_headline};
 use crate::study::sections::{
     accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, percentiles_section,
     promise_section, rare_section, runs_section, surrogate_section, treatments_section,
@@ -30,7 +30,7 @@ pub fn study_text(result: &StudyResult) -> String {
     terminal_text(&result.name, sections.into_iter().flatten())
 }
 
-fn answer_section(answer: &Answer) -> Section {
+fn answer_section(answer: &StudyAnswer) -> Section {
     let mut section = Section::new("answer", "");
     if let Some(verdict) = answer.verdict {
         section.push(Content::sentences([verdict_headline(verdict)]));

@@ -13,7 +13,7 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
     let repeating = record.points.iter().filter(|point| point.period_turns.is_some()).count();
     let failed: Vec<&str> = record.points.iter().filter_map(|point| point.failure.as_deref()).collect();
     let irregular = runs - repeating - failed.len();
-    let number = |of: &'static str, value: usize| count(value as u64, &writer.about(&Tag::Count(of)));
+    let number = |of: &'static str, value: usize| count(value as u64, &writer.with_tag(&Tag::Count(of)));
     let all = number("values", runs);
     let first = if irregular == 0 && failed.is_empty() {
         format!("The motion repeats at all {all} values of {}.", record.path)
@@ -54,7 +54,7 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
         sentences.push(format!("Longest ranges: {}.", words.join("; ")));
     }
     if let Some(reason) = failed.first() {
-        let failed = counted(failed.len() as u64, "run", &writer.about(&Tag::Count("failed runs")));
+        let failed = counted(failed.len() as u64, "run", &writer.with_tag(&Tag::Count("failed runs")));
         sentences.push(format!("{failed} failed. The first reason: {reason}"));
     }
     sentences

@@ -53,18 +53,18 @@ pub fn sweep_page(record: &SweepRecord) -> String {
 }
 
 fn method(record: &SweepRecord, writer: &NumberWriter) -> Section {
-    let turns = |of: &'static str, turns: u32| count(u64::from(turns), &writer.about(&Tag::Given(of)));
+    let turns = |of: &'static str, turns: u32| count(u64::from(turns), &writer.with_tag(&Tag::Given(of)));
     let runs = format!(
         "{}, each from the ideal position and velocities; {} turns of start-up, {} turns examined",
-        count(record.points.len() as u64, &writer.about(&Tag::Count("values"))),
+        count(record.points.len() as u64, &writer.with_tag(&Tag::Count("values"))),
         turns("turns of start-up", record.transient_turns),
         turns("turns that are examined", record.recorded_turns)
     );
     let period = format!(
         "p turns, if every journal is back within {} of its clearance after every p turns; p is at most half of the turns examined",
-        writer.about(&Tag::Given("share of a clearance")).percent(REPEAT_SHARE, Rounding::Nearest)
+        writer.with_tag(&Tag::Given("share of a clearance")).percent(REPEAT_SHARE, Rounding::Nearest)
     );
-    let tolerance = writer.about(&Tag::Given("tolerance")).as_written(&format!("{:e}", record.tolerance_m));
+    let tolerance = writer.with_tag(&Tag::Given("tolerance")).as_written(&format!("{:e}", record.tolerance_m));
     let facts = [
         Fact::new("Runs", [runs]),
         Fact::new("Period", [period]),
@@ -100,7 +100,7 @@ fn joint_chart(
     let all = record.points.iter().flat_map(|point| point.joints.iter().map(&read));
     let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     let number =
-        |part: &str, value: f64| writer.about(&Tag::whole(what, part)).rounded(value, unit, 3, Rounding::Nearest);
+        |part: &str, value: f64| writer.with_tag(&Tag::whole(what, part)).rounded(value, unit, 3, Rounding::Nearest);
     let range = if least.is_finite() {
         format!("between {} and {}", number("least", least), number("most", most))
     } else {

@@ -21,22 +21,22 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
     let (across, up) = (writer.units.of(&record.unit), writer.units.of(&swept.unit));
     let x_axis = Axis::over(record.points.iter().map(|point| across.from_si(point.value_si)));
     let sections = || record.points.iter().filter_map(|point| Some((point, point.sections_si.get(output)?)));
-    let y_axis = Axis::over(sections().flat_map(|(_, section)| section.iter().map(|v| up.from_si(*v)))).wider();
+    let y_axis = Axis::over(sections().flat_map(|(_, section)| section.iter().map(|v| up.from_si(*v)))).with_margin();
     let axes = Axes { width: WIDTH, height: HEIGHT, x: x_axis, y: y_axis };
     let dots = |is_wanted: &dyn Fn(&SweepPoint) -> bool| {
         let mut path = String::new();
         for (point, section) in sections().filter(|(point, _)| is_wanted(point)) {
-            let x = axes.across(across.from_si(point.value_si));
+            let x = axes.x_position(across.from_si(point.value_si));
             for value_si in section.iter().filter(|value_si| value_si.is_finite()) {
-                path.push_str(&format!("M{x:.1} {:.1}h0", axes.up(up.from_si(*value_si))));
+                path.push_str(&format!("M{x:.1} {:.1}h0", axes.y_position(up.from_si(*value_si))));
             }
         }
         path
     };
     let name = named_words(&swept.name, &swept.words);
     let angle =
-        writer.about(&Tag::Given("angle of the section")).value_trimmed(record.section_angle_rad, &SiUnit::ANGLE);
-    let turns = count(u64::from(record.recorded_turns), &writer.about(&Tag::Given("turns that are examined")));
+        writer.with_tag(&Tag::Given("angle of the section")).value_trimmed(record.section_angle_rad, &SiUnit::ANGLE);
+    let turns = count(u64::from(record.recorded_turns), &writer.with_tag(&Tag::Given("turns that are examined")));
     let alternative = format!(
         "Bifurcation diagram: deviation of {name} once a turn, at {angle} of {}, over {}; {turns} turns for each of {} values.",
         record.drive,

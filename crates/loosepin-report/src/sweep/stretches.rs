@@ -35,7 +35,7 @@ pub(super) fn period_words(period: Result<Option<u32>, ()>, writer: &NumberWrite
     match period {
         Ok(Some(1)) => "repeats every turn".to_owned(),
         Ok(Some(turns)) => {
-            let turns = writer.about(&Tag::whole("period", &turns.to_string())).count(u64::from(turns));
+            let turns = writer.with_tag(&Tag::whole("period", &turns.to_string())).count(u64::from(turns));
             format!("repeats every {turns} turns")
         }
         Ok(None) => "does not repeat".to_owned(),
@@ -46,13 +46,13 @@ pub(super) fn period_words(period: Result<Option<u32>, ()>, writer: &NumberWrite
 /// A swept value, by its place.
 pub(super) fn value_words(record: &SweepRecord, place: usize, writer: &NumberWriter) -> String {
     let tag = Tag::whole("swept value", &place.to_string());
-    let value = |value_si: f64| writer.about(&tag).value_trimmed(value_si, &record.unit);
+    let value = |value_si: f64| writer.with_tag(&tag).value_trimmed(value_si, &record.unit);
     record.points.get(place).map_or_else(String::new, |point| value(point.value_si))
 }
 
-/// The kinds of motion in a table; with words on what stands below it on a page.
+/// The kinds of motion in a table, with the caption of a page.
 pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> Section {
-    let before = count(u64::from(record.transient_turns), &writer.about(&Tag::Given("turns of start-up")));
+    let before = count(u64::from(record.transient_turns), &writer.with_tag(&Tag::Given("turns of start-up")));
     let what = format!(
         "A motion that repeats every turn gives one dot above its value, every second turn two dots. A motion that is not periodic gives a \
          cloud. The first {before} turns are not shown."
@@ -65,7 +65,7 @@ pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> 
         vec![
             value_words(record, *first, writer),
             value_words(record, *last, writer),
-            count((last - first + 1) as u64, &writer.about(&values)),
+            count((last - first + 1) as u64, &writer.with_tag(&values)),
             period_words(*period, writer),
         ]
     };
@@ -73,7 +73,7 @@ pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> 
     section.push(Content::Table(Table::new(columns, stretches.iter().take(MAX_ROWS).map(row))));
     let left = stretches.len().saturating_sub(MAX_ROWS);
     if left > 0 {
-        let more = count(left as u64, &writer.about(&Tag::Count("ranges that are not shown")));
+        let more = count(left as u64, &writer.with_tag(&Tag::Count("ranges that are not shown")));
         section.push(Content::Note(Text::from(format!("{more} more in ")).code("sweep.csv").on(Medium::Page, ".")));
     }
     section.push_on(Medium::Page, Content::sentences([what]));

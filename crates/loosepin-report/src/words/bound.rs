@@ -11,8 +11,8 @@ pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Roundin
         Rounding::Up => "upper",
         Rounding::Nearest => "value",
     };
-    let tag = Tag::bound(bound, part).among(writer.tag());
-    let writer = writer.about(&tag);
+    let tag = Tag::bound(bound, part).within(writer.tag());
+    let writer = writer.with_tag(&tag);
     if bound.statistic.is_probability() {
         writer.percent(end.widened_si, rounding)
     } else {
@@ -33,8 +33,8 @@ pub(crate) fn found_value(end: &BoundEnd, bound: &BoundRecord, writer: &NumberWr
 
 /// The larger error of both ends.
 pub(crate) fn bound_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let tag = Tag::bound(bound, "error").among(writer.tag());
-    part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, &writer.about(&tag))
+    let tag = Tag::bound(bound, "error").within(writer.tag());
+    part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, &writer.with_tag(&tag))
 }
 
 fn part(error_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
@@ -58,7 +58,7 @@ pub(crate) fn error_parts(bound: &BoundRecord, writer: &NumberWriter) -> String 
         .filter(|(_, value_si)| *value_si != 0.0)
         .map(|(name, value_si)| {
             let tag = Tag::bound(bound, &format!("error {name}"));
-            format!("{name} {}", part(value_si, bound, &writer.about(&tag)))
+            format!("{name} {}", part(value_si, bound, &writer.with_tag(&tag)))
         })
         .collect();
     words.join(", ")

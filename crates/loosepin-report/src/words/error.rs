@@ -9,7 +9,7 @@ use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoi
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;
-/// Random samples that are advised are so many times as many, at most: beyond it nobody would wait.
+/// Largest multiple of the random samples that is advised: beyond it nobody would wait.
 const MAX_TIMES: f64 = 100.0;
 
 pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> String {
@@ -17,7 +17,7 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
         let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
-        let error = writer.about(&summary.error_tag()).error(error_si, unit);
+        let error = writer.with_tag(&summary.error_tag()).error(error_si, unit);
         let halved = halving_words(result, *summary, writer).unwrap_or_default();
         Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", summary.limit_words()))
     });
@@ -32,8 +32,8 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     };
     if inner > 0 {
         let is_answer = headline.is_some_and(|summary| summary.is_unconfirmed());
-        let some = count(inner as u64, &writer.about(&Tag::Count("unconfirmed bounds")));
-        let all = count(mixed().count() as u64, &writer.about(&Tag::Count("bounds")));
+        let some = count(inner as u64, &writer.with_tag(&Tag::Count("unconfirmed bounds")));
+        let all = count(mixed().count() as u64, &writer.with_tag(&Tag::Count("bounds")));
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "This answer".to_owned(),
             (true, _) => format!("{some} of {all} bounds, this answer included,"),
@@ -56,7 +56,7 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
             (_, 1) => "The only bound has".to_owned(),
             (some, _) => {
                 let [some_words, all] = [(some, "bounds without an end"), (all, "bounds")]
-                    .map(|(number, what)| count(number as u64, &writer.about(&Tag::Count(what))));
+                    .map(|(number, what)| count(number as u64, &writer.with_tag(&Tag::Count(what))));
                 format!("{some_words} of {all} bounds {}", if some == 1 { "has" } else { "have" })
             }
         };
@@ -86,8 +86,8 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
     let more = |times: f64| {
         let inner = ((result.counts.inner as f64 * times).ceil() as u64).next_power_of_two();
         let runs = result.counts.runs as f64 * inner as f64 / result.counts.inner as f64;
-        let inner = count(inner, &writer.about(&Tag::Count("random samples that would halve the error")));
-        let runs = count(two_digits(runs), &writer.about(&Tag::Count("runs that would halve the error")));
+        let inner = count(inner, &writer.with_tag(&Tag::Count("random samples that would halve the error")));
+        let runs = count(two_digits(runs), &writer.with_tag(&Tag::Count("runs that would halve the error")));
         format!("inner = {inner}, about {runs} runs")
     };
     // sampling/sqrt(times) + search = (sampling + search)/2.
@@ -96,7 +96,7 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
         return Some(format!(" More random samples should halve it: {}.", more(times)));
     }
     let part = |part: &str, error_si: f64| {
-        writer.about(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
+        writer.with_tag(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
     };
     let mut words = format!(
         " Of this, {} comes from the search over the unknown values and decreases slowly with more runs (outer)",
@@ -118,7 +118,7 @@ fn two_digits(runs: f64) -> u64 {
     ((runs / unit).ceil() * unit) as u64
 }
 
-/// The bound whose error is told, which end of it, and the error.
+/// The bound whose error is reported, which end of it, and the error.
 fn furthest<'r>(
     result: &'r StudyResult,
     summary: OutputSummary<'r>,

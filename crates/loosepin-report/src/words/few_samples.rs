@@ -11,7 +11,7 @@ pub(crate) fn too_few_samples(result: &StudyResult, quantiles: &[f64], writer: &
     if is_by_surrogate(result) || needed <= result.counts.inner {
         return None;
     }
-    let needed = count(needed.next_power_of_two(), &writer.about(&Tag::Count("random samples needed")));
+    let needed = count(needed.next_power_of_two(), &writer.with_tag(&Tag::Count("random samples needed")));
     Some(format!("too few samples lie beyond a quantile. Increase 'inner' to {needed} or more"))
 }
 

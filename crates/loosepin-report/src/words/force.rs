@@ -1,4 +1,4 @@
-//! What stands beside contact forces: the law, the restitution that it delivers, its limits, and what deep penetrations mean.
+//! Notes on contact forces: the law, the restitution that it delivers, its limits, and the meaning of deep penetrations.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
@@ -17,7 +17,7 @@ const USUAL_FLOOR_M_S: f64 = 1e-3;
 const ESTIMATE_DIGITS: usize = 2;
 
 /// A joint whose forces are shown, whichever record they stand in.
-pub(crate) struct ForcesOf<'a> {
+pub(crate) struct JointForces<'a> {
     joint: &'a str,
     /// The laws with what they rest on; several where a study has a list.
     laws: Vec<(&'a str, &'a ContactBasis)>,
@@ -36,7 +36,7 @@ pub(crate) struct ForcesOf<'a> {
     ends: [&'static str; 2],
 }
 
-impl<'a> ForcesOf<'a> {
+impl<'a> JointForces<'a> {
     pub fn run(joint: &'a JointSummary) -> Self {
         let both = |value: Option<f64>| value.map(|value| [value; 2]);
         Self {
@@ -75,7 +75,7 @@ impl<'a> ForcesOf<'a> {
     }
 
     fn percent(&self, statistic: &str, part: &str, share: f64, writer: &NumberWriter) -> String {
-        writer.about(&self.tag(statistic, part)).percent(share, Rounding::Up)
+        writer.with_tag(&self.tag(statistic, part)).percent(share, Rounding::Up)
     }
 
     /// Each law with what it rests on.
@@ -83,7 +83,7 @@ impl<'a> ForcesOf<'a> {
         self.laws.iter().map(|(law, basis)| law_words(self.joint, law, basis, writer)).collect()
     }
 
-    /// The law, the restitution that it delivers, its limits; nothing in records of older versions.
+    /// The law, the restitution that it delivers, its limits; `None` in records of older versions.
     pub fn sentence(&self, writer: &NumberWriter) -> Option<String> {
         let laws = self.laws(writer);
         if laws.is_empty() {
@@ -106,7 +106,7 @@ impl<'a> ForcesOf<'a> {
             let [least, most] = self.ends;
             let [from, to] = [(from, least), (to, most)].map(|(end, part)| {
                 writer
-                    .about(&self.tag("restitution", &format!("{what}{part}")))
+                    .with_tag(&self.tag("restitution", &format!("{what}{part}")))
                     .shortest((end * 1e4).round() / 1e4, &SiUnit::NONE)
             });
             if from == to { from } else { format!("{from} to {to}") }
@@ -124,7 +124,7 @@ impl<'a> ForcesOf<'a> {
             self.laws.iter().filter_map(|(_, basis)| limit(basis)).min_by(f64::total_cmp)
         };
         let speed = of_all(|basis| basis.largest_valid_speed_m_s).map(|limit_m_s| {
-            let limit = writer.about(&self.tag("validity", "fastest")).rounded(
+            let limit = writer.with_tag(&self.tag("validity", "fastest")).rounded(
                 limit_m_s,
                 &SiUnit::VELOCITY,
                 2,
@@ -141,14 +141,14 @@ impl<'a> ForcesOf<'a> {
         let depth = of_all(|basis| basis.largest_valid_penetration_m).map(|limit_m| {
             format!(
                 "penetrations up to {}",
-                writer.about(&self.tag("validity", "deepest")).rounded(limit_m, &SiUnit::LENGTH, 2, Rounding::Down)
+                writer.with_tag(&self.tag("validity", "deepest")).rounded(limit_m, &SiUnit::LENGTH, 2, Rounding::Down)
             )
         });
         let limits: Vec<String> = [speed, depth].into_iter().flatten().collect();
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
     }
 
-    /// Says where all contacts began below a least impact speed that the model has raised; nothing where it is the usual one.
+    /// Says where all contacts began below a least impact speed that the model has raised; `None` if it is the usual one.
     pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
         let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
         let floor_m_s = floors.min_by(f64::total_cmp).filter(|floor_m_s| *floor_m_s > USUAL_FLOOR_M_S)?;
@@ -158,17 +158,17 @@ impl<'a> ForcesOf<'a> {
         let fastest = self.fastest_m_s.map_or(String::new(), |speed_m_s| {
             format!(
                 " (the fastest at {})",
-                writer.about(&self.tag("impacts", "largest speed")).value(speed_m_s, &SiUnit::VELOCITY)
+                writer.with_tag(&self.tag("impacts", "largest speed")).value(speed_m_s, &SiUnit::VELOCITY)
             )
         });
         Some(format!(
             "In {} no contact began faster than the minimum impact speed of {}{fastest}: all are computed as impacts at this speed, which lose less energy, and none is counted. Use a lower minimum_impact_speed.",
             self.joint,
-            writer.about(&Tag::Given("least impact speed")).value_shortest(floor_m_s, &SiUnit::VELOCITY)
+            writer.with_tag(&Tag::Given("least impact speed")).value_shortest(floor_m_s, &SiUnit::VELOCITY)
         ))
     }
 
-    /// What a penetration beyond a tenth of the clearance means; nothing below.
+    /// Meaning of a penetration beyond a tenth of the clearance; `None` below.
     pub fn warning(&self, writer: &NumberWriter) -> Option<String> {
         let share = Some(self.penetration_share).filter(|share| share.is_finite() && *share > DEEPEST_SHARE)?;
         let reached = format!(
@@ -192,14 +192,14 @@ impl<'a> ForcesOf<'a> {
 }
 
 /// How many contacts began slower than the law can be computed with; `None` if none did.
-pub(crate) fn floored_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
-    let number = || count(contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")));
+pub(crate) fn min_impact_speed_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
+    let number = || count(contacts, &writer.with_tag(&Tag::joint(joint, "impacts", "very slow")));
     (contacts > 0).then(|| format!("{} computed with the smallest impact speed of the law", number()))
 }
 
 fn law_words(joint: &str, law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {
     let tag = Tag::joint(joint, "bearing length", "");
-    let writer = writer.about(&tag);
+    let writer = writer.with_tag(&tag);
     let default = if basis.is_law_named { "" } else { " by default" };
     let length = |length_m: f64| writer.value_trimmed(length_m, &SiUnit::LENGTH);
     match basis.shape {
@@ -218,12 +218,12 @@ fn law_words(joint: &str, law: &str, basis: &ContactBasis, writer: &NumberWriter
 fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter) -> String {
     let LongPinForce { law, length_m, is_length_given, force_n } = long_pin;
     let length =
-        writer.about(&Tag::joint(joint, "length of a line contact", "")).value_trimmed(*length_m, &SiUnit::LENGTH);
+        writer.with_tag(&Tag::joint(joint, "length of a line contact", "")).value_trimmed(*length_m, &SiUnit::LENGTH);
     let over = if *is_length_given { length } else { format!("{length}, its diameter,") };
     match force_n {
         Some(force_n) => format!(
             "As a line contact over {over} the same impact energy gives about {} ({law}).",
-            writer.about(&Tag::joint(joint, "normal force", "as a line contact")).rounded(
+            writer.with_tag(&Tag::joint(joint, "normal force", "as a line contact")).rounded(
                 *force_n,
                 &SiUnit::FORCE,
                 ESTIMATE_DIGITS,
@@ -236,7 +236,7 @@ fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter
 
 /// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
 pub(crate) fn run_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
-    let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(ForcesOf::run);
+    let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run);
     joints.flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
 }
 
@@ -245,5 +245,5 @@ pub(crate) fn study_sentences(result: &StudyResult, writer: &NumberWriter) -> Ve
     let is_asked = |joint: &&JointImpacts| {
         result.outputs.iter().any(|output| output.contact_force_in.as_ref() == Some(&joint.joint))
     };
-    result.impacts.iter().filter(is_asked).filter_map(|joint| ForcesOf::study(joint).sentence(writer)).collect()
+    result.impacts.iter().filter(is_asked).filter_map(|joint| JointForces::study(joint).sentence(writer)).collect()
 }

@@ -15,7 +15,7 @@ use loosepin_text::units::SiUnit;
 /// The run that sentences speak of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TrustedRun<'r> {
-    /// What is known about it.
+    /// Its trust.
     pub trust: &'r Trust,
     /// The subject of the sentences: `Positions`, with what run they are of where that is not clear.
     pub subject: &'r str,
@@ -30,7 +30,7 @@ fn trust_tag(statistic: &str, part: &str) -> Tag {
 }
 
 impl TrustedRun<'_> {
-    /// How long its positions can be trusted; nothing where they are not integrated.
+    /// How long its positions can be trusted; empty if they are not integrated.
     pub fn sentences(&self, writer: &NumberWriter) -> Vec<String> {
         match self.trust {
             Trust::Solved => Vec::new(),
@@ -41,12 +41,12 @@ impl TrustedRun<'_> {
 
     fn measured_sentences(&self, measured: &MeasuredTrust, writer: &NumberWriter) -> Vec<String> {
         let length = |length_m: f64| {
-            writer.about(&trust_tag("whole run", "length")).rounded(length_m, &SiUnit::LENGTH, 1, Rounding::Up)
+            writer.with_tag(&trust_tag("whole run", "length")).rounded(length_m, &SiUnit::LENGTH, 1, Rounding::Up)
         };
         let whole = measured.whole_m.map(|whole_m| format!("to {} until the end of the run", length(whole_m)));
         let until = |horizon: &TrustHorizon| {
             let length =
-                writer.about(&Tag::Given("length of a horizon")).value_trimmed(horizon.length_m, &SiUnit::LENGTH);
+                writer.with_tag(&Tag::Given("length of a horizon")).value_trimmed(horizon.length_m, &SiUnit::LENGTH);
             match horizon.until_s {
                 Some(until_s) => {
                     format!("to {length} until {}", self.instant(horizon.length_m, until_s, horizon.turns, writer))
@@ -62,7 +62,7 @@ impl TrustedRun<'_> {
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
                 "Nothing is known about positions after {}: the second run that measures this did not finish ({failure}).",
-                writer.about(&trust_tag("second run", "end")).rounded(last_s, &SiUnit::TIME, 4, Rounding::Down)
+                writer.with_tag(&trust_tag("second run", "end")).rounded(last_s, &SiUnit::TIME, 4, Rounding::Down)
             )),
             (Some(failure), None) => sentences.push(format!(
                 "Nothing is known about positions: the second run that measures this did not start ({failure})."
@@ -79,10 +79,10 @@ impl TrustedRun<'_> {
 
     fn instant(&self, length_m: f64, until_s: f64, turns: Option<f64>, writer: &NumberWriter) -> String {
         let tag = |part: &str| trust_tag("horizon", part).at(&length_m.to_string());
-        let time = writer.about(&tag("time")).rounded(until_s, &SiUnit::TIME, 4, Rounding::Down);
+        let time = writer.with_tag(&tag("time")).rounded(until_s, &SiUnit::TIME, 4, Rounding::Down);
         let Some(turns) = turns else { return time };
         let recorded = if self.has_start_up { "recorded " } else { "" };
-        let turns = writer.about(&tag("turns")).rounded(turns, &SiUnit::NONE, 2, Rounding::Down);
+        let turns = writer.with_tag(&tag("turns")).rounded(turns, &SiUnit::NONE, 2, Rounding::Down);
         format!("{time} ({turns} {recorded}{}s)", turn_word(self.drive_speed_rad_s))
     }
 
@@ -93,12 +93,13 @@ impl TrustedRun<'_> {
             Trust::NotMeasured => "not measured: there was no second run".to_owned(),
             Trust::Measured(measured) => {
                 let given = Tag::Given("tolerance of the second run");
-                let tolerance = writer.about(&given).value_shortest(measured.tolerance_m, &SiUnit::LENGTH);
+                let tolerance = writer.with_tag(&given).value_shortest(measured.tolerance_m, &SiUnit::LENGTH);
                 let evaluations = measured.evaluations.map_or(String::new(), |evaluations| {
-                    let number = count(evaluations, &writer.about(&Tag::Count("evaluations of the second run")));
+                    let number = count(evaluations, &writer.with_tag(&Tag::Count("evaluations of the second run")));
                     format!(", {number} evaluations of the equations of motion")
                 });
-                let share = writer.about(&Tag::Given("share of a horizon")).percent(measured.share, Rounding::Nearest);
+                let share =
+                    writer.with_tag(&Tag::Given("share of a horizon")).percent(measured.share, Rounding::Nearest);
                 format!(
                     "measured by a second run: {}, tolerance {tolerance}{evaluations}. A position counts as correct within a length while the two runs differ by at most {share} of this length",
                     measured.method
@@ -108,14 +109,16 @@ impl TrustedRun<'_> {
         Fact::new("Accuracy of positions", [words])
     }
 
-    /// The section of the page; nothing where nothing was measured.
+    /// The section of the page; `None` if nothing was measured.
     pub fn section(&self, writer: &NumberWriter) -> Option<Markup> {
         /// Tolerances between which the statistics of the reference study were held against each other, m (`docs/theory/time.md`).
         const COARSEST_M: f64 = 1e-6;
         const FINEST_M: f64 = 1e-10;
         let Trust::Measured(measured) = self.trust else { return None };
         let tolerance = |tolerance_m: f64| {
-            writer.about(&Tag::Given("tolerance of the reference study")).value_shortest(tolerance_m, &SiUnit::LENGTH)
+            writer
+                .with_tag(&Tag::Given("tolerance of the reference study"))
+                .value_shortest(tolerance_m, &SiUnit::LENGTH)
         };
         Some(html! {
             @for sentence in self.sentences(writer) { p { (sentence) } }
@@ -132,7 +135,7 @@ impl TrustedRun<'_> {
     }
 }
 
-/// The run of a study with nominal dimensions, in a sentence and why its statistics do not need it; nothing where nothing was measured, or
+/// The run of a study with nominal dimensions, in a sentence and why its statistics do not need it; empty if nothing was measured, or
 /// where positions are not integrated.
 pub(crate) fn nominal_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     if !matches!(result.nominal_trust, Trust::Measured(_)) {

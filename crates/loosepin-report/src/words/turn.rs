@@ -5,16 +5,16 @@ use crate::numbers::tag::Tag;
 use crate::words::wording::{count, counted, deviation_of, listed, output_unit, output_words};
 use loosepin_result::study::{Deviation, FurtherOutput, FurtherTurns, Reduction, RequirementOutcome, StudyResult};
 
-/// Outputs that are told; all of them are in the files.
+/// Outputs that are shown; all of them are in the files.
 const MAX_TOLD: usize = 3;
 /// Digits of what later turns add.
 const DIGITS: usize = 2;
 
-/// That motions differ from turn to turn, and what that does; nothing where all repeat themselves.
+/// That motions differ from turn to turn, and what that does; `None` if all repeat themselves.
 pub(crate) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
     let share = result.settled_share.filter(|share| *share < 1.0)?;
     let finished = result.counts.runs - result.counts.failed;
-    let runs = share_of_runs(1.0 - share, finished, &writer.about(&Tag::whole("settled", "not")));
+    let runs = share_of_runs(1.0 - share, finished, &writer.with_tag(&Tag::whole("settled", "not")));
     let first = format!("In {runs} the motion does not repeat itself from turn to turn");
     Some(match &result.further_turns {
         None => format!(
@@ -28,8 +28,8 @@ pub(crate) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Opt
 
 /// "64 of these runs were continued for 5 turns. They exceed the largest deviation of slider by 0.03 mm on average and 0.1 mm at most."
 fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
-    let turns = counted(u64::from(further.turns), "turn", &writer.about(&Tag::Given("further turns")));
-    let runs = count(further.runs, &writer.about(&Tag::Count("continued runs")));
+    let turns = counted(u64::from(further.turns), "turn", &writer.with_tag(&Tag::Given("further turns")));
+    let runs = count(further.runs, &writer.with_tag(&Tag::Count("continued runs")));
     let mut told: Vec<&FurtherOutput> = Vec::new();
     // Parts of a deviation are in the files.
     let (whole, parts): (Vec<_>, Vec<_>) =
@@ -50,7 +50,7 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
             return format!("{do_not} exceed {what}");
         }
         let of = |part: &str, value_si: f64, rounding| {
-            writer.about(&Tag::further_turns(one, part)).rounded(value_si, &unit, DIGITS, rounding)
+            writer.with_tag(&Tag::further_turns(one, part)).rounded(value_si, &unit, DIGITS, rounding)
         };
         format!(
             "{exceed} {what} by {} on average and {} at most",
@@ -82,8 +82,8 @@ fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
         let tag = Tag::requirement(requirement, "broken later");
         let (who, leaves) = match (*broken)? {
             0 => ("None".to_owned(), "leaves"),
-            1 => (writer.about(&tag).count(1), "leaves"),
-            more => (writer.about(&tag).count(more), "leave"),
+            1 => (writer.with_tag(&tag).count(1), "leaves"),
+            more => (writer.with_tag(&tag).count(more), "leave"),
         };
         Some(format!(" {who} of them {leaves} the limit of {} only in these turns.", requirement.output))
     };
@@ -98,9 +98,9 @@ pub(crate) fn share_of_runs(share: f64, runs: u64, writer: &NumberWriter) -> Str
         return "all runs".to_owned();
     }
     if share < NEAR_AN_END || 1.0 - share < NEAR_AN_END {
-        let of = counted(runs, "run", &writer.about(&Tag::Count("finished runs")));
+        let of = counted(runs, "run", &writer.with_tag(&Tag::Count("finished runs")));
         let tag = writer.tag().map(|tag| tag.part("runs"));
-        return format!("{} of the {of}", count(counted_runs, &writer.about_maybe(tag.as_ref())));
+        return format!("{} of the {of}", count(counted_runs, &writer.with_optional_tag(tag.as_ref())));
     }
     format!("{} of the runs", writer.percent(share, Rounding::Nearest))
 }

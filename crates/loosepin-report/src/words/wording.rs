@@ -31,7 +31,7 @@ pub(crate) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
     match at {
         ResponsePoint::Whole => "over the whole cycle".to_owned(),
         ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
-            format!("at {}", writer.about(&Tag::Given("pose")).value_trimmed(pose_rad, &SiUnit::ANGLE))
+            format!("at {}", writer.with_tag(&Tag::Given("pose")).value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest value in the cycle",
@@ -46,7 +46,7 @@ pub(crate) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
 }
 
 pub(crate) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &NumberWriter) -> String {
-    let writer = writer.about(&Tag::Given("parameter of a statistic"));
+    let writer = writer.with_tag(&Tag::Given("parameter of a statistic"));
     let description = statistic.description();
     let number = description.number.zip(statistic.parameter()).map(|(number, value)| match number.kind {
         NumberKind::Share => writer.percent(value, Rounding::Nearest),
@@ -58,7 +58,7 @@ pub(crate) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &Numb
 /// Digits of the width of a band.
 pub(crate) const WIDTH_DIGITS: usize = 3;
 
-/// Digits of the ends of bands, so many that the least of the widths can be told from them.
+/// Digits of the ends of bands that resolve the least of their widths.
 pub(crate) fn band_digits(comparison: &TreatmentComparison) -> usize {
     let ends = comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
     let largest = ends.map(f64::abs).filter(|end| end.is_finite()).fold(0.0, f64::max);
@@ -77,7 +77,7 @@ pub(crate) fn treatment_words(treatment: Treatment) -> &'static str {
 
 /// "93 % to 100 %": the share inside a band, over the epistemic inputs.
 pub(crate) fn share_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
-    writer.about(&Tag::band(comparison, band, "share")).percent_range(band.least_share(), band.coverage_maximum)
+    writer.with_tag(&Tag::band(comparison, band, "share")).percent_range(band.least_share(), band.coverage_maximum)
 }
 
 /// Whether the errors of the ends of bands are known.
@@ -88,7 +88,7 @@ pub(crate) fn has_errors(comparison: &TreatmentComparison) -> bool {
 /// The larger numerical error of the ends of a band.
 pub(crate) fn band_error(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let tag = Tag::band(comparison, band, "error");
-    band.error_si().map_or_else(String::new, |error| writer.about(&tag).error(error, &comparison.unit))
+    band.error_si().map_or_else(String::new, |error| writer.with_tag(&tag).error(error, &comparison.unit))
 }
 
 /// Whether a band holds what it promises, in a word.
@@ -119,7 +119,7 @@ pub(crate) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> Strin
 }
 
 pub(crate) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> String {
-    let writer = writer.about(&Tag::Given("confidence"));
+    let writer = writer.with_tag(&Tag::Given("confidence"));
     match guarantee {
         Guarantee::Enclosure => "proven, rounding errors included".to_owned(),
         Guarantee::Optimised => "found by a search over the intervals, not proven".to_owned(),
@@ -143,10 +143,8 @@ pub fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Name of the unknown (epistemic) inputs: "interval inputs" if all are intervals, "unknown inputs" otherwise.
-pub(crate) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
-    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
-}
+/// Name of the unknown (epistemic) inputs.
+pub(crate) const UNKNOWN_INPUTS: &str = "unknown inputs";
 
 /// Whether anything is known as an interval, a list or so.
 pub(crate) fn has_unknown(inputs: &[InputDescription]) -> bool {
@@ -267,19 +265,19 @@ pub(crate) fn failed_words(promise: &PromiseRecord, failed: u64, writer: &Number
     format!("{} of the {tried} values that were tried", count(failed, writer))
 }
 
-/// Where the bounds are that no table shows, for all `count` are points of curves; nothing where there are none.
+/// Place of the bounds if all `count` of them are points of curves and no table shows them; `None` if there are none.
 pub(crate) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
     (count > 0).then(|| {
         format!(
             "All bounds are points of curves: {} in bounds.csv. For one number over the whole cycle, use 'reduce' in the question.",
-            counted(count as u64, "row", &writer.about(&Tag::Count("points of curves")))
+            counted(count as u64, "row", &writer.with_tag(&Tag::Count("points of curves")))
         )
     })
 }
 
 /// `3 more bounds are in `, `1 more bound is in `; `which` stands behind the noun, with a space at its end; `tag`: what is counted.
 pub(crate) fn further(others: usize, singular: &str, which: &str, tag: &Tag, writer: &NumberWriter) -> String {
-    let number = count(others as u64, &writer.about(tag));
+    let number = count(others as u64, &writer.with_tag(tag));
     match others {
         1 => format!("{number} more {singular} {which}is in "),
         _ => format!("{number} more {singular}s {which}are in "),

@@ -26,14 +26,14 @@ pub struct ControlHistory {
     #[serde(with = "extended")]
     pub effort_si: Vec<f64>,
     /// Swings of the error that do not die out although the reference rests; absent where there are none.
-    pub swing: Option<Swing>,
+    pub swing: Option<ErrorOscillation>,
 }
 
 /// Swings of an error about its mean over the second half of the recorded part.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Swing {
-    /// Whether they stay as they are.
-    pub course: SwingCourse,
+pub struct ErrorOscillation {
+    /// Whether the oscillation is steady or grows.
+    pub course: OscillationTrend,
     /// Half the range of the error over a swing: the mean of all, or of the last ones where they grow.
     #[serde(with = "extended")]
     pub amplitude_si: f64,
@@ -47,10 +47,10 @@ pub struct Swing {
     pub swings: usize,
 }
 
-/// How swings go on.
+/// Trend of an oscillation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum SwingCourse {
+pub enum OscillationTrend {
     /// As wide at the end as at the beginning: a limit cycle.
     Steady,
     /// Wider and wider.

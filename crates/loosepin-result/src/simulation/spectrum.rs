@@ -3,16 +3,16 @@
 use super::SimulationRecord;
 use std::f64::consts::TAU;
 
-/// Turns that a spectrum looks at, the last ones: orders are told apart by one over their number.
+/// Largest number of turns of a spectrum, the last ones: the resolution of orders is one over their number.
 const MAX_TURNS: usize = 8;
 /// The highest order.
 const HIGHEST_ORDER: usize = 60;
-/// Of the angle between two samples.
+/// Round-off of the angle between two samples.
 const ROUND_OFF: f64 = 1e-9;
 /// A history that ends further from its start than this share of its range runs away, as the angle of a shaft does.
 const RUNS_AWAY: f64 = 0.5;
 
-/// What oscillates in a history, by orders of the drive: waves a turn.
+/// Oscillations in a history, by orders of the drive: waves a turn.
 ///
 /// With N samples x_k of n whole turns, the mean is x̄ = Σ x_k/N and the amplitude of the order h = j/n
 ///
@@ -26,7 +26,7 @@ const RUNS_AWAY: f64 = 0.5;
 pub struct Spectrum {
     /// Orders h > 0, increasing: waves a turn.
     pub orders: Vec<f64>,
-    /// Their amplitudes, in the unit of the history.
+    /// Amplitudes of the orders, in the unit of the history.
     pub amplitudes_si: Vec<f64>,
     /// The mean x̄.
     pub mean_si: f64,
@@ -92,7 +92,7 @@ impl SimulationRecord {
 }
 
 impl Spectrum {
-    /// The orders with the largest amplitudes, the largest first; none that is below a hundredth of the largest.
+    /// The orders with the largest amplitudes, the largest first; only those above a hundredth of the largest.
     pub fn dominant(&self, most: usize) -> Vec<(f64, f64)> {
         const MIN_SHARE: f64 = 0.01;
         let mut all: Vec<(f64, f64)> = self.orders.iter().copied().zip(self.amplitudes_si.iter().copied()).collect();

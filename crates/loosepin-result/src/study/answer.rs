@@ -3,12 +3,12 @@
 use loosepin_text::units::{SiUnit, extended};
 use serde::{Deserialize, Serialize};
 
-/// What a question answers.
+/// Answer to a question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuestionAnswer {
     /// The key of its table in a study file.
     pub question: String,
-    /// What it asks, as a heading.
+    /// The question, as a heading.
     pub heading: String,
     /// The answer, sentence by sentence.
     pub sentences: Vec<Vec<AnswerPart>>,
@@ -46,7 +46,7 @@ impl QuestionAnswer {
     }
 
     /// Adds a sentence.
-    pub fn say(&mut self, parts: impl IntoIterator<Item = AnswerPart>) {
+    pub fn add_sentence(&mut self, parts: impl IntoIterator<Item = AnswerPart>) {
         self.sentences.push(parts.into_iter().collect());
     }
 }
@@ -84,7 +84,7 @@ mod tests {
     fn an_answer_is_written_and_read_back() {
         let mut answer = QuestionAnswer::new("check_steps", "How near the steps come");
         let largest = AnswerPart::quantity("largest change", f64::INFINITY, SiUnit::LENGTH);
-        answer.say([
+        answer.add_sentence([
             "Of ".into(),
             AnswerPart::count("runs", 3),
             " runs the largest change is ".into(),

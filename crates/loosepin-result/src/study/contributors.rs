@@ -1,4 +1,4 @@
-//! What contributes to the width of a band: random inputs by Sobol' indices, epistemic ones by pinching.
+//! Contributions to the width of a band: random inputs by Sobol' indices, epistemic ones by pinching.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub struct Contributors {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle.
+    /// Place in the cycle.
     pub at: ResponsePoint,
     /// Unit of the output.
     pub unit: SiUnit,
@@ -71,7 +71,7 @@ pub struct RandomContributor {
     /// variance that is left.
     #[serde(with = "extended")]
     pub band_share: f64,
-    /// Its share of the variance by the quasi-static answer without play, linear; none where there is no such answer.
+    /// Its share of the variance by the quasi-static answer without play, linear; `None` if there is no such answer.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
 }
@@ -88,7 +88,7 @@ pub struct EpistemicContributor {
     /// Error of both, by the model of the quantiles.
     #[serde(with = "extended")]
     pub error: f64,
-    /// The share of its joint in the quasi-static worst case of all clearances; none for what is no clearance.
+    /// The share of its joint in the quasi-static worst case of all clearances; `None` for what is no clearance.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! What a study knows before it is finished.
+//! Intermediate results of a study.
 
 use super::{BoundRecord, CurveRange, Deviation, RequirementOutcome, Verdict};
 use loosepin_text::units::{DisplayUnits, SiUnit};
@@ -9,7 +9,7 @@ use loosepin_text::units::{DisplayUnits, SiUnit};
 pub struct Draft {
     /// Runs that these bounds come from.
     pub runs: usize,
-    /// Those asked for of single numbers: of extremes and means of a cycle, not of curves.
+    /// Bounds of single numbers that are asked for: of extremes and means of a cycle, not of curves.
     pub bounds: Vec<BoundRecord>,
     /// The requirements over a whole cycle.
     pub requirements: Vec<RequirementOutcome>,
@@ -41,7 +41,7 @@ pub struct DraftCurve {
 }
 
 impl Draft {
-    /// The worst of the verdicts so far; nothing without requirements.
+    /// The worst of the verdicts so far; `None` without requirements.
     pub fn verdict(&self) -> Option<Verdict> {
         Verdict::of_all(self.requirements.iter().map(|requirement| requirement.verdict))
     }

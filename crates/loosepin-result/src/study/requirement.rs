@@ -15,7 +15,7 @@ pub struct RequirementOutcome {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle: `whole` means everywhere.
+    /// Place in the cycle: `whole` means everywhere.
     pub at: ResponsePoint,
     /// Least allowed value; minus infinity where there is none.
     #[serde(with = "extended")]
@@ -37,7 +37,7 @@ pub struct RequirementOutcome {
     /// Values of the epistemic inputs at which a run failed, so that this promise states nothing.
     #[serde(default, skip_serializing_if = "is_zero_count")]
     pub failed_values: u64,
-    /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
+    /// Mechanisms that were counted at the witness; `None` if the share is no count at one value of the epistemic inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountedMechanisms>,
     /// The verdict.
@@ -49,7 +49,7 @@ pub struct RequirementOutcome {
 pub struct CountedMechanisms {
     /// All of them.
     pub mechanisms: u64,
-    /// Those that break the limit, failed runs among them.
+    /// Mechanisms that break the limit, failed runs among them.
     pub outside: u64,
     /// Error of the share outside, from the finite number of mechanisms.
     #[serde(with = "extended")]

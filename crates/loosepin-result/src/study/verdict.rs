@@ -12,11 +12,11 @@ pub enum Verdict {
     Promised,
     /// Not met for at least one value, numerical error included.
     NotMet,
-    /// The numerical error reaches over the limit, or nothing is known of the share: more runs decide.
+    /// The numerical error reaches over the limit, or the share is unknown: more runs decide.
     Undecided,
 }
 
-/// Share of mechanisms that keep a limit, as far as it is known.
+/// Bounds of the share of mechanisms that keep a limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KnownShare {
     /// The least over the epistemic inputs, numerical error taken off.
@@ -26,7 +26,7 @@ pub struct KnownShare {
 }
 
 impl KnownShare {
-    /// Nothing is known.
+    /// An unknown share.
     pub const NOTHING: Self = Self { least: 0.0, seen: 1.0 };
 }
 
@@ -42,7 +42,7 @@ impl Verdict {
         }
     }
 
-    /// Verdict of a requirement that a promise decides, where the search has come to this one. A value at which it is not met stays one.
+    /// Verdict of a requirement that a promise decides, once the search has reached this one. A value at which it is not met stays one.
     #[must_use]
     pub fn by_promise(self, is_promised: bool) -> Self {
         match (self, is_promised) {
@@ -52,7 +52,7 @@ impl Verdict {
         }
     }
 
-    /// Verdict over several requirements: the worst of them; nothing where nothing is required.
+    /// Verdict over several requirements: the worst of them; `None` if nothing is required.
     pub fn of_all(verdicts: impl IntoIterator<Item = Self>) -> Option<Self> {
         let rank = |verdict: &Self| match verdict {
             Self::Met => 0,

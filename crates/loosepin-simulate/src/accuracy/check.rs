@@ -5,7 +5,7 @@ use super::loops::DisplacedLoops;
 use super::overhang::overhanging;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
-use super::worst_case::{FoundWorstCase, found_worst_case, starts_on_borders};
+use super::worst_case::{WorstCaseExtremes, starts_on_borders, worst_case_extremes};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::Values;
@@ -117,7 +117,7 @@ pub fn check_quasi_static(
 struct Compared<'r> {
     output: PositionOutput,
     deviation_si: &'r [f64],
-    /// Where the extremes were at the sample before: the best starts for the next.
+    /// Extremes at the sample before: the best starts for the next.
     starts: Vec<Vec<Vec2<f64>>>,
     share: QuasiStaticShare,
 }
@@ -170,17 +170,17 @@ impl<'r> Compared<'r> {
         tolerance_si: f64,
     ) {
         let deviation_si = self.deviation_si[row];
-        let mut found = found_worst_case(loops, self.output.reading, reaches, &self.starts);
-        let is_beyond = |found: &FoundWorstCase| {
+        let mut found = worst_case_extremes(loops, self.output.reading, reaches, &self.starts);
+        let is_beyond = |found: &WorstCaseExtremes| {
             deviation_si < found.lowest.deviation_si - tolerance_si
                 || found.highest.deviation_si + tolerance_si < deviation_si
         };
         if is_beyond(&found) {
             // Another extreme may lie further out: the search is done again from more places.
             self.starts.extend(starts_on_borders(reaches));
-            found = found_worst_case(loops, self.output.reading, reaches, &self.starts);
+            found = worst_case_extremes(loops, self.output.reading, reaches, &self.starts);
         }
-        let FoundWorstCase { lowest, highest, is_blocked } = found;
+        let WorstCaseExtremes { lowest, highest, is_blocked } = found;
         if is_blocked {
             self.leave_out();
             return;

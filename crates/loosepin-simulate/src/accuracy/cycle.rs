@@ -160,7 +160,7 @@ impl Walk<'_> {
 
     /// Error where branches cross, with the ways on.
     fn crossing_words(&self, state: &IdealMotion<'_>) -> String {
-        let Some(ways) = state.ways_on() else { return CROSSING_WORDS.to_owned() };
+        let Some(ways) = state.motion_branches() else { return CROSSING_WORDS.to_owned() };
         let link = &self.mechanism.ideal.links[ways.slot - 1];
         let [faster, slower] =
             ways.angular_velocities_rad_s.map(|speed| format_value(speed, Dimension::ANGULAR_VELOCITY));

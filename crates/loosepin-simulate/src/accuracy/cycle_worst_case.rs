@@ -1,6 +1,6 @@
 //! The worst cases of a cycle, put into the record of its motion.
 
-use super::part::PartKind;
+use super::accuracy_output::AccuracyOutputKind;
 use super::play_reach::PlayReach;
 use super::worst_case::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
@@ -19,33 +19,33 @@ pub(super) struct WalkedCycle<'c, 'a> {
     pub drive_angle_rad: &'c [f64],
     pub reaches: &'c [PlayReach],
     pub readings: &'c [Position],
-    pub parts: &'c [PartKind],
+    pub parts: &'c [AccuracyOutputKind],
     /// Velocities of the positions at each state.
     pub velocities: Vec<Vec<f64>>,
     /// The joint of which the block may overhang its guide, at each state.
     pub overhanging: Vec<Option<String>>,
 }
 
-/// What the record says of proofs.
-pub(super) struct Proofs {
+/// Coverage of the proofs in the record.
+pub(super) struct ProofCoverage {
     pub unproven_spans: Vec<UnprovenSpan>,
     pub is_between_angles: bool,
 }
 
-/// Puts the worst cases into `outputs`, until `is_stopped`; nothing then.
+/// Puts the worst cases into `outputs`, until `is_stopped`; `None` if it was stopped.
 pub(super) fn add_worst_cases(
     cycle: &WalkedCycle<'_, '_>,
     outputs: &mut [OutputMotion],
     is_stopped: &dyn Fn() -> bool,
-) -> Option<Proofs> {
+) -> Option<ProofCoverage> {
     let weighted: Vec<WeightedOutput> = cycle
         .parts
         .iter()
         .map(|part| WeightedOutput {
             weights: cycle.velocities.iter().map(|velocities| part.weights(velocities)).collect(),
             path: match *part {
-                PartKind::Position(_) => None,
-                PartKind::Along(coordinates) | PartKind::Normal(coordinates) => Some(coordinates),
+                AccuracyOutputKind::Position(_) => None,
+                AccuracyOutputKind::Along(coordinates) | AccuracyOutputKind::Normal(coordinates) => Some(coordinates),
             },
         })
         .collect();
@@ -82,7 +82,7 @@ pub(super) fn add_worst_cases(
         answer.witness =
             witness(cycle, answer, |row, side| found(row, side).displacements.iter().map(|e| [e.x, e.y]).collect());
     }
-    Some(Proofs { unproven_spans: spans(cycle.drive_angle_rad, &reasons), is_between_angles })
+    Some(ProofCoverage { unproven_spans: spans(cycle.drive_angle_rad, &reasons), is_between_angles })
 }
 
 /// Half of the longest way of each drive from one position to the next, where all run at constant speed.
@@ -97,7 +97,7 @@ pub(super) fn driven_steps(
     drives.map(|drive| sample.drives.constant_speed(*drive).map(|speed| speed * half_s)).collect()
 }
 
-/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; nothing where ends are.
+/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; `None` if ends are.
 pub(super) fn why_unproven(
     mechanism: &Mechanism,
     coordinate: Option<usize>,

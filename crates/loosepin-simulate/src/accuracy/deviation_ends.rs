@@ -20,7 +20,7 @@ use std::sync::atomic::AtomicBool;
 pub struct DimensionLimit {
     /// The quantity; one that can be set.
     pub quantity: QuantityId,
-    /// By how much at most, either way, SI.
+    /// Largest deviation, either way, SI.
     pub most_si: f64,
 }
 
@@ -29,7 +29,7 @@ pub struct DimensionLimit {
 pub struct DeviationQuestion {
     /// The position.
     pub reading: Position,
-    /// Which deviation of it; of the value itself the position, not what it is away from another.
+    /// Kind of deviation; for the value itself the position, not its distance from another.
     pub of: Deviation,
 }
 
@@ -150,7 +150,7 @@ impl Asked<'_, '_> {
         bends.then(|| format!("an expression of the model is not linear in {path}"))
     }
 
-    /// The numbers of the model with quantities moved; nothing where a rule forbids them.
+    /// The numbers of the model with quantities moved; `None` if a rule forbids them.
     fn with_dimensions(&self, moved: &[(QuantityId, f64)]) -> Option<Values> {
         let table = &self.mechanism.model.quantities;
         let mut set: Vec<(QuantityId, f64)> =

@@ -1,7 +1,7 @@
 //! Why there is no quasi-static answer.
 
 use loosepin_mechanics::mechanism::SampleError;
-use loosepin_mechanics::mechanism::constraints::Opening;
+use loosepin_mechanics::mechanism::constraints::LargestResidual;
 use loosepin_mechanics::model::QuantityError;
 use thiserror::Error;
 
@@ -49,7 +49,7 @@ pub enum AccuracyError {
     #[error("the links cannot close when the journals are displaced within their clearances: {open}")]
     CannotCloseWithPlay {
         /// The constraint that stays open furthest.
-        open: Opening,
+        open: LargestResidual,
     },
     /// Journals displaced within their clearances bring the mechanism into a singular position.
     #[error("there is a singular position within the clearances, where the drives no longer determine the motion")]

@@ -3,7 +3,7 @@
 use super::error::AccuracyError;
 use super::play_reach::PlayReach;
 use loosepin_math::{Dual, Vec2, determinant, solve_square};
-use loosepin_mechanics::mechanism::constraints::{self, Opening};
+use loosepin_mechanics::mechanism::constraints::{self, LargestResidual};
 use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, point_m};
 use loosepin_mechanics::model::{PointId, Position, Values};
 
@@ -330,7 +330,7 @@ impl<'a> DisplacedLoops<'a> {
 
     fn cannot_close(&self) -> AccuracyError {
         let tree = &self.mechanism.ideal;
-        let open = Opening::worst(&self.mechanism.model, tree, &self.residuals);
+        let open = LargestResidual::worst(&self.mechanism.model, tree, &self.residuals);
         AccuracyError::CannotCloseWithPlay { open }
     }
 }

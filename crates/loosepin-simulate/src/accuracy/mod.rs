@@ -3,6 +3,7 @@
 //! To first order in the clearances a journal at eccentricity e_k moves an output by g_k·e_k; g_k comes from the loop
 //! equations by the implicit function theorem on dual numbers. The same way gives the effect of every dimension.
 
+mod accuracy_output;
 mod check;
 mod cycle;
 mod cycle_worst_case;
@@ -14,7 +15,6 @@ mod error;
 mod loops;
 mod motion;
 mod overhang;
-mod part;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;
@@ -34,6 +34,6 @@ pub use play_reach::PlayReach;
 pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};
 pub use worst_case::{
-    FoundWorstCase, WorstPosition, disc_standard_deviation_si, first_order_si, found_worst_case,
-    rim_standard_deviation_si, starts_on_borders,
+    WorstCaseExtremes, WorstPosition, disc_standard_deviation_si, first_order_si, rim_standard_deviation_si,
+    starts_on_borders, worst_case_extremes,
 };

@@ -1,5 +1,6 @@
 //! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
 
+use super::accuracy_output::{AccuracyOutput, AccuracyOutputKind};
 use super::cycle::Cycle;
 use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
@@ -7,7 +8,6 @@ use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::overhang::{Overhangs, overhanging};
-use super::part::{Part, PartKind};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
@@ -34,7 +34,7 @@ pub struct MotionPlan {
     pub positions: usize,
     /// Dimensions that scatter; empty without a study.
     pub scatter: Vec<Scatter>,
-    /// Those of them that do not scatter independently of each other.
+    /// Correlations of dimensions that do not scatter independently of each other.
     pub correlations: Vec<ScatterCorrelation>,
     /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
@@ -229,7 +229,7 @@ struct Recorder<'a> {
     loops: DisplacedLoops<'a>,
     readings: Vec<Position>,
     /// What each of the outputs is.
-    parts: Vec<PartKind>,
+    parts: Vec<AccuracyOutputKind>,
     reaches: Vec<PlayReach>,
     input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
@@ -263,7 +263,7 @@ impl<'a> Recorder<'a> {
             })
             .collect();
         let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
-        let parts = Part::all(outputs, speeds);
+        let parts = AccuracyOutput::all(outputs, speeds);
         let motions = parts.iter().map(|output| OutputMotion {
             name: output.name.clone(),
             words: output.words.clone(),
@@ -298,7 +298,7 @@ impl<'a> Recorder<'a> {
         let weights: Vec<Vec<(usize, f64)>> = self.parts.iter().map(|part| part.weights(&velocities)).collect();
         for ((output, part), weights) in self.outputs.iter_mut().zip(&self.parts).zip(&weights) {
             // The ideal motion has no error.
-            if let PartKind::Position(place) = *part {
+            if let AccuracyOutputKind::Position(place) = *part {
                 output.value_si.push(self.loops.value(self.readings[place]));
                 output.velocity_si.push(jets[place][1]);
                 output.acceleration_si.push(jets[place][2]);

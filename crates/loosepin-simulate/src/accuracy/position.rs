@@ -17,12 +17,12 @@ pub struct PositionOutput {
     /// The quantity that is read.
     pub reading: Position,
     /// The path that it is a coordinate of.
-    pub path: Option<PathOf>,
+    pub path: Option<ModelPath>,
 }
 
 /// A path of the model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PathOf {
+pub struct ModelPath {
     /// Name of the output.
     pub name: String,
     /// Its point in words, for example `slider.pin`.
@@ -52,7 +52,7 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
                 let name = format!("{}{suffix}", output.name);
                 let path = match output.kind.recorded() {
                     Recorded::Path(point) => {
-                        Some(PathOf { name: output.name.clone(), point: relative_words(&mechanism.model, point) })
+                        Some(ModelPath { name: output.name.clone(), point: relative_words(&mechanism.model, point) })
                     }
                     Recorded::Number(_) | Recorded::Wear(..) => None,
                 };

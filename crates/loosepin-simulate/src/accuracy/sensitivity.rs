@@ -4,7 +4,7 @@ use super::dimension::DimensionDirection;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use loosepin_math::{Dual, Vec2};
-use loosepin_mechanics::mechanism::{Geometry, Mechanism, numbered_point_m, room};
+use loosepin_mechanics::mechanism::{Geometry, Mechanism, numbered_point_m, workspace_length};
 use loosepin_mechanics::model::{CycleSpan, DriveId, Position, Values};
 
 /// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`, SI.
@@ -46,10 +46,10 @@ pub fn dimension_derivatives(
     let (model, tree) = (&mechanism.model, &mechanism.ideal);
     let number = |id| Dual { value: values[id], derivative: direction.derivatives[id] };
     let geometry = Geometry::from_numbers(model, tree, &number);
-    let mut room = vec![Dual::constant(Dual::constant(Dual::constant(0.0))); room(model)];
+    let mut workspace = vec![Dual::constant(Dual::constant(Dual::constant(0.0))); workspace_length(model)];
     let mut motion = |drive: DriveId| {
         let law = &model.drives[drive.0].law;
-        let [position, velocity, _] = law.motion(&number, time_s).at(Dual::constant(time_s), &mut room);
+        let [position, velocity, _] = law.motion(&number, time_s).at(Dual::constant(time_s), &mut workspace);
         [position.derivative, velocity.value]
     };
     // What the time must change by to hold the input: an angle of a drive, or a share of the period.

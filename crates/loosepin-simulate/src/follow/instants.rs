@@ -3,7 +3,7 @@
 use loosepin_math::Quintic;
 use std::sync::Arc;
 
-/// What is read at the instants of a run; close together, since an instant costs little else than finding its place.
+/// Readings at the instants of a run; close together, since an instant costs little else than finding its place.
 #[derive(Debug, Clone)]
 pub(super) struct Instants {
     /// In order.
@@ -16,7 +16,7 @@ pub(super) struct Instants {
     readings: usize,
     /// All readings at the first instant, then at the next.
     values: Vec<f64>,
-    /// The readings over the step at hand, where it passes at an even pace and they are several.
+    /// The readings over the current step, where it passes at an even pace and they are several.
     polynomials: Vec<Quintic>,
 }
 
@@ -27,7 +27,7 @@ impl Default for Instants {
 }
 
 impl Instants {
-    /// Nothing read yet.
+    /// An empty record.
     pub fn new(instants_s: Arc<[f64]>, readings: usize) -> Self {
         let values = vec![f64::NAN; instants_s.len() * readings];
         let polynomials = Vec::with_capacity(readings);
@@ -36,7 +36,7 @@ impl Instants {
         own
     }
 
-    /// Goes on behind so many instants.
+    /// Skips this number of instants.
     #[inline]
     fn skip(&mut self, instants: usize) {
         self.next += instants;
@@ -97,7 +97,7 @@ impl Instants {
         self.values[index * self.readings + reading] = without_negative_zero(value);
     }
 
-    /// All readings at the first instant, then at the next; not a number where none was taken in.
+    /// All readings at the first instant, then at the next; NaN if none was taken in.
     pub fn take_values(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.values)
     }

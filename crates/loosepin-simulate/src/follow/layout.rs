@@ -13,7 +13,7 @@ use loosepin_result::study::Deviation;
 /// end on 1e-16 of it, and guesses are a hundredth away at most. (The third step is 6e-9 at most, the fourth round-off: slider-cranks, a four-bar.)
 const NEWTON_STEPS: usize = 4;
 
-/// Where everything is among the numbers of a lane that belong to what is followed.
+/// Layout of the numbers of a lane that belong to the followed quantities.
 #[derive(Debug, Clone)]
 pub(crate) struct FollowLayout {
     readings: usize,
@@ -23,7 +23,7 @@ pub(crate) struct FollowLayout {
 }
 
 impl FollowLayout {
-    /// Where the piece of the ideal curves at hand begins, s.
+    /// Offset of the start of the current piece of the ideal curves, s.
     pub const PIECE_START: usize = 0;
     /// One over how long it lasts, 1/s.
     pub const PIECE_RATE: usize = 1;
@@ -84,7 +84,7 @@ impl FollowLayout {
         &self.inside
     }
 
-    /// Whether anything is reduced over the recorded part that the ends of the steps tell.
+    /// Whether any value is reduced over the recorded part from the ends of the steps alone.
     pub fn reduces(&self) -> bool {
         !self.deviations.is_empty() || !self.paths.is_empty()
     }
@@ -95,12 +95,12 @@ impl FollowLayout {
         (reading, of)
     }
 
-    /// Where the polynomial of a reading over the step begins.
+    /// Offset of the polynomial of a reading over the step.
     pub fn reading(&self, reading: usize) -> usize {
         Self::VALUES + self.readings + Self::PER_READING * reading
     }
 
-    /// Where the numbers of a deviation begin.
+    /// Offset of the numbers of a deviation.
     pub fn deviation(&self, deviation: usize) -> usize {
         self.reading(self.readings) + Self::PER_DEVIATION * deviation
     }
@@ -158,7 +158,7 @@ impl FollowLayout {
         numbers[Self::IS_EXTREME] = is_extreme;
     }
 
-    /// The largest and the smallest value of all that is reduced with those of the step at hand, each with its place among the numbers of the
+    /// The largest and the smallest value of all that is reduced with those of the current step, each with its place among the numbers of the
     /// lane, which `get` reads and `set` changes.
     pub fn take_extremes<N>(&self, numbers: &mut N, get: impl Fn(&N, usize) -> f64, set: impl Fn(&mut N, usize, f64)) {
         for deviation in 0..self.deviations.len() {
@@ -173,7 +173,7 @@ impl FollowLayout {
         }
     }
 
-    /// The largest and the smallest value of a deviation with those of the step at hand, each with its place among the numbers of the lane,
+    /// The largest and the smallest value of a deviation with those of the current step, each with its place among the numbers of the lane,
     /// which `get` reads.
     fn extremes(&self, deviation: usize, get: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
         let first = self.deviation(deviation);

@@ -18,9 +18,9 @@ const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// four parts.
 #[derive(Debug, Clone)]
 pub(crate) struct PathLayout {
-    /// Where they begin.
+    /// Offset of its numbers.
     pub first: usize,
-    /// What is followed.
+    /// The followed path.
     pub path: FollowedPath,
 }
 
@@ -36,28 +36,28 @@ struct Over<T> {
 
 /// A curve of the ideal motion that a path needs.
 pub(crate) struct PathReference {
-    /// Where its polynomial over the piece stands, six numbers.
+    /// Offset of its polynomial over the piece, six numbers.
     pub first: usize,
-    /// Of which reading it is, and which deviation is compared with it.
+    /// Its reading, and the deviation that is compared with it.
     pub curve: (usize, Deviation),
     /// How many numbers of it at the start of a step stand behind the polynomial: value, rate and acceleration, or the last two.
     pub derivatives: usize,
 }
 
 impl PathReference {
-    /// Where the numbers at the start of a step begin.
+    /// Offset of the numbers at the start of a step.
     pub fn before(&self) -> usize {
         self.first + 6
     }
 }
 
 impl PathLayout {
-    /// Of a coordinate of the error: the polynomial that it is compared with over the piece, its jet at the start of the step, the error over
-    /// the step.
+    /// Offset for a coordinate of the error: the polynomial of its reference over the piece, its jet at the start of the step, the error
+    /// over the step.
     const ERROR: usize = 0;
     const PER_ERROR: usize = 15;
-    /// Of a coordinate of the ideal point: the polynomial over the piece, its rate and acceleration at the start of the step, its velocity
-    /// over the step.
+    /// Offset for a coordinate of the ideal point: the polynomial over the piece, its rate and acceleration at the start of the step, its
+    /// velocity over the step.
     const IDEAL: usize = 2 * Self::PER_ERROR;
     const PER_IDEAL: usize = 12;
     const PASSED: usize = Self::IDEAL + 2 * Self::PER_IDEAL;
@@ -89,12 +89,13 @@ impl PathLayout {
         if self.path.deviation == Deviation::Clearance { Deviation::Clearance } else { Deviation::Total }
     }
 
-    /// Where the numbers of a part begin: largest, smallest, integral, integral of the square.
+    /// Offset of the numbers of a part: largest, smallest, integral, integral of the square.
     pub fn part(&self, part: usize) -> usize {
         self.first + Self::PARTS + Self::PER_PART * part
     }
 
-    /// Follows a step to its end, where `is_chosen`, which lies at a `share` of the piece of the curves at hand, `rate` over time; 1 where a part that is asked for may have a new extreme between the points.
+    /// Follows a step to its end, where `is_chosen`, which lies at a `share` of the current piece of the curves, `rate` over time; 1 where
+    /// a requested part may have a new extreme between the points.
     pub fn follow<T: Real>(
         &self,
         numbers: &mut [T],
@@ -179,7 +180,7 @@ impl PathLayout {
         }
     }
 
-    /// The largest and the smallest value of each part with those of the step at hand where it is asked for, each with its place among the
+    /// The largest and the smallest value of each part with those of the current step where it is asked for, each with its place among the
     /// numbers of the lane, which `get` reads.
     pub fn extremes(&self, get: impl Fn(usize) -> f64) -> [[(usize, f64); 2]; 4] {
         let over = self.over(&get);

@@ -3,12 +3,12 @@
 use crate::depth_limit::DepthLimit;
 use crate::follow::{Follow, FollowLayout};
 use crate::lanes::execution::Execution;
-use crate::lanes::memory::{Block, LaneLayout, Memory, Named, NextStepRule};
+use crate::lanes::memory::{Block, LaneLayout, Memory, MemoryBlocks, NextStepRule};
 use crate::lanes::pass::Pass;
-use crate::lanes::plain::Plain;
 use crate::lanes::programs::numbers;
 use crate::lanes::reads::ReadLayout;
 use crate::lanes::recorded::Recorded;
+use crate::lanes::single_lane::SingleLane;
 use crate::recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary};
 use crate::resume::MotionState;
 use crate::settings::Settings;
@@ -18,7 +18,7 @@ use loosepin_math::Quintic;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 
-/// Of each lane its bit, as a number.
+/// The bit of each lane, as a number.
 const POWERS_OF_TWO: [f64; 32] = {
     let mut powers = [0.0; 32];
     let mut lane = 0;
@@ -31,13 +31,13 @@ const POWERS_OF_TWO: [f64; 32] = {
 
 /// How a pass is computed.
 enum Backend<'a> {
-    Plain(Box<Plain<'a>>),
+    SingleLane(Box<SingleLane<'a>>),
     Recorded(Box<Recorded<'a>>),
 }
 
 /// An instant that waits to be read at.
 #[derive(Debug, Clone, Copy)]
-pub struct Awaited {
+pub struct PendingInstant {
     /// Lane of its run.
     pub lane: usize,
     /// Its index in the run.
@@ -54,12 +54,12 @@ pub struct Core<'a> {
     memory: Memory,
     /// What the instants that wait are read from: at each place one instant, of any lane's run.
     waiting: Memory,
-    way: Backend<'a>,
+    backend: Backend<'a>,
     /// The lanes in which the penetration of some closed contact that may have a root of its own is read off the positions.
     reading_depths: u32,
     /// The lanes in which the root of a penetration is an unknown: their steps do not pass at an even pace.
     over_root: u32,
-    /// Whether the dense output belongs to the step at hand.
+    /// Whether the dense output belongs to the current step.
     is_dense: bool,
 }
 
@@ -77,8 +77,10 @@ impl<'a> Core<'a> {
         let lanes = execution.lanes();
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
-        let way = match execution {
-            Execution::Scalar => Backend::Plain(Box::new(Plain::new(mechanism, sample, arms, follow, settings))),
+        let backend = match execution {
+            Execution::Scalar => {
+                Backend::SingleLane(Box::new(SingleLane::new(mechanism, sample, arms, follow, settings)))
+            }
             Execution::Interpreted | Execution::MachineCode(_) => {
                 let recorded =
                     Recorded::new(mechanism, sample, arms, follow, &pass, lengths, (execution.level(), lanes));
@@ -89,7 +91,7 @@ impl<'a> Core<'a> {
             mechanism,
             memory: Memory::new(lanes, lengths),
             waiting: Memory::new(lanes, lengths),
-            way,
+            backend,
             reading_depths: 0,
             over_root: 0,
             is_dense: false,
@@ -127,14 +129,14 @@ impl<'a> Core<'a> {
 
     /// Replaces the numbers of the run in a lane.
     pub fn load_numbers(&mut self, lane: usize, sample: &Sample<f64>, arms: &Arms) {
-        match &mut self.way {
-            Backend::Plain(plain) => plain.load(sample, arms),
+        match &mut self.backend {
+            Backend::SingleLane(plain) => plain.load(sample, arms),
             Backend::Recorded(recorded) => recorded.load(&self.pass, &mut self.memory, lane, sample, arms),
         }
     }
 
-    /// Puts the contacts of a run that goes on into a lane that was loaded. Penetrations are read off the positions until the
-    /// next contact begins; deflections of bristles go on as they are. The lane needs a restart.
+    /// Puts the contacts of a resumed run into a loaded lane. Penetrations are read off the positions until the next contact begins;
+    /// deflections of bristles go on as they are. The lane needs a restart.
     pub fn resume(&mut self, lane: usize, resume: &MotionState) {
         for (contact, state) in resume.contacts.iter().enumerate() {
             self.set_contact(lane, contact, state, false);
@@ -159,7 +161,7 @@ impl<'a> Core<'a> {
         for (k, value) in values.into_iter().enumerate() {
             self.memory.set(Block::Lane, LaneLayout::contact(contact) + k, lane, value);
         }
-        if let Backend::Plain(plain) = &mut self.way {
+        if let Backend::SingleLane(plain) = &mut self.backend {
             plain.set_contact(contact, state, has_root);
         }
         for place in [self.pass.layout.roots[contact], self.pass.layout.bristles[contact]].into_iter().flatten() {
@@ -196,7 +198,7 @@ impl<'a> Core<'a> {
 
     /// Whether attempts are machine code.
     pub fn is_machine_code(&self) -> bool {
-        matches!(&self.way, Backend::Recorded(recorded) if recorded.is_machine_code())
+        matches!(&self.backend, Backend::Recorded(recorded) if recorded.is_machine_code())
     }
 
     /// Puts the run of a lane into an empty one before it.
@@ -209,9 +211,9 @@ impl<'a> Core<'a> {
         self.set_step(lane, 0.0);
     }
 
-    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    /// Computes from now on in the first `used` lanes; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
-        if let Backend::Recorded(recorded) = &mut self.way {
+        if let Backend::Recorded(recorded) = &mut self.backend {
             recorded.use_lanes(used);
         }
     }
@@ -312,7 +314,7 @@ impl<'a> Core<'a> {
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
-    /// Largest change of a slope between the ends of the step at hand of a lane, in allowed errors of its unknown.
+    /// Largest change of a slope between the ends of the current step of a lane, in allowed errors of its unknown.
     pub fn change_of_slopes(&self, lane: usize) -> f64 {
         let end = self.pass.stepper.end_row() * self.pass.layout.length();
         let change = |(unknown, weight): (usize, usize)| {
@@ -322,8 +324,8 @@ impl<'a> Core<'a> {
         self.pass.lane.weights().enumerate().map(change).fold(0.0, f64::max)
     }
 
-    /// Moves the end of the step at hand of a lane by a small part of it: unknowns, integrals and energy by their slopes, and what is read with two
-    /// derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
+    /// Moves the end of the current step of a lane by a small part of it: unknowns, integrals and energy by their slopes, and readings with
+    /// two derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
     pub fn move_end(&mut self, lane: usize, by: f64) {
         self.is_dense = false;
         let (layout, memory) = (&self.pass.layout, &mut self.memory);
@@ -358,11 +360,11 @@ impl<'a> Core<'a> {
             self.set_number(lane, LaneLayout::CHOSEN, 1.0);
             self.add_evaluations(lane, 1);
         }
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(plain) => {
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) => {
                 plain.evaluate_start(pass, memory);
-                pass.take_evaluation(&mut Named::new(memory.blocks()));
+                pass.take_evaluation(&mut MemoryBlocks::new(memory.blocks()));
             }
             Backend::Recorded(recorded) => {
                 let first = lanes.trailing_zeros().min(u32::BITS - 1) as usize;
@@ -374,9 +376,9 @@ impl<'a> Core<'a> {
     /// Chooses the next steps of all lanes, tries them, and says what happens with them.
     pub fn attempt(&mut self) {
         self.is_dense = false;
-        let Self { pass, memory, way, reading_depths, .. } = self;
-        match way {
-            Backend::Plain(plain) => plain.attempt(pass, memory),
+        let Self { pass, memory, backend, reading_depths, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) => plain.attempt(pass, memory),
             Backend::Recorded(recorded) => recorded.attempt(memory, *reading_depths != 0),
         }
     }
@@ -385,46 +387,46 @@ impl<'a> Core<'a> {
     /// the energy accounts; else that is left to [`Self::close_accounts`], after an evaluation there.
     pub fn accept(&mut self) {
         self.is_dense = false;
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(plain) => {
-                pass.accept(&mut Named::new(memory.blocks()));
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) => {
+                pass.accept(&mut MemoryBlocks::new(memory.blocks()));
                 if plain.holds_loops() {
                     plain.hold_loops(pass, memory);
                 } else {
-                    pass.close_account(&mut Named::new(memory.blocks()));
+                    pass.close_account(&mut MemoryBlocks::new(memory.blocks()));
                 }
             }
             Backend::Recorded(recorded) => recorded.accept(memory),
         }
     }
 
-    /// Follows the step at hand in the chosen lanes that are recorded.
+    /// Follows the current step in the chosen lanes that are recorded.
     pub fn follow(&mut self) {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(_) => pass.follow(&mut Named::new(memory.blocks())),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(_) => pass.follow(&mut MemoryBlocks::new(memory.blocks())),
             Backend::Recorded(recorded) => recorded.follow(memory),
         }
     }
 
-    /// Makes the readings over the step at hand polynomials, in all lanes.
+    /// Makes the readings over the current step polynomials, in all lanes.
     pub fn spread(&mut self) {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(_) => pass.spread(&mut Named::new(memory.blocks())),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(_) => pass.spread(&mut MemoryBlocks::new(memory.blocks())),
             Backend::Recorded(recorded) => recorded.spread(memory),
         }
     }
 
-    /// A reading over the step at hand of a lane, as a polynomial of its share.
+    /// A reading over the current step of a lane, as a polynomial of its share.
     pub fn reading(&self, lane: usize, reading: usize) -> Quintic {
         let first = self.pass.lane.followed().start + self.pass.follow.reading(reading);
         Quintic { coefficients: self.memory.some(Block::Lane, first, lane) }
     }
 
-    /// Puts down, from place `first` of the instants that wait on, some within the steps at hand of their lanes, whose readings are polynomials.
-    pub fn await_instants(&mut self, first: usize, awaited: &[Awaited]) {
+    /// Puts down, from place `first` of the instants that wait on, some within the current steps of their lanes, whose readings are polynomials.
+    pub fn add_pending_instants(&mut self, first: usize, awaited: &[PendingInstant]) {
         let Self { pass, memory, waiting, .. } = self;
         let followed = pass.lane.followed().start;
         let instants = waiting.of_all_lanes_mut(Block::Lane, followed + FollowLayout::INSTANT);
@@ -443,21 +445,21 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Reads at the instants that wait, at so many `places`.
+    /// Reads at the pending instants in the first `places` places.
     pub fn look(&mut self, places: usize) {
-        let Self { pass, waiting, way, .. } = self;
-        match way {
-            Backend::Plain(_) => pass.look(&mut Named::new(waiting.blocks())),
+        let Self { pass, waiting, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(_) => pass.look(&mut MemoryBlocks::new(waiting.blocks())),
             Backend::Recorded(recorded) => recorded.look(waiting, places),
         }
     }
 
-    /// Reads, in all lanes, at the instants in [`FollowLayout::INSTANT`] within the steps at hand, whose readings are polynomials; the readings are
+    /// Reads, in all lanes, at the instants in [`FollowLayout::INSTANT`] within the current steps, whose readings are polynomials; the readings are
     /// in [`FollowLayout::VALUES`].
     pub fn look_in_place(&mut self) {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(_) => pass.look(&mut MemoryBlocks::new(memory.blocks())),
             Backend::Recorded(recorded) => recorded.look_in_place(memory),
         }
     }
@@ -490,7 +492,7 @@ impl<'a> Core<'a> {
         self.memory.set(Block::Lane, self.pass.lane.followed().start + place, lane, value);
     }
 
-    /// Begins the energy account of a lane that was loaded and evaluated, with the smallest exchange that is told from round-off.
+    /// Begins the energy account of a loaded and evaluated lane, with the smallest exchange that is above round-off.
     pub fn open_account(&mut self, lane: usize, smallest_exchange_j: f64) {
         let energy_j = self.start_read(lane, ReadLayout::ENERGY);
         let exchange_j = smallest_exchange_j.max(self.start_read(lane, ReadLayout::FREE_KINETIC));
@@ -505,9 +507,9 @@ impl<'a> Core<'a> {
 
     /// Takes the end of a step into the energy accounts of the chosen lanes, where loops are held.
     pub fn close_accounts(&mut self) {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(_) => pass.close_account(&mut Named::new(memory.blocks())),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(_) => pass.close_account(&mut MemoryBlocks::new(memory.blocks())),
             Backend::Recorded(recorded) => recorded.close_account(memory),
         }
     }
@@ -529,7 +531,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// What each friction that is watched turned into heat in a lane up to its last step, J.
+    /// Heat of each monitored friction in a lane up to its last step, J.
     pub fn friction_losses(&self, lane: usize, sample: &Sample<f64>) -> Vec<FrictionLoss> {
         let loss = |(place, watched): (usize, Watched)| FrictionLoss {
             joint: watched.joint(self.mechanism, sample),
@@ -544,26 +546,26 @@ impl<'a> Core<'a> {
         places.map(|(place, play)| FrictionPath { play, path_j: self.state(lane, place) }).collect()
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self) {
         if self.is_dense {
             return;
         }
         self.is_dense = true;
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(plain) => plain.prepare_dense(pass, memory),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) => plain.prepare_dense(pass, memory),
             Backend::Recorded(recorded) => recorded.prepare_dense(memory),
         }
     }
 
-    /// Takes in the values inside the accepted steps at hand that are recorded; gives the evaluations that this took in each lane beside
-    /// [`Self::evaluations_for_dense`].
+    /// Records the values inside the current accepted steps as far as they are recorded; returns the evaluations of this in each lane
+    /// besides [`Self::evaluations_for_dense`].
     pub fn look_inside(&mut self) -> u64 {
         self.prepare_dense();
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(plain) => plain.look_inside(pass, memory),
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) => plain.look_inside(pass, memory),
             Backend::Recorded(recorded) => {
                 recorded.look_inside(memory);
                 0
@@ -571,16 +573,16 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Value of a reading that is looked at inside the step at hand of a lane, at a point.
+    /// Value of a reading that is looked at inside the current step of a lane, at a point.
     pub fn inside(&self, lane: usize, point: usize, reading: usize) -> f64 {
         let place = self.pass.first_inside() + self.pass.follow.inside().value(point, reading);
         self.memory.get(Block::Stages, place, lane)
     }
 
-    /// Evaluations of the equations that the first look inside the step at hand costs: [`Self::prepare_dense`].
+    /// Evaluations of the equations that the first look inside the current step costs: [`Self::prepare_dense`].
     pub fn evaluations_for_dense(&self) -> u64 {
-        match &self.way {
-            Backend::Plain(plain) if plain.is_implicit() => 0,
+        match &self.backend {
+            Backend::SingleLane(plain) if plain.is_implicit() => 0,
             _ => self.pass.stepper.evaluations_for_dense(),
         }
     }
@@ -605,9 +607,9 @@ impl<'a> Core<'a> {
     /// Corrects the state at `share` of an implicit step, that of [`Self::interpolate`], where its forces and accelerations are looked at; gives the evaluations that
     /// it took.
     pub fn correct(&mut self, share: f64, state: &mut [f64]) -> u64 {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Backend::Plain(plain) if plain.is_implicit() && share > 0.0 && share < 1.0 => {
+        let Self { pass, memory, backend, .. } = self;
+        match backend {
+            Backend::SingleLane(plain) if plain.is_implicit() && share > 0.0 && share < 1.0 => {
                 plain.correct(pass, memory, share, state)
             }
             _ => 0,

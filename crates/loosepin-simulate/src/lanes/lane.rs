@@ -56,10 +56,10 @@ pub struct Search {
     pub before: (f64, f64),
 }
 
-/// Purpose of the attempt at hand.
+/// Purpose of the current attempt.
 #[derive(Debug, Clone, Copy)]
 pub enum Phase {
-    /// To go on.
+    /// Continue stepping.
     Stepping,
     /// To end on an event.
     Searching(Search),
@@ -79,23 +79,23 @@ pub struct LaneRun {
     pub observer: RunHandle,
     /// Steps that end before this time need not be shown to the observer, s.
     pub awaited_s: f64,
-    /// Whether the step at hand lies in the recorded part.
+    /// Whether the current step lies in the recorded part.
     pub is_recorded: bool,
     /// Longest step in time, s.
     pub longest_s: f64,
     /// Smallest step in time apart from steps onto events, s.
     pub smallest_s: f64,
-    /// The attempt at hand.
+    /// The current attempt.
     pub phase: Phase,
     /// The last event of a contact: 0 for an onset, 1 for a separation.
     pub last_event: Option<usize>,
     /// Length of the first good step after the last onset, and what its error allowed after the last separation: the first guess for the next.
     pub after_event: [f64; 2],
-    /// Where its points are in their bodies.
+    /// Positions of its points in their bodies.
     pub arms: Arms,
     /// Steps end here at the latest, s: at the start and at the end of the window, and where the pieces of a drive's motion meet.
     pub stop_s: f64,
-    /// Whether the step at hand ends there.
+    /// Whether the current step ends there.
     pub reaches_stop: bool,
     /// Steps in turn during which time hardly went on.
     pub stalled: u32,
@@ -136,7 +136,7 @@ pub enum Decision {
 }
 
 impl LaneRun {
-    /// Whether the step at hand ends with the run.
+    /// Whether the current step ends with the run.
     pub fn is_at_end(&self) -> bool {
         self.reaches_stop && self.stop_s == self.window.end_s
     }
@@ -226,7 +226,7 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
-    /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there.
+    /// Distance of an event behind the end of the step, by the value and two derivatives of its event function there.
     fn distance(&self, event: Event, [value, rate, second]: [f64; 3], step: &LaneStep<'_, '_>) -> Option<f64> {
         let straight = -value / rate;
         // The nearer root of value + rate x + second x²/2.

@@ -16,7 +16,7 @@ pub enum Block {
     Start,
     /// Slopes and dense output: [`StepRows::stages`].
     Stages,
-    /// Where the slope is evaluated next.
+    /// Point of the next evaluation of the slope.
     Point,
     /// State at the end of the step.
     End,
@@ -29,7 +29,7 @@ pub enum Block {
 /// How the next step follows from the last attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NextStepRule {
-    /// It is set already.
+    /// Already set.
     Set,
     /// The last one was good: it may be longer.
     Grow,
@@ -46,7 +46,7 @@ impl NextStepRule {
     }
 }
 
-/// Where everything is in [`Block::Lane`].
+/// Layout of [`Block::Lane`].
 #[derive(Debug, Clone, Copy)]
 pub struct LaneLayout {
     contacts: usize,
@@ -57,9 +57,9 @@ pub struct LaneLayout {
 impl LaneLayout {
     /// The step to be tried.
     pub const STEP: usize = 0;
-    /// 1 in the lanes that what comes next is for, else 0.
+    /// 1 in the chosen lanes, else 0.
     pub const CHOSEN: usize = 1;
-    /// Error of the last attempt over what is allowed.
+    /// Error of the last attempt over the allowed error.
     pub const ERROR: usize = 2;
     /// How much longer the next step may be by that error.
     pub const GROWTH: usize = 8;
@@ -91,7 +91,7 @@ impl LaneLayout {
     pub const IS_WATCHED: usize = 16;
     /// 1 where the last attempt must be looked at; elsewhere it is accepted or rejected without.
     pub const ATTENTION: usize = 17;
-    /// 1 where the step at hand lies in the recorded part.
+    /// 1 where the current step lies in the recorded part.
     pub const IS_RECORDED: usize = 18;
     /// Evaluations of the equations of motion in the run so far.
     pub const EVALUATIONS: usize = 19;
@@ -99,7 +99,7 @@ impl LaneLayout {
     pub const STEPS: usize = 20;
     /// Rejected steps of the run so far.
     pub const REJECTIONS: usize = 21;
-    /// 1 where a penetration of the last attempt may be beyond what is allowed.
+    /// 1 where a penetration of the last attempt may be beyond the allowed range.
     pub const DEEP: usize = 22;
     /// Steps that end from this time on hold an instant, or need another piece of the curves that are followed, s.
     pub const DUE: usize = 23;
@@ -107,7 +107,7 @@ impl LaneLayout {
     pub const IS_DUE: usize = 24;
     /// 1 until the first good step after a contact has begun, 2 after it has ended: one that no event cuts. Then 0.
     pub const IS_FIRST: usize = 25;
-    /// That step, after an end as long as its error would have allowed; 0 until there is one.
+    /// Length of that first good step, after an end as long as its error would have allowed; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
     /// Factorizations of implicit steps in the run so far, each of a real and of a complex matrix.
     pub const FACTORIZATIONS: usize = 27;
@@ -128,23 +128,23 @@ impl LaneLayout {
     /// Within the numbers of a contact: the root of that penetration, √m.
     pub const MAX_ROOT: usize = 7;
 
-    /// For so many contacts, so many unknowns with a tolerance and so many numbers of what is followed.
+    /// Layout for `contacts` contacts, `weights` unknowns with a tolerance and `followed` numbers of followed quantities.
     pub fn new(contacts: usize, weights: usize, followed: usize) -> Self {
         Self { contacts, weights, followed }
     }
 
-    /// Where the numbers of a contact begin.
+    /// Offset of the numbers of a contact.
     pub fn contact(contact: usize) -> usize {
         Self::CONTACTS + Self::PER_CONTACT * contact
     }
 
-    /// Where the weights of the errors of the unknowns are, one over their tolerances.
+    /// Range of the weights of the errors of the unknowns, one over their tolerances.
     pub fn weights(&self) -> std::ops::Range<usize> {
         let first = Self::contact(self.contacts);
         first..first + self.weights
     }
 
-    /// Where the numbers of what is followed are: `FollowLayout`.
+    /// Range of the numbers of the followed quantities: `FollowLayout`.
     pub fn followed(&self) -> std::ops::Range<usize> {
         let first = self.weights().end;
         first..first + self.followed
@@ -160,7 +160,7 @@ impl LaneLayout {
 pub type Blocks<'m, T> = [&'m mut [T]; BLOCKS];
 
 /// The blocks by what they hold.
-pub struct Named<'m, T> {
+pub struct MemoryBlocks<'m, T> {
     /// [`Block::Lane`].
     pub lane: &'m mut [T],
     /// The numbers of a step.
@@ -171,7 +171,7 @@ pub struct Named<'m, T> {
     pub end_reads: &'m mut [T],
 }
 
-impl<'m, T> Named<'m, T> {
+impl<'m, T> MemoryBlocks<'m, T> {
     /// Names `blocks`.
     pub fn new(blocks: Blocks<'m, T>) -> Self {
         let [_, lane, start, stages, point, end, start_reads, end_reads] = blocks;
@@ -209,12 +209,12 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Zeros for so many numbers in each block.
+    /// Zeros for this number of numbers in each block.
     pub fn new(lanes: usize, lengths: [usize; BLOCKS]) -> Self {
         Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
     }
 
-    /// Makes room for so many numbers of each lane in a block, zeros behind what is there.
+    /// Extends a block to this number of numbers for each lane, with zeros behind.
     pub fn lengthen(&mut self, block: Block, length: usize) {
         let old = &mut self.blocks[block as usize];
         if old.length < length * self.lanes {

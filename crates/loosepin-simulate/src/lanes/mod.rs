@@ -9,7 +9,7 @@ pub(crate) mod lane;
 pub(crate) mod lane_step;
 pub(crate) mod memory;
 pub(crate) mod pass;
-pub(crate) mod plain;
 pub(crate) mod programs;
 pub(crate) mod reads;
 pub(crate) mod recorded;
+pub(crate) mod single_lane;

@@ -2,7 +2,7 @@
 //! stands for one run, written down for many ([`super::recorded`]).
 
 use crate::follow::{Follow, FollowLayout, LOBATTO, StepEnds};
-use crate::lanes::memory::{BLOCKS, LaneLayout, Named, NextStepRule};
+use crate::lanes::memory::{BLOCKS, LaneLayout, MemoryBlocks, NextStepRule};
 use crate::lanes::reads::ReadLayout;
 use crate::settings::{STEP_SHARE, Settings};
 use crate::stepping::motion::{Layout, Motion, tolerances};
@@ -21,7 +21,7 @@ const FASTEST_M_S: f64 = 1e100;
 
 /// Largest growth from one step to the next, and the smallest after a good one.
 const GROWTH: [f64; 2] = [0.2, 6.0];
-/// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
+/// The same after a rejected attempt; after a NaN error, which comes from a step far too long, the smallest.
 const SHRINKAGE: [f64; 2] = [0.1, 0.9];
 /// Minima of penetrations since the last event, of all contacts together, from which on the contacts of a run count as lasting. An impact has
 /// none; one that something presses on has a few.
@@ -35,13 +35,13 @@ pub const MAX_RESIDUAL: f64 = 1e-9;
 /// Parts of a pass that all lanes share.
 #[derive(Debug, Clone)]
 pub struct Pass {
-    /// Where everything is in a state.
+    /// Layout of a state.
     pub layout: Layout,
-    /// Where everything is in what is read.
+    /// Layout of the readings.
     pub reads: ReadLayout,
-    /// Where everything is among the numbers of a lane.
+    /// Layout of the numbers of a lane.
     pub lane: LaneLayout,
-    /// Where everything is among the numbers of what is followed.
+    /// Layout of the numbers of the followed quantities.
     pub follow: FollowLayout,
     /// The integrator.
     pub stepper: Stepper,
@@ -70,7 +70,7 @@ impl Pass {
         }
     }
 
-    /// For each block, how many numbers a lane has in it, with so many numbers of its sample.
+    /// Length of each block for a lane, with `numbers` numbers of its sample.
     pub fn block_lengths(&self, numbers: usize) -> [usize; BLOCKS] {
         let (row, reads) = (self.layout.length(), self.reads.length());
         let stages = self.first_inside() + self.follow.inside().values();
@@ -88,7 +88,7 @@ impl Pass {
     /// Makes a step in which a body turns by more than [`NEAR_RAD`] one that errs too much, since sines and cosines within a step are computed
     /// from those at its start; and says by the error how much longer the next step may be. (Quintic interpolation of a circle over so long a
     /// step is 1e-10 of its radius off. Ends are looked at: a body that swings out and back within one step, whose error would tell so, is not told here.)
-    pub fn limit_turns<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    pub fn limit_turns<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let mut largest = T::zero();
         for turning in 0..self.reads.turning() {
             let place = self.reads.angle(turning);
@@ -103,8 +103,8 @@ impl Pass {
         blocks.lane[LaneLayout::GROWTH] = self.stepper.growth(error);
     }
 
-    /// Makes what was evaluated last, slope and reads, those of the start of the step, where the lane is chosen.
-    pub fn take_evaluation<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    /// Makes the last evaluation, slope and reads, that of the start of the step, in the chosen lanes.
+    pub fn take_evaluation<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
         let length = self.layout.length();
         let end = self.stepper.end_row() * length;
@@ -117,7 +117,7 @@ impl Pass {
     }
 
     /// Makes the end of the step the start of the next one, where the lane is chosen.
-    pub fn accept<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    pub fn accept<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         self.count_minima(blocks);
         self.take_evaluation(blocks);
         let lane = &mut *blocks.lane;
@@ -135,9 +135,9 @@ impl Pass {
         }
     }
 
-    /// Counts the step at hand, in the chosen lanes, where a penetration has its minimum in it and the contact holds: it falls at the start of the
+    /// Counts the current step, in the chosen lanes, where a penetration has its minimum in it and the contact holds: it falls at the start of the
     /// step and rises at its end.
-    fn count_minima<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    fn count_minima<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         if self.lasting_share == 1.0 {
             return;
         }
@@ -152,7 +152,7 @@ impl Pass {
     }
 
     /// Chooses the next step of a lane by the last attempt.
-    pub fn choose_step<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    pub fn choose_step<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let (zero, one, half) = (T::zero(), T::one(), T::from_f64(0.5));
         let lane = &mut *blocks.lane;
         let turn = lane[LaneLayout::TURN];
@@ -201,7 +201,7 @@ impl Pass {
 
     /// Says what happens with the attempt of a lane: accepted, rejected, or to be looked at one by one, as it must be where something but the
     /// next step follows from it.
-    fn judge<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+    fn judge<T: Real>(&self, sample: &Sample<T>, blocks: &mut MemoryBlocks<'_, T>) {
         let (zero, one) = (T::zero(), T::one());
         let (starts, ends, lane) = (&*blocks.start_reads, &*blocks.end_reads, &mut *blocks.lane);
         let evaluations = lane[LaneLayout::EVALUATIONS] + T::from_f64(self.stepper.evaluations_per_attempt() as f64);
@@ -270,7 +270,7 @@ impl Pass {
     /// Holds the loops of ideal joints at the start of the step, where the lane is chosen.
     pub fn hold_loops<T: Real>(
         &self,
-        blocks: &mut Named<'_, T>,
+        blocks: &mut MemoryBlocks<'_, T>,
         motion: &mut Motion<'_, T>,
         projection: &mut Projection<T>,
     ) {
@@ -284,7 +284,7 @@ impl Pass {
     }
 
     /// Takes the start of the step into the energy account, where the lane is chosen.
-    pub fn close_account<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    pub fn close_account<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let account = self.layout.account(blocks.rows.start);
         let supplied_j = account.supplied_j;
         let mut losses_j = account.contact_loss_j + account.friction_loss_j;
@@ -302,27 +302,27 @@ impl Pass {
         }
     }
 
-    /// Follows the step at hand in the chosen lanes that are recorded: [`FollowLayout::follow`].
-    pub fn follow<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    /// Follows the current step in the chosen lanes that are recorded: [`FollowLayout::follow`].
+    pub fn follow<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
         let (own, step) = self.followed(blocks);
         self.follow.follow(own, &step, is_chosen);
     }
 
-    /// Makes the readings over the step at hand polynomials: [`FollowLayout::spread`].
-    pub fn spread<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    /// Makes the readings over the current step polynomials: [`FollowLayout::spread`].
+    pub fn spread<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let (own, step) = self.followed(blocks);
         self.follow.spread(own, &step);
     }
 
     /// Reads at an instant within a step: [`FollowLayout::look`].
-    pub fn look<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    pub fn look<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let (own, StepEnds { time, length, .. }) = self.followed(blocks);
         self.follow.look(own, time, length);
     }
 
-    /// The numbers of what is followed, and the ends of the step at hand.
-    fn followed<'b, T: Real>(&self, blocks: &'b mut Named<'_, T>) -> (&'b mut [T], StepEnds<'b, T>) {
+    /// The numbers of what is followed, and the ends of the current step.
+    fn followed<'b, T: Real>(&self, blocks: &'b mut MemoryBlocks<'_, T>) -> (&'b mut [T], StepEnds<'b, T>) {
         let (length, first) = (blocks.lane[LaneLayout::STEP], self.reads.output(0));
         let sides = [&*blocks.start_reads, &*blocks.end_reads];
         let time = sides.map(|reads| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]));
@@ -330,14 +330,14 @@ impl Pass {
         (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, readings })
     }
 
-    /// Where the values inside the step at hand begin among its slopes, behind the dense output: [`InsideLayout::value`].
+    /// Offset of the values inside the current step among its slopes, behind the dense output: [`InsideLayout::value`].
     ///
     /// [`InsideLayout::value`]: crate::follow::InsideLayout::value
     pub fn first_inside(&self) -> usize {
         self.stepper.rows() * self.layout.length()
     }
 
-    /// The state at one of Lobatto's points of the step at hand, whose dense output is known; with integrals where `state` has room for them.
+    /// The state at one of Lobatto's points of the current step, whose dense output is known; with integrals where `state` has room for them.
     pub fn state_inside<T: Real>(&self, rows: &StepRows<'_, T>, point: usize, state: &mut [T]) {
         let share = T::from_f64(LOBATTO[point].0);
         for (i, value) in state.iter_mut().enumerate() {
@@ -345,8 +345,8 @@ impl Pass {
         }
     }
 
-    /// Takes the values inside the step at hand into their extremes and integrals, in the chosen lanes that are recorded.
-    pub fn take_inside<T: Real>(&self, blocks: &mut Named<'_, T>) {
+    /// Takes the values inside the current step into their extremes and integrals, in the chosen lanes that are recorded.
+    pub fn take_inside<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
         let jet = |reads: &[T]| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]);
         let time = Quintic::new(jet(blocks.start_reads), jet(blocks.end_reads), blocks.lane[LaneLayout::STEP]);
@@ -356,7 +356,7 @@ impl Pass {
         numbers[FollowLayout::IS_PEAK] = is_peak;
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense<T: Real>(&self, rows: &mut StepRows<'_, T>, lane: &[T], system: &mut impl System<T>) {
         self.stepper.prepare_dense(rows, lane[LaneLayout::STEP], system);
     }
@@ -376,7 +376,7 @@ impl Pass {
     }
 
     /// Notes what happens with an attempt: [`Self::judge`], by what its ends show of gaps and contacts.
-    pub fn judge_attempt<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+    pub fn judge_attempt<T: Real>(&self, sample: &Sample<T>, blocks: &mut MemoryBlocks<'_, T>) {
         self.look_at_gaps(sample, blocks);
         self.judge(sample, blocks);
     }
@@ -385,7 +385,7 @@ impl Pass {
     /// below the largest Bernstein coefficient of its polynomial), a pin passes between faces and ends of its slot, or friction
     /// passes a kink; whether a penetration or a contact force may be a record; and whether a penetration may be beyond what is
     /// allowed.
-    fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+    fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut MemoryBlocks<'_, T>) {
         let (zero, one) = (T::zero(), T::one());
         let h = blocks.lane[LaneLayout::STEP];
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));

@@ -2,7 +2,7 @@
 //! [`Traced`] numbers.
 
 use crate::follow::{Follow, LOBATTO};
-use crate::lanes::memory::{BLOCKS, Block, LaneLayout, Named};
+use crate::lanes::memory::{BLOCKS, Block, LaneLayout, MemoryBlocks};
 use crate::lanes::pass::{Pass, play_state};
 use crate::settings::Settings;
 use crate::stepping::motion::Motion;
@@ -32,12 +32,13 @@ const ATTEMPT_OUTPUTS: [usize; 11] = [
 /// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
 #[derive(Debug, Clone)]
 pub struct PassPrograms<P = Program> {
-    /// What depends on the numbers of a run alone, put behind them in [`Block::Numbers`]: runs whenever these numbers change.
+    /// Computes the values that depend on the numbers of a run alone, behind them in [`Block::Numbers`]: runs whenever these numbers
+    /// change.
     pub prepare: P,
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`]. Angles are near those in
     /// [`Block::StartReads`].
     pub slope: P,
-    /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. Nothing where no root ever
+    /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. `None` if no root ever
     /// is.
     pub slope_by_roots: Option<P>,
     /// The slope, and the numbers read at an end of a step.
@@ -60,7 +61,7 @@ pub struct PassPrograms<P = Program> {
     pub hold_loops: Option<P>,
     /// The energy account of a step behind which loops are held.
     pub account: Option<P>,
-    /// What is followed through a step, where anything is.
+    /// Follows a step, if anything is followed.
     pub follow: Option<P>,
     /// Readings over a step as polynomials, where there are any.
     pub spread: Option<P>,
@@ -91,7 +92,7 @@ impl PassPrograms {
         Tracing { mechanism, sample, arms, follow, fixed: &fixed, pass: &pass, lengths }.programs()
     }
 
-    /// What `make` makes of each program, those of a step first.
+    /// Applies `make` to each program, those of a step first.
     pub(crate) fn map<Q>(self, mut make: impl FnMut(Program) -> Q) -> PassPrograms<Q> {
         PassPrograms {
             prepare: make(self.prepare),
@@ -137,9 +138,9 @@ pub struct Tracing<'t> {
     pub mechanism: &'t Mechanism,
     /// Its numbers; laws and exponents are taken from here.
     pub sample: &'t Sample<f64>,
-    /// Where the points of bodies are.
+    /// Positions of the points of bodies.
     pub arms: &'t Arms,
-    /// What is read at the ends of steps, and followed.
+    /// Readings at the ends of steps, and followed quantities.
     pub follow: &'t Follow,
     /// By number of [`Block::Numbers`]: its value where the programs are to know it.
     pub fixed: &'t [Option<f64>],
@@ -201,7 +202,7 @@ impl Tracing<'_> {
             let mut memory = self.inputs();
             let [_, _, _, slope, point, _, start_reads, reads] = &mut memory;
             slope.fill(Traced::zero());
-            motion.know_angles(&self.pass.reads, start_reads);
+            motion.set_known_angles(&self.pass.reads, start_reads);
             motion.set_near(!evaluated.is_end);
             motion.derivative(point, slope);
             let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
@@ -219,7 +220,7 @@ impl Tracing<'_> {
         let (graph, (points, judgement)) = record(|| {
             let (sample, _) = self.numbers();
             let mut memory = self.inputs();
-            let mut blocks = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            let mut blocks = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
             let mut points = Points::default();
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
             self.pass.limit_turns(&mut blocks);
@@ -235,7 +236,7 @@ impl Tracing<'_> {
         let (graph, (points, dense)) = record(|| {
             let mut memory = self.inputs();
             let mut points = Points::default();
-            let Named { lane, mut rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            let MemoryBlocks { lane, mut rows, .. } = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
             self.pass.prepare_dense(&mut rows, lane, &mut points);
             (points.0, changes(&memory, &self.inputs()))
         });
@@ -249,7 +250,7 @@ impl Tracing<'_> {
             let (graph, outputs) = record(|| {
                 let mut memory = self.inputs();
                 let mut state = vec![Traced::zero(); self.pass.layout.dimension];
-                let Named { rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+                let MemoryBlocks { rows, .. } = MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..]));
                 self.pass.state_inside(&rows, point, &mut state);
                 if holds {
                     let (mut motion, _) = self.motion(true);
@@ -277,16 +278,16 @@ impl Tracing<'_> {
     }
 
     /// The program of the operations of `work` on the blocks.
-    fn written(&self, hoisted: &mut Hoisted, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
+    fn written(&self, hoisted: &mut Hoisted, work: impl FnOnce(&mut MemoryBlocks<'_, Traced>)) -> Program {
         let (graph, outputs) = record(|| {
             let mut memory = self.inputs();
-            work(&mut Named::new(memory.each_mut().map(|block| &mut block[..])));
+            work(&mut MemoryBlocks::new(memory.each_mut().map(|block| &mut block[..])));
             changes(&memory, &self.inputs())
         });
         program(hoisted, &graph, &outputs)
     }
 
-    /// All blocks as they are before a program runs.
+    /// All blocks before a program runs.
     fn inputs(&self) -> [Vec<Traced>; BLOCKS] {
         let mut block = 0;
         self.lengths.map(|length| {

@@ -5,8 +5,7 @@ use loosepin_math::{KnownAngle, Real};
 use loosepin_mechanics::mechanism::{Arms, Mechanism};
 use loosepin_mechanics::model::{PlayId, PlayParts, Reading};
 
-/// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
-/// integration.
+/// Layout of the row. Time, gaps and outputs stand with their first two derivatives over the variable of integration.
 #[derive(Debug, Clone, Copy)]
 pub struct ReadLayout {
     contacts: usize,
@@ -71,8 +70,7 @@ impl ReadLayout {
     pub const TIME: usize = 0;
     /// Mechanical energy, J.
     pub const ENERGY: usize = 3;
-    /// Kinetic energy of the bodies that drives alone do not carry, J: the sum of all energies tells nothing of how much goes to
-    /// and fro between them.
+    /// Kinetic energy of the bodies that drives alone do not carry, J: the sum of all energies hides the exchange between them.
     pub const FREE_KINETIC: usize = 4;
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
@@ -167,11 +165,11 @@ impl<T: Real> Motion<'_, T> {
     /// Takes the angles of all bodies, with sines and cosines, from a `row` that was read at the start of a step: evaluations
     /// [near it](Self::set_near) begin there.
     #[inline(always)]
-    pub fn know_angles(&mut self, reads: &ReadLayout, row: &[T]) {
+    pub fn set_known_angles(&mut self, reads: &ReadLayout, row: &[T]) {
         for (turning, slot) in self.dynamics.mechanism().real.turning_slots().enumerate() {
             let place = reads.angle(turning);
             let known = KnownAngle { angle_rad: row[place], sine: row[place + 1], cosine: row[place + 2] };
-            self.dynamics.kinematics.know(slot, known);
+            self.dynamics.kinematics.set_known_angle(slot, known);
         }
     }
 

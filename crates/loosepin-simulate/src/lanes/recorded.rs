@@ -5,7 +5,7 @@ use crate::lanes::memory::{BLOCKS, Block, Memory};
 use crate::lanes::pass::Pass;
 use crate::lanes::programs::{PassPrograms, Tracing, fixed, numbers};
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
-use loosepin_tape::native::{Level, Place, Routine, Sequence};
+use loosepin_tape::native::{BlockStart, Level, Routine, Sequence};
 use std::ops::Range;
 
 /// What is done with all lanes.
@@ -15,7 +15,7 @@ struct Sequences {
     numbers: usize,
     restart: Sequence,
     attempt: Sequence,
-    /// Where the root of every closed contact is an unknown.
+    /// Sequence for lanes in which the root of every closed contact is an unknown.
     attempt_by_roots: Sequence,
     accept: Sequence,
     close_account: Sequence,
@@ -35,18 +35,18 @@ impl Sequences {
             all.len() - 1
         });
         let routines = Routine::all(all, level, lanes);
-        let sequence = |calls: &[(usize, [Place; BLOCKS])]| {
+        let sequence = |calls: &[(usize, [BlockStart; BLOCKS])]| {
             let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
             match Sequence::new(&calls) {
                 Ok(sequence) => sequence,
                 Err(error) => unreachable!("programs and places are of one layout: {error}"),
             }
         };
-        let as_written = |program: usize| (program, Place::ALL);
+        let as_written = |program: usize| (program, BlockStart::ALL);
         // A program that gives a slope, with the point and the row of the slope that are meant.
         let slope = |program: usize, point: Block, row: usize| {
-            let mut places = Place::ALL;
-            places[Block::Point as usize] = Place { block: point as usize, first: 0 };
+            let mut places = BlockStart::ALL;
+            places[Block::Point as usize] = BlockStart { block: point as usize, first: 0 };
             places[Block::Stages as usize].first = row * pass.layout.length();
             (program, places)
         };
@@ -75,8 +75,8 @@ impl Sequences {
         if let Some(own) = &programs.inside {
             // The values at the state in a block, put down behind those of the points before.
             let values = |state: Block, point: usize| {
-                let mut places = Place::ALL;
-                places[Block::Point as usize] = Place { block: state as usize, first: 0 };
+                let mut places = BlockStart::ALL;
+                places[Block::Point as usize] = BlockStart { block: state as usize, first: 0 };
                 places[Block::Stages as usize].first = pass.first_inside() + pass.follow.inside().value(point, 0);
                 (own.values, places)
             };
@@ -175,7 +175,7 @@ impl<'a> Recorded<'a> {
         self.sequences.attempt.is_machine_code()
     }
 
-    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    /// Computes from now on in the first `used` lanes; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
         self.used = used;
     }
@@ -202,12 +202,12 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.close_account, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Follows the step at hand, in the chosen lanes.
+    /// Follows the current step, in the chosen lanes.
     pub fn follow(&mut self, memory: &mut Memory) {
         run(&self.sequences.follow, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Makes the readings over the step at hand polynomials, in all lanes.
+    /// Makes the readings over the current step polynomials, in all lanes.
     pub fn spread(&mut self, memory: &mut Memory) {
         run(&self.sequences.spread, 0..self.used, memory, &mut self.scratch);
     }
@@ -217,17 +217,17 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.look, 0..places, memory, &mut self.scratch);
     }
 
-    /// Reads at an instant in each lane, within the step at hand.
+    /// Reads at an instant in each lane, within the current step.
     pub fn look_in_place(&mut self, memory: &mut Memory) {
         run(&self.sequences.look, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Takes in the values inside the step at hand, whose dense output is known, in the chosen lanes.
+    /// Takes in the values inside the current step, whose dense output is known, in the chosen lanes.
     pub fn look_inside(&mut self, memory: &mut Memory) {
         run(&self.sequences.inside, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self, memory: &mut Memory) {
         run(&self.sequences.prepare_dense, 0..self.used, memory, &mut self.scratch);
     }

@@ -22,7 +22,7 @@ pub struct MeasuredTable {
     /// The other columns, in the order of the file.
     pub columns: Vec<MeasuredColumn>,
     pub(super) source: Arc<Source>,
-    /// Where each value of the first column stands.
+    /// Span of each value of the first column.
     pub(super) places: Vec<Span>,
 }
 
@@ -33,9 +33,9 @@ pub struct MeasuredColumn {
     pub name: String,
     /// Its dimension.
     pub dimension: Dimension,
-    /// Its values, SI; not a number where the cell is empty.
+    /// Its values, SI; NaN if the cell is empty.
     pub values_si: Vec<f64>,
-    /// Where its header stands.
+    /// Place of its header.
     pub(super) place: Span,
 }
 
@@ -58,7 +58,7 @@ pub(super) struct Header {
 
 /// A row: its cells without the blanks around them, each with its place.
 pub(super) struct Row {
-    /// Where it begins in the text.
+    /// Start in the text.
     pub start: usize,
     pub cells: Vec<(String, Span)>,
 }
@@ -203,7 +203,7 @@ impl TableReader {
         Some(MeasuredTable { abscissa, name: first.name.clone(), at_si, columns, source, places })
     }
 
-    /// All rows, that of the header first; nothing where there is none.
+    /// All rows, that of the header first; `None` if there is none.
     pub fn rows(&mut self) -> Option<Vec<Row>> {
         let source = Arc::clone(&self.source);
         // A byte order mark is no part of the first name.

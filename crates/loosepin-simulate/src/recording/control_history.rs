@@ -1,6 +1,6 @@
 //! How controls follow their references, for the record of a run.
 
-use crate::repeats::swing::swing;
+use crate::repeats::error_oscillation::error_oscillation;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::JointId;
@@ -47,7 +47,7 @@ impl ControlRecorder {
         self.histories.is_empty()
     }
 
-    /// Takes in what was evaluated at the next sample time.
+    /// Records the evaluation at the next sample time.
     pub fn record(&mut self, dynamics: &Dynamics<'_, f64>) {
         for (history, actuator) in self.histories.iter_mut().zip(dynamics.actuators()) {
             history.reference_si.push(actuator.reference);
@@ -61,7 +61,7 @@ impl ControlRecorder {
         for (history, resolved_si) in self.histories.iter_mut().zip(&self.resolved_si) {
             let second_half = &history.reference_si[history.reference_si.len() / 2..];
             if second_half.windows(2).all(|pair| pair[0] == pair[1]) {
-                history.swing = swing(time_s, &history.error_si, *resolved_si);
+                history.swing = error_oscillation(time_s, &history.error_si, *resolved_si);
             }
         }
         self.histories

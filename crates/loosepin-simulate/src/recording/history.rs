@@ -17,9 +17,9 @@ use crate::repeats::sections::SectionRecorder;
 use crate::repeats::trust::{PositionHistory, measure_trust};
 use crate::repeats::turns::Turns;
 use crate::settings::{Integrator, Settings, Window};
-use crate::stepping::motion::Account;
+use crate::stepping::motion::EnergyTotals;
 use crate::stepping::search::{Peak, maximum_within, may_exceed};
-use crate::watched::Watched;
+use crate::stoppable_observer::StoppableObserver;
 use crate::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
@@ -43,7 +43,7 @@ pub struct Plan {
     pub settings: Settings,
     /// Whether positions, velocities and accelerations of all bodies are recorded.
     pub with_states: bool,
-    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
+    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; `None` if it is not asked for.
     pub lyapunov_turns: Option<u32>,
     /// Whether a second run measures how long the positions can be trusted; that costs about as much again.
     pub second_run: bool,
@@ -58,7 +58,7 @@ impl Plan {
         Self { cycle, settings, with_states: false, lyapunov_turns: None, second_run: false, overrides: Vec::new() }
     }
 
-    /// That the run comes to its end within the evaluations it may have, and that a history holds what it records. Nothing is run.
+    /// Checks that the run ends within its limit of evaluations, and that its history fits the limits of a record. Nothing is run.
     ///
     /// # Errors
     /// One of these, or the drive of the cycle stands still.
@@ -158,8 +158,8 @@ pub fn simulate_until(
     record_until(mechanism, values, plan, Extremes::Sought, stop)
 }
 
-/// As [`simulate`], for whoever needs the poses and the paths of journals alone: extremes of outputs are not sought between the samples,
-/// which takes most of the time of a run that is recorded, and none are in the record.
+/// As [`simulate`], for callers that need the poses and the paths of journals alone: extremes of outputs are not sought between the
+/// samples, which takes most of the time of a recorded run, and none are in the record.
 ///
 /// # Errors
 /// As for [`simulate`].
@@ -202,7 +202,7 @@ fn record_until(
     if sought == Extremes::LeftOut {
         recorder.extremes.clear();
     }
-    let mut watched = Watched { observer: &mut recorder, stop };
+    let mut watched = StoppableObserver { observer: &mut recorder, stop };
     let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
@@ -247,14 +247,14 @@ struct Recorder<'a> {
     /// Values and ideal values by column.
     value_si: Vec<Vec<f64>>,
     ideal_si: Vec<Vec<f64>>,
-    /// Minimum (negated) and maximum of each column, then of each deviation; none where they are left out.
+    /// Minimum (negated) and maximum of each column, then of each deviation; empty if they are left out.
     extremes: Vec<[Peak; 2]>,
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,
     contact_forces: Vec<Vec<f64>>,
     controls: ControlRecorder,
     impacts: Vec<ImpactRecord>,
-    /// Index of the impact at hand, by contact.
+    /// Index of the current impact, by contact.
     open_impacts: Vec<Option<usize>>,
     peak_forces_n: Vec<f64>,
     largest_speeds_m_s: Vec<f64>,
@@ -430,7 +430,7 @@ impl<'a> Recorder<'a> {
         let energy = dynamics.energy(|contact| in_contact[contact]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
-        let account = step.account(time_s).unwrap_or(Account {
+        let account = step.account(time_s).unwrap_or(EnergyTotals {
             supplied_j: total_j - at_zero_j,
             contact_loss_j: 0.0,
             friction_loss_j: 0.0,

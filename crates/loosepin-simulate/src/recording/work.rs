@@ -1,7 +1,7 @@
 //! Work along a motion that is solved instead of integrated.
 
 use crate::recording::report::{EnergyAccount, smallest_exchange_j};
-use crate::stepping::motion::{Account, Motion};
+use crate::stepping::motion::{EnergyTotals, Motion};
 use loosepin_mechanics::dynamics::MechanicalEnergy;
 use loosepin_mechanics::mechanism::{IdealMotion, SampleError};
 
@@ -20,7 +20,7 @@ pub(crate) const NODES: [(f64, f64); 5] = [
 #[derive(Debug, Clone, Copy)]
 pub struct KinematicAccount {
     /// Energy supplied and lost up to the start of the step.
-    before: Account<f64>,
+    before: EnergyTotals<f64>,
     total: EnergyAccount,
 }
 
@@ -36,7 +36,7 @@ impl KinematicAccount {
     /// Begins where `ideal` is.
     pub fn new(motion: &mut Motion<'_, f64>, ideal: &IdealMotion<'_>) -> Self {
         let energy = energy(motion, ideal);
-        let nothing = Account { supplied_j: 0.0, contact_loss_j: 0.0, friction_loss_j: 0.0, damping_loss_j: 0.0 };
+        let nothing = EnergyTotals { supplied_j: 0.0, contact_loss_j: 0.0, friction_loss_j: 0.0, damping_loss_j: 0.0 };
         let total = EnergyAccount {
             at_start_j: energy.total_j(),
             at_end_j: energy.total_j(),
@@ -56,7 +56,7 @@ impl KinematicAccount {
         ideal: &mut IdealMotion<'_>,
         start_s: f64,
         time_s: f64,
-    ) -> Result<Account<f64>, SampleError> {
+    ) -> Result<EnergyTotals<f64>, SampleError> {
         let (mut account, span_s) = (self.before, time_s - start_s);
         for (node, weight) in NODES {
             ideal.move_to(start_s + node * span_s)?;

@@ -1,4 +1,4 @@
-//! The start of flexible bodies that have settled: bent and stretched as they are once their own ringing has died away.
+//! The start of flexible bodies that have settled: bent and stretched as after the decay of their own oscillations.
 //!
 //! The shapes have no acceleration, and the rates that the motion of the mechanism gives them:
 //!
@@ -18,7 +18,7 @@ use crate::stepping::motion::Motion;
 use coordinates::Coordinates;
 use loosepin_math::{GramSystem, determinant_sign, factor_ldl, solve_square};
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::worst_for_its_size;
+use loosepin_mechanics::mechanism::largest_relative_residual;
 
 /// Half of the span over which rates of shapes are taken, s: 1e-6 of a period of 1 s, and large against round-off.
 const HALF_SPAN_S: f64 = 1e-6;
@@ -40,7 +40,7 @@ const SLOW: f64 = 0.1;
 const DIFFERENCE: f64 = 1e-7;
 /// Largest sum of the turns of the elements in a step of the load, rad.
 const MAX_TURN: f64 = 1.0;
-/// Largest change of a coordinate of a node with which Newton's method goes on, rad, and m for each metre of the mechanism.
+/// Largest change of a coordinate of a node with which Newton's method continues, rad, and m for each metre of the mechanism.
 const FAR: f64 = 10.0;
 /// Least share of the load that is added at once.
 const MIN_SHARE: f64 = 1e-4;
@@ -94,7 +94,7 @@ struct Settling<'s, 'a> {
     differences: Vec<f64>,
     /// ∂q̈/∂q, row by row, where it is known.
     slopes: Option<Vec<f64>>,
-    /// State of a run for the coordinates at hand.
+    /// State of a run for the current coordinates.
     state: Vec<f64>,
     /// The loops over the other coordinates.
     gram: GramSystem<f64>,
@@ -231,7 +231,7 @@ impl<'s, 'a> Settling<'s, 'a> {
         self.motion.set_state(0.0, &self.state);
         self.motion.dynamics.constraint_residuals(&mut self.defects);
         let mechanism = self.motion.dynamics.mechanism();
-        worst_for_its_size(&mechanism.model, &mechanism.real, &self.defects, mechanism.size_m)
+        largest_relative_residual(&mechanism.model, &mechanism.real, &self.defects, mechanism.size_m)
     }
 
     /// Why no static shape was found from `relative` on, where the loops are closed: a loop stays open when a shape changes a little, or the load is beyond what the beams bear.
@@ -355,7 +355,7 @@ impl<'s, 'a> Settling<'s, 'a> {
         self.gram.solve(&mut self.defects);
         let others = &self.coordinates.others;
         let mut change = vec![0.0; others.len()];
-        self.gram.add_answer(&self.defects, &mut change);
+        self.gram.add_correction(&self.defects, &mut change);
         for (&other, change) in others.iter().zip(change) {
             numbers[other] -= change;
         }

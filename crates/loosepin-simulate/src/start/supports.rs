@@ -27,7 +27,7 @@ struct Hold {
     is_clamp: bool,
     /// The body that it is to.
     to: BodyId,
-    /// Of a rigid joint: direction of the beam from the x axis of that body, rad.
+    /// Direction of the beam from the x axis of that body at a rigid joint, rad.
     beam_rad: Option<f64>,
 }
 
@@ -49,13 +49,13 @@ pub(crate) fn buckling_factor(model: &Model, values: &Values, ends: [PointId; 2]
 /// What the other body of a joint does not do against the body of a clamp.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Held {
-    /// It does not turn.
+    /// The end does not turn.
     Angle,
-    /// It does not turn, nor move across the beam.
+    /// The end does not turn, nor move across the beam.
     Sideways,
 }
 
-/// What holds the other body of `hold` against that of the clamp `base`; nothing where neither is so.
+/// What holds the other body of `hold` against that of the clamp `base`; `None` if neither is so.
 fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Option<Held> {
     if hold.to == base.to {
         return Some(Held::Sideways);

@@ -9,7 +9,7 @@
 //! error off: a(q, v) comes to ẇ where ω² is far above μ², and q stays p elsewhere. So forces and accelerations inside err by some thousandths where the cubics alone err by more (docs/integrators.md). A polynomial of higher degree
 //! for p, with accelerations at its ends, is worse: their errors in stiff directions times h² become displacements.
 
-use crate::lanes::memory::{LaneLayout, Named};
+use crate::lanes::memory::{LaneLayout, MemoryBlocks};
 use crate::lanes::pass::Pass;
 use crate::stepping::motion::Motion;
 use crate::stepping::projection::Projection;
@@ -22,9 +22,9 @@ const CORRECTIONS: u64 = 2;
 pub struct Implicit {
     /// The method.
     pub radau: Radau,
-    /// Whether the step at hand is one of it.
+    /// Whether the current step is one of it.
     pub is_at_hand: bool,
-    /// The last look inside the step at hand: its share and the corrected coordinates and rates there.
+    /// The last look inside the current step: its share and the corrected coordinates and rates there.
     looked: Option<(f64, Vec<f64>)>,
 }
 
@@ -42,11 +42,11 @@ impl Implicit {
         }
     }
 
-    /// Corrects the state at `share` of the step at hand, which is that of the cubics; gives the evaluations that it took.
+    /// Corrects the state at `share` of the current step, which is that of the cubics; gives the evaluations that it took.
     pub fn correct(
         &mut self,
         (pass, motion, projection): (&Pass, &mut Motion<'_, f64>, Option<&mut Projection<f64>>),
-        named: &Named<'_, f64>,
+        named: &MemoryBlocks<'_, f64>,
         share: f64,
         state: &mut [f64],
     ) -> u64 {
@@ -89,7 +89,12 @@ pub const TOO_LONG: (f64, f64) = (2.0, 0.5);
 
 /// Whether a contact closes and opens again inside a step without any sign of it in the gap and its derivatives at both ends: in a slot, in a guide with ends
 /// and between worn surfaces another wall may be met there, and implicit steps are long enough to miss it.
-pub fn hides_contact(pass: &Pass, motion: &mut Motion<'_, f64>, named: &mut Named<'_, f64>, state: &mut [f64]) -> bool {
+pub fn hides_contact(
+    pass: &Pass,
+    motion: &mut Motion<'_, f64>,
+    named: &mut MemoryBlocks<'_, f64>,
+    state: &mut [f64],
+) -> bool {
     let meets_walls = |contact: &usize| {
         let play = motion.dynamics.sample().play_of(*contact);
         play.shape.has_walls() || play.foundation.is_some()

@@ -15,8 +15,8 @@ use loosepin_mechanics::model::{PlayId, SlidingVelocity};
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
 
-/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of
-/// errors of controls; then the integrals of the energy account, and the losses of frictions that are watched.
+/// Layout of the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of errors of
+/// controls; then the integrals of the energy account, and the losses of monitored frictions.
 #[derive(Debug, Clone)]
 pub struct Layout {
     /// Free coordinates.
@@ -42,7 +42,7 @@ pub struct Layout {
 /// Friction that may give back more than it took: with a memory, or by another velocity than that of the materials.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Watched {
-    /// Of a joint with play: its index in [`Mechanism::plays`].
+    /// A joint with play: its index in [`Mechanism::plays`].
     Play(usize),
     /// Of an ideal joint: its index in [`Sample::frictions`].
     Joint(usize),
@@ -137,7 +137,7 @@ impl Layout {
 
     /// The energy account in a state.
     #[inline(always)]
-    pub fn account<T: Real>(&self, state: &[T]) -> Account<T> {
+    pub fn account<T: Real>(&self, state: &[T]) -> EnergyTotals<T> {
         self.account_by(
             #[inline(always)]
             |place| state[place],
@@ -146,9 +146,9 @@ impl Layout {
 
     /// The same of a state, or of its slope, whose numbers `number` reads.
     #[inline(always)]
-    pub fn account_by<T: Real>(&self, number: impl Fn(usize) -> T) -> Account<T> {
+    pub fn account_by<T: Real>(&self, number: impl Fn(usize) -> T) -> EnergyTotals<T> {
         let first = self.dimension;
-        Account {
+        EnergyTotals {
             supplied_j: number(first),
             contact_loss_j: number(first + 1),
             friction_loss_j: number(first + 2),
@@ -159,7 +159,7 @@ impl Layout {
 
 /// Energy supplied and lost since time zero, J.
 #[derive(Debug, Clone, Copy)]
-pub struct Account<T> {
+pub struct EnergyTotals<T> {
     /// Work of drives, loads and actuators.
     pub supplied_j: T,
     /// Turned into heat by normal contact.
@@ -178,7 +178,7 @@ pub struct Motion<'a, T> {
     pub states: Vec<PlayState<T>>,
     /// Roots of penetrations of the contacts that have one, and deflections of bristles.
     pub unknowns: Vec<ContactUnknowns<T>>,
-    /// Where everything is.
+    /// Layout of the state vector.
     pub layout: Layout,
     /// The time of the last evaluation, s.
     pub time_s: T,

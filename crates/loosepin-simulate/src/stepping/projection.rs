@@ -71,6 +71,6 @@ impl<T: Real> Projection<T> {
         self.gram.set(&self.jacobian, columns, &self.mass, motion.freedoms());
         self.gram.solve(&mut self.defects);
         self.correction.fill(T::zero());
-        self.gram.add_answer(&self.defects, &mut self.correction);
+        self.gram.add_correction(&self.defects, &mut self.correction);
     }
 }

@@ -25,14 +25,14 @@ problems! {
 /// The smallest play of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmallestClearance {
-    /// What has it, in words: `joint 'gudgeon'`.
+    /// The joint or coupling in words: `joint 'gudgeon'`.
     pub play: String,
     /// Clearance, m: above zero.
     pub clearance_m: f64,
 }
 
 impl SmallestClearance {
-    /// That of `model` with `values`; none where nothing has play.
+    /// The smallest clearance of `model` with `values`; `None` if nothing has play.
     pub fn of(model: &Model, values: &Values) -> Option<Self> {
         let plays = model.play_clearances();
         plays

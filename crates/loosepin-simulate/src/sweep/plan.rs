@@ -46,7 +46,7 @@ impl SweepPlan {
         set.model.quantities.evaluate(&settings)
     }
 
-    /// The smallest clearance of all runs; none where no joint has play in any.
+    /// The smallest clearance of all runs; `None` if no joint has play in any.
     pub fn smallest_clearance(&self, set: &SetValues) -> Option<SmallestClearance> {
         let of_runs =
             (0..self.points).filter_map(|index| SmallestClearance::of(&set.model, &self.values(set, index).ok()?));
@@ -70,7 +70,7 @@ problems! {
         } => Code::AllRunsFailed,
             says("{}: {reason}", if *runs == 1 { "the run failed".to_owned() } else { format!("all {runs} runs failed; the first one") }),
             hint("`loosepin simulate` with --set makes a single run");
-        /// It was interrupted.
+        /// The sweep was interrupted.
         Interrupted { finished: usize, runs: usize } => Code::Interrupted,
             says("interrupted after {finished} of {runs} runs");
     }

@@ -12,9 +12,9 @@ use crate::observer::{Observer, Step};
 use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
 use crate::stepping::search::{maximum_within, may_exceed};
-use crate::watched::Watched;
+use crate::stoppable_observer::StoppableObserver;
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample, SampleError};
-use loosepin_mechanics::model::{Jumps, Values, WearGeometry};
+use loosepin_mechanics::model::{CycleJumps, Values, WearGeometry};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -34,7 +34,7 @@ pub struct LifePlan<'a> {
     pub settings: &'a Settings,
 }
 
-/// The wear of all cycles where the worn shape of `mechanism` acts back; nothing where its model holds the unworn shape. Afterwards
+/// The wear of all cycles where the worn shape of `mechanism` acts back; `None` if its model holds the unworn shape. Afterwards
 /// `sample` is worn.
 ///
 /// Each cycle starts from the ideal positions and velocities, as every run does, on a shape that is held meanwhile.
@@ -49,8 +49,8 @@ pub fn worn_life(
 ) -> Result<Option<Life>, RunFailure> {
     let Some(WearGeometry::Worn(jumps)) = mechanism.model.wear.map(|life| life.geometry) else { return Ok(None) };
     let length = match jumps {
-        Jumps::Equal(count) => JumpLength::Equal(count),
-        Jumps::Controlled(tolerance) => JumpLength::Controlled { tolerance_m: plan.values[tolerance] },
+        CycleJumps::Equal(count) => JumpLength::Equal(count),
+        CycleJumps::Controlled(tolerance) => JumpLength::Controlled { tolerance_m: plan.values[tolerance] },
     };
     let joints = WearingJoint::all(mechanism, plan.values);
     if let Some(joint) = joints.iter().find(|joint| joint.play.is_none()) {
@@ -102,7 +102,7 @@ fn run_cycle(
         path_of_turn_j: vec![0.0; plan.turns.floor() as usize],
         failure: None,
     };
-    let mut watched = Watched { observer: &mut observer, stop };
+    let mut watched = StoppableObserver { observer: &mut observer, stop };
     let report = run_from(
         mechanism,
         sample,

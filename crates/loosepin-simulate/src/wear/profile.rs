@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// counted from the x axis of the body that has the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WearProfile {
-    /// Of the bearing and of the journal, by sector, J.
+    /// Friction path of the bearing and of the journal, by sector, J.
     pub path_j: [Vec<f64>; 2],
     /// Sum over all sectors, J.
     pub total_j: f64,
@@ -17,7 +17,7 @@ pub struct WearProfile {
     pub capped_j: f64,
     /// Largest half-width of the patch, m.
     pub widest_m: f64,
-    /// Where the joint has an elastic foundation: sliding path of each sector of the bearing and of the journal under load, m.
+    /// Sliding path of each sector of the bearing and of the journal under load, m, if the joint has an elastic foundation.
     pub slid_m: [Vec<f64>; 2],
     /// The same joint: smallest and largest angle of the bearing from the journal, rad.
     pub turns_rad: [f64; 2],
@@ -25,7 +25,7 @@ pub struct WearProfile {
 
 /// The contact at an instant, with the friction path that it stands for.
 #[derive(Debug, Clone, Copy)]
-pub struct Pressed {
+pub struct ContactSample {
     /// Angle of the normal n, from the bearing's centre to the contact, in the ground's frame, rad.
     pub normal_rad: f64,
     /// Angles of the bearing's and of the journal's body, rad.
@@ -37,7 +37,7 @@ pub struct Pressed {
 }
 
 impl WearProfile {
-    /// Nothing worn.
+    /// An unworn profile.
     pub fn new(joint: &WearingJoint) -> Self {
         let none = vec![0.0; joint.sectors];
         Self {
@@ -83,7 +83,7 @@ impl WearProfile {
     }
 
     /// Distributes a friction path over the sectors.
-    pub fn add(&mut self, joint: &WearingJoint, pressed: &Pressed) {
+    pub fn add(&mut self, joint: &WearingJoint, pressed: &ContactSample) {
         if !(pressed.path_j > 0.0) {
             return;
         }

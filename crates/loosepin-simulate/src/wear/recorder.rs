@@ -2,7 +2,7 @@
 
 use super::joint::WearingJoint;
 use super::jumps::Life;
-use super::profile::{Pressed, WearProfile};
+use super::profile::{ContactSample, WearProfile};
 use crate::ideal::column::columns;
 use crate::observer::Step;
 use crate::recording::work::NODES;
@@ -20,20 +20,20 @@ const HALVINGS: usize = 48;
 pub struct WearRecorder {
     /// The joints.
     pub joints: Vec<WearingJoint>,
-    /// Of each, what its recorded part has worn so far.
+    /// Wear of each joint by its recorded part so far.
     pub profiles: Vec<WearProfile>,
     /// The wear of all cycles, where the worn shape acts back; then the profiles are those of the last cycle alone.
     pub life: Option<Life>,
     /// Column of the model and its largest deviation, SI, that end the life of the mechanism.
     pub limit: Option<(usize, f64)>,
-    /// The contact of each; none of an ideal joint. A pin touches its hole at one place.
+    /// The contact of each joint; `None` for an ideal joint. A pin touches its hole at one place.
     contacts: Vec<Option<usize>>,
     /// Slots of bearing and journal in the real tree: of a flexible body, those of its sections.
     slots: Vec<[usize; 2]>,
 }
 
 impl WearRecorder {
-    /// Nothing worn yet.
+    /// An unworn record.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Self {
         let joints = WearingJoint::all(mechanism, values);
         let slots_of = |joint: &WearingJoint| {
@@ -96,9 +96,9 @@ fn with_play(
     (contact, play): (usize, usize),
     slots: [usize; 2],
     (time_s, weight_s): (f64, f64),
-) -> Pressed {
+) -> ContactSample {
     let (force, dynamics) = step.contact_force(contact, time_s);
-    Pressed {
+    ContactSample {
         normal_rad: angle(dynamics.plays()[play].eccentricity_m),
         bodies_rad: angles(dynamics, slots),
         force_n: force.normal_n.max(0.0),
@@ -107,11 +107,16 @@ fn with_play(
 }
 
 /// An ideal joint: its pin is pressed against the side that its force comes from, and slides by R_i (ω_j - ω_i).
-fn ideal(step: &mut Step<'_, '_>, joint: &WearingJoint, slots: [usize; 2], (time_s, weight_s): (f64, f64)) -> Pressed {
+fn ideal(
+    step: &mut Step<'_, '_>,
+    joint: &WearingJoint,
+    slots: [usize; 2],
+    (time_s, weight_s): (f64, f64),
+) -> ContactSample {
     let dynamics = step.evaluate(time_s);
     let force_n = dynamics.joint_force_n(joint.joint);
     let length_n = force_n.length();
-    Pressed {
+    ContactSample {
         normal_rad: angle(-force_n),
         bodies_rad: angles(dynamics, slots),
         force_n: length_n,

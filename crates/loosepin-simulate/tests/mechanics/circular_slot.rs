@@ -9,7 +9,7 @@ use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{IdealMotion, Sample};
 use loosepin_mechanics::model::JointId;
 use loosepin_simulate::accuracy::{
-    DisplacedLoops, PlayReach, found_worst_case, position_outputs, quasi_static_check, starts_on_borders,
+    DisplacedLoops, PlayReach, position_outputs, quasi_static_check, starts_on_borders, worst_case_extremes,
 };
 use loosepin_simulate::{Observer, Plan, RunReport, Settings, Step, Window, run, simulate};
 
@@ -330,7 +330,7 @@ fn analytic_worst_case_of_a_yoke_is_that_of_the_radius_with_the_clearance() {
         let found_m = loops.value(reading) - 0.040 * crank_rad.cos() - 0.140;
         let side = *side.get_or_insert(found_m.signum());
         assert!((found_m - side * ideal_m).abs() < ROUND_OFF_M, "{found_m} {ideal_m}");
-        let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
+        let exact = worst_case_extremes(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
         let mut expected_m = [side * (least_m - ideal_m), side * (most_m - ideal_m)];
         expected_m.sort_by(f64::total_cmp);
         assert!((exact.lowest.deviation_si - expected_m[0]).abs() < ROUND_OFF_M, "{exact:?} {expected_m:?}");

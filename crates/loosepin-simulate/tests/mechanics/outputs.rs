@@ -92,8 +92,8 @@ fn analytic_outputs_seen_from_a_moving_body() {
         sum[0] = [sum[0][0] - POST_M[0], sum[0][1] - POST_M[1]];
         sum
     };
-    type Place<'p> = &'p dyn Fn(f64) -> [[f64; 2]; 3];
-    let places: [(&str, &str, Place<'_>); 4] = [
+    type PointMotion<'p> = &'p dyn Fn(f64) -> [[f64; 2]; 3];
+    let places: [(&str, &str, PointMotion<'_>); 4] = [
         ("arm.tip", "crank.pin", &tip_from_pin),
         ("ground.anchor", "crank.main", &post_from_shaft),
         ("crank.main", "arm.tip", &shaft_from_tip),

@@ -9,7 +9,7 @@ use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{IdealMotion, Sample};
 use loosepin_mechanics::model::JointId;
 use loosepin_simulate::accuracy::{
-    DisplacedLoops, PlayReach, found_worst_case, position_outputs, quasi_static_check, starts_on_borders,
+    DisplacedLoops, PlayReach, position_outputs, quasi_static_check, starts_on_borders, worst_case_extremes,
 };
 use loosepin_simulate::{Observer, Plan, RunReport, Settings, Step, Window, run, simulate};
 
@@ -242,7 +242,7 @@ fn analytic_ideal_yoke_and_its_worst_case() {
         loops.set_position(motion.coordinates());
         let reading = position_outputs(&case.mechanism)[0].reading;
         assert!((loops.value(reading) - tool_m).abs() < ROUND_OFF_M, "{} {tool_m}", loops.value(reading));
-        let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
+        let exact = worst_case_extremes(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
         let expected_m = CLEARANCE_M / slope_rad.sin();
         assert!((exact.highest.deviation_si - expected_m).abs() < ROUND_OFF_M);
         assert!((exact.lowest.deviation_si + expected_m).abs() < ROUND_OFF_M);

@@ -13,9 +13,9 @@ use super::inputs::InputsHash;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
 
-/// Where results are to go.
+/// Destination of results.
 #[derive(Debug, Clone)]
-pub enum Place {
+pub enum Destination {
     /// `ROOT/NAME/HASH`: a folder for each set of inputs, so that nothing is ever in the way. Links in `ROOT` are followed, none below it.
     Below(PathBuf),
     /// The same with a root below an open folder. No link below that folder is followed.
@@ -33,8 +33,8 @@ pub struct Claim {
     pub name: String,
     /// Hash of its inputs.
     pub inputs: InputsHash,
-    /// Where it is to go.
-    pub place: Place,
+    /// Destination of the result.
+    pub destination: Destination,
     /// Whether results and files that are in the way are replaced.
     pub with_force: bool,
 }
@@ -50,10 +50,10 @@ pub struct LockedFolder<'a> {
 impl Claim {
     /// The folder that results go to.
     pub fn path(&self) -> PathBuf {
-        match &self.place {
-            Place::Below(root) => root.join(self.below()),
-            Place::Within(folder, root) => folder.path().join(root).join(self.below()),
-            Place::Folder(path) => path.clone(),
+        match &self.destination {
+            Destination::Below(root) => root.join(self.below()),
+            Destination::Within(folder, root) => folder.path().join(root).join(self.below()),
+            Destination::Folder(path) => path.clone(),
         }
     }
 
@@ -64,10 +64,10 @@ impl Claim {
 
     /// The folder, where it is there.
     fn open(&self) -> Result<Option<Folder>, ResultsError> {
-        let opened = match &self.place {
-            Place::Below(root) => Folder::open(root).and_then(|root| root.open_below(&self.below())),
-            Place::Within(folder, root) => folder.open_below(&root.join(self.below())),
-            Place::Folder(path) => Folder::open(path),
+        let opened = match &self.destination {
+            Destination::Below(root) => Folder::open(root).and_then(|root| root.open_below(&self.below())),
+            Destination::Within(folder, root) => folder.open_below(&root.join(self.below())),
+            Destination::Folder(path) => Folder::open(path),
         };
         match opened.map_err(|error| not_opened(&self.path(), error)) {
             Err(ResultsError::NoSuchFolder { .. }) => Ok(None),
@@ -78,12 +78,12 @@ impl Claim {
     /// Locks the folder, making it where there is none.
     fn take_lock(&self) -> Result<FolderLock, ResultsError> {
         let holder = holder(&format!("{} '{}'", self.kind.words(), self.name));
-        let taken = match &self.place {
-            Place::Below(root) => FolderLock::take_under(root, &self.below(), LockKind::Result, &holder),
-            Place::Within(folder, root) => {
+        let taken = match &self.destination {
+            Destination::Below(root) => FolderLock::take_under(root, &self.below(), LockKind::Result, &holder),
+            Destination::Within(folder, root) => {
                 FolderLock::take_below(folder, &root.join(self.below()), LockKind::Result, &holder)
             }
-            Place::Folder(path) => FolderLock::take(path, LockKind::Result, &holder),
+            Destination::Folder(path) => FolderLock::take(path, LockKind::Result, &holder),
         };
         taken.map_err(|error| ResultsError::of_lock(&self.path(), error))
     }
@@ -110,8 +110,8 @@ impl Claim {
         self.lock(&[])?.begin()
     }
 
-    /// Locks the folder, making it where there is none; nothing else in it is changed. Files named `beside` may be made under the
-    /// lock before [`LockedFolder::begin`]; alone in a folder they say nothing.
+    /// Locks the folder, making it if there is none; nothing else in it is changed. Files named `beside` may be made under the lock before
+    /// [`LockedFolder::begin`]; alone in a folder they say nothing.
     ///
     /// # Errors
     /// As for [`Claim::take`].
@@ -180,7 +180,7 @@ impl LockedFolder<'_> {
         self.held.as_ref().is_some_and(|held| self.claim.is_made(held))
     }
 
-    /// Begins the result: whoever comes next finds an unfinished one. A finished result of the same inputs is left as it is.
+    /// Begins the result: until it is finished, others find an unfinished one. A finished result of the same inputs is left as it is.
     ///
     /// # Errors
     /// The file system refuses.
@@ -250,7 +250,7 @@ fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, R
     Ok(replaced)
 }
 
-/// The first entry of a folder by name; none where it is empty. Files named `beside` and those of locks are left aside, and what is not
+/// The first entry of a folder by name; `None` if it is empty. Files named `beside` and those of locks are left aside, and what is not
 /// whole: its writer was stopped before it had its name.
 fn first_entry(folder: &Folder, beside: &[&str]) -> Result<Option<String>, ResultsError> {
     const MAX_ENTRIES: usize = 1 << 20;

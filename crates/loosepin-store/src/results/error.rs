@@ -35,7 +35,7 @@ problems! {
         AsideTaken { path: PathBuf } => Code::FolderHoldsOther,
             says("{} already exists; loosepin needs this name for result files while it replaces them", path.display()),
             hint("move it, or give another folder");
-        /// Another process writes there; `holder` is what it says of itself.
+        /// Another process writes there; `holder` is its own description.
         InUse { folder: PathBuf, holder: Option<String> } => Code::FolderInUse,
             says(
                 "{} is in use by {}; nothing in it is changed",
@@ -77,7 +77,7 @@ problems! {
         ForeignMarker { path: PathBuf, source: serde_json::Error } => Code::NoResults,
             says("{} does not have the format of this version: {source}", path.display()),
             hint("run the command again with another folder, or use the version that wrote the file");
-        /// A run that did not come to its end.
+        /// A run that did not finish.
         Unfinished { folder: PathBuf, kind: ResultKind, name: String } => Code::NoResults,
             says("the {} '{name}' in {} did not finish", kind.words(), folder.display()),
             hint("run the same command again; it writes into the same folder");

@@ -13,7 +13,7 @@ mod shards;
 
 use loosepin_files::LockKind;
 
-pub use claim::{Claim, LockedFolder, Place};
+pub use claim::{Claim, Destination, LockedFolder};
 pub use error::ResultsError;
 pub use folder::{FinishedResult, ResultsFolder};
 pub use inputs::{InputsHash, InputsHasher};

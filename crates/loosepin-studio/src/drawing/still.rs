@@ -8,7 +8,7 @@ use loosepin::result::simulation::{Drawing, PoseTable};
 use loosepin::simulate::parts;
 
 const M_PER_MM: f64 = 1e-3;
-/// Nobody draws further, mm.
+/// Largest coordinate of a drawing, mm.
 const FURTHEST_MM: f64 = 1e9;
 
 /// Poses of bodies by their names: x and y of the origin, mm, and the angle, degrees.
@@ -24,7 +24,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// From mm and degrees; nothing where it is none, or far away.
+    /// From mm and degrees; `None` if it is none, or far away.
     pub fn of_page([x, y, degrees]: [f64; 3]) -> Option<Self> {
         let is_near = [x, y, degrees].iter().all(|value| value.is_finite() && value.abs() < FURTHEST_MM);
         is_near.then(|| Self { origin_m: [x * M_PER_MM, y * M_PER_MM], angle_rad: degrees.to_radians() })
@@ -49,12 +49,12 @@ impl Pose {
     }
 }
 
-/// Where a point is in its body, m.
+/// Position of a point in its body, m.
 pub fn in_body_m(model: &Model, values: &Values, point: PointId) -> [f64; 2] {
     model.bodies[point.body.0].points[point.point].position_m.map(|id| values[id])
 }
 
-/// Where all bodies are, in their order: as given, or else joined to those that are placed, at the angle that the model guesses.
+/// Poses of all bodies, in their order: as given, or else joined to those that are placed, at the angle that the model guesses.
 pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
     let values = model.quantities.nominal();
     let mut poses: Vec<Option<Pose>> =

@@ -20,7 +20,7 @@ pub struct Setting {
 
 /// Why a coordinate cannot be changed by one number.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Locked {
+pub struct LockedCoordinate {
     /// Path of the coordinate.
     pub path: String,
     /// Names of what its expression uses.
@@ -28,12 +28,12 @@ pub struct Locked {
 }
 
 /// The number behind a quantity: itself, or the one parameter on which it depends along a straight line, however many steps away.
-pub fn behind(model: &Model, quantity: QuantityId, value_si: f64) -> Result<Setting, Locked> {
+pub fn behind(model: &Model, quantity: QuantityId, value_si: f64) -> Result<Setting, LockedCoordinate> {
     let written = &model.quantities[quantity];
     match &written.origin {
         Origin::Literal => Ok(Setting { quantity, value_si }),
         Origin::Expression { depends_on } => {
-            let locked = || Locked {
+            let locked = || LockedCoordinate {
                 path: written.path.clone(),
                 by: depends_on.iter().map(|id| name(&model.quantities[*id].path)).collect(),
             };
@@ -43,7 +43,7 @@ pub fn behind(model: &Model, quantity: QuantityId, value_si: f64) -> Result<Sett
             let moved_si = model.quantities.nominal()[source] + (value_si - value) / slope;
             Ok(Setting { quantity: source, value_si: moved_si })
         }
-        Origin::Default | Origin::Fixed => Err(Locked { path: written.path.clone(), by: Vec::new() }),
+        Origin::Default | Origin::Fixed => Err(LockedCoordinate { path: written.path.clone(), by: Vec::new() }),
     }
 }
 

@@ -11,10 +11,10 @@ use std::sync::atomic::AtomicBool;
 use loosepin::model::{Model, QuantityId};
 use loosepin::result::simulation::Drawing;
 
-use super::grip::{Gripped, gripped_closing, number};
+use super::grip::{DragOutcome, gripped_closing, number};
 use super::nearest::{Nearest, nearest};
 use super::reshape::{length, minus};
-use super::toml::pieces::Pieces;
+use super::toml::pieces::Replacements;
 use crate::files::folder::Folder;
 use crate::messages::Grip;
 use crate::view::places::unquoted;
@@ -28,9 +28,9 @@ const KEPT_SHARE: f64 = 0.5;
 const POSITIONS: usize = 121;
 
 /// A drag whose loops close where it left them.
-pub struct Kept {
-    /// The drag, with the new guesses; nothing where the model does not let them be written.
-    pub drag: Option<Gripped>,
+pub struct PreservedClosure {
+    /// The drag, with the new guesses; `None` if the model does not let them be written.
+    pub drag: Option<DragOutcome>,
 }
 
 /// The drag with other guesses, where the loops of the mechanism in `drawing` close elsewhere than the drag left them, and others close
@@ -39,10 +39,10 @@ pub fn kept_closure(
     folder: &Folder,
     before: &Texts,
     grip: &Grip,
-    drag: &Gripped,
+    drag: &DragOutcome,
     drawing: &Drawing,
     stop: &AtomicBool,
-) -> Option<Kept> {
+) -> Option<PreservedClosure> {
     let found = nearest(drag, drawing).filter(|found| is_far(found, drag))?;
     let model = Model::from_source(Arc::clone(&before.model)).ok()?;
     let [drive] = &model.drives[..] else { return None };
@@ -53,7 +53,7 @@ pub fn kept_closure(
     let new = before.with(folder, drag.model.as_deref(), drag.study.as_deref());
     let new_model = Model::from_source(Arc::clone(&new.model)).ok()?;
     // Begun at the shown position.
-    let mut begun = Pieces::new(new.model.text());
+    let mut begun = Replacements::new(new.model.text());
     let mut set = |quantity: QuantityId, angle_rad: f64| {
         let span = new_model.quantities[quantity].span?;
         begun.replace(unquoted(&new.model, span), &format!("{} deg", angle_rad.to_degrees())).ok()
@@ -74,10 +74,10 @@ pub fn kept_closure(
         .map(|guess| Some((guess.angle_rad, whole_degrees(angle_at(&turned, guess.body.0, start_rad)?))))
         .collect::<Option<_>>()?;
     let is_written = !guesses.is_empty() && guesses.iter().all(|(id, _)| number(&model, before, *id).is_some());
-    Some(Kept { drag: is_written.then(|| gripped_closing(&model, before, grip, &guesses)) })
+    Some(PreservedClosure { drag: is_written.then(|| gripped_closing(&model, before, grip, &guesses)) })
 }
 
-fn is_far(found: &Nearest, drag: &Gripped) -> bool {
+fn is_far(found: &Nearest, drag: &DragOutcome) -> bool {
     let due_m = drag.expected_m();
     let apart = due_m.iter().flat_map(|one| due_m.iter().map(move |other| length(minus(*one, *other))));
     found.far_m > FAR_SHARE * apart.fold(0.0, f64::max)

@@ -11,12 +11,12 @@ use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
 
 use super::behind::{Setting, behind};
 use super::guide::turned;
-use super::reshape::Posed;
+use super::reshape::PosedMechanism;
 use super::structure::Locks;
-use super::toml::pieces::Pieces;
+use super::toml::pieces::Replacements;
 use super::written::Written;
 use crate::drawing::still::Pose;
-use crate::messages::{Document, Grip, Held, Reshaped};
+use crate::messages::{Document, DragResult, Grip, Held};
 use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
@@ -24,33 +24,33 @@ use crate::view::texts::Texts;
 const M_PER_MM: f64 = 1e-3;
 /// A number that is not to be round is written to this share of a step.
 const FREE_SHARE: f64 = 0.02;
-/// Nobody drags further, m.
+/// Largest distance of a drag, m.
 const FURTHEST_M: f64 = 1e6;
 /// Most points that lie at one centre: each is looked for in all joints.
 const MAX_HELD: usize = 200;
-/// Most coordinates that a drag changes: for each, all expressions of the model are worked out.
+/// Most coordinates that a drag changes: for each, all expressions of the model are evaluated.
 const MAX_COORDINATES: usize = 400;
 /// Keys of a distribution that say where it lies, beside its nominal value with a tolerance.
 const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
 const TOLERANCE: &str = "tolerance";
 
-/// What a drag does.
+/// Outcome of a drag.
 #[derive(Default)]
-pub struct Gripped {
+pub struct DragOutcome {
     /// The same for the page.
-    pub reshaped: Reshaped,
-    /// The model as it is to be; nothing where it stays.
+    pub reshaped: DragResult,
+    /// The model as it is to be; `None` if it stays.
     pub model: Option<String>,
-    /// The study as it is to be; nothing where it stays.
+    /// The study as it is to be; `None` if it stays.
     pub study: Option<String>,
-    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were. Nothing where a guide turns: all moves.
+    /// Expected position of each joint, m: the dragged one at the pointer, the others where they were. Empty if a guide turns: all moves.
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies as the drag leaves them.
     poses: Vec<Pose>,
 }
 
-impl Gripped {
-    /// Where each joint is to be, m; nothing where that cannot be said.
+impl DragOutcome {
+    /// Expected position of each joint, m; empty if unknown.
     pub fn expected_m(&self) -> &[[f64; 2]] {
         &self.expected_m
     }
@@ -62,19 +62,19 @@ impl Gripped {
 }
 
 /// A drag that changes nothing, with the reason.
-pub fn refused_drag(words: String) -> Gripped {
-    Gripped { reshaped: Reshaped { refusal: Some(words), ..Reshaped::default() }, ..Gripped::default() }
+pub fn refused_drag(words: String) -> DragOutcome {
+    DragOutcome { reshaped: DragResult { refusal: Some(words), ..DragResult::default() }, ..DragOutcome::default() }
 }
 
 /// What a drag moves.
 struct Moved {
     /// Numbers that change, and their new values, SI.
     coordinates: Vec<(QuantityId, f64)>,
-    /// Where each joint is to be, m; nothing where that cannot be said.
+    /// Where each joint is to be, m; empty if that cannot be said.
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies afterwards.
     poses: Vec<Pose>,
-    /// Values are taken as they are, and not rounded to the step of the screen.
+    /// Values are taken exactly, and not rounded to the step of the screen.
     is_exact: bool,
 }
 
@@ -84,7 +84,7 @@ struct Moved {
 /// In words: it holds nothing that can be moved.
 fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
     let to_m = grip.to_mm.map(|mm| mm * M_PER_MM);
-    let posed = Posed::new(model, poses);
+    let posed = PosedMechanism::new(model, poses);
     let joint_of = |name: &str| {
         let found = model.joints.iter().position(|joint| joint.name == *name);
         found.ok_or_else(|| format!("joint '{name}' no longer exists"))
@@ -127,12 +127,12 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
 }
 
 /// The changes of a drag, or why there are none.
-pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
+pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> DragOutcome {
     gripped_closing(model, texts, grip, &[])
 }
 
 /// As [`gripped`], with other guesses of how the loops close: numbers of the model, and their values in whole degrees, SI.
-pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(QuantityId, f64)]) -> Gripped {
+pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(QuantityId, f64)]) -> DragOutcome {
     let refused = refused_drag;
     let is_near = |value: &f64| value.is_finite() && value.abs() * M_PER_MM < FURTHEST_M;
     let is_sound = grip.poses.len() == model.bodies.len()
@@ -177,7 +177,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
         return refused(format!("{} is locked: unlock it in the list of numbers", describe_path(path)));
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
-    let mut text = Pieces::new(texts.model.text());
+    let mut text = Replacements::new(texts.model.text());
     let mut shifts: BTreeMap<String, f64> = BTreeMap::new();
     let mut words = Vec::new();
     for Setting { quantity, value_si } in settings {
@@ -226,8 +226,8 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
     }
     let named = model.bodies.iter().zip(&poses).skip(1).map(|(body, pose)| (body.name.clone(), pose.for_page()));
     let poses_of_page = named.collect();
-    Gripped {
-        reshaped: Reshaped { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
+    DragOutcome {
+        reshaped: DragResult { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
         model: text.text(),
         study: study.and_then(|shifted| shifted.text()),
         expected_m,
@@ -248,10 +248,13 @@ pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Ran
 
 /// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay. A
 /// distribution without a nominal value of its own follows the model as it is.
-fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Result<(Pieces<'a>, Vec<String>), Refusal> {
+fn shifted<'a>(
+    study: &'a Arc<Source>,
+    moved: &BTreeMap<String, f64>,
+) -> Result<(Replacements<'a>, Vec<String>), Refusal> {
     let unreadable = |_| Refusal::bad("the study cannot be read: correct its problems first");
     let toml = parse_toml(study).map_err(unreadable)?;
-    let mut text = Pieces::new(study.text());
+    let mut text = Replacements::new(study.text());
     let mut stays = Vec::new();
     let random = toml.get_ref().get("random").and_then(|random| random.get_ref().as_table());
     for (path, entry) in random.into_iter().flatten() {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use loosepin::model::{Line, Model};
 
-use super::reshape::Posed;
+use super::reshape::PosedMechanism;
 use super::reshape::{Coordinate, length, minus};
 use crate::drawing::still::Pose;
 
@@ -29,7 +29,7 @@ pub fn turned(
     let Some(Line { point, angle_rad: angle }) = model.joints[joint].kind.line() else {
         return Err(format!("{} has no line that can be turned", model.joints[joint].name));
     };
-    let way = minus(to_m, Posed::new(model, poses).at_m(point));
+    let way = minus(to_m, PosedMechanism::new(model, poses).at_m(point));
     if !(length(way) > MIN_M) {
         return Err("this place is the point of the guide, so it gives no direction".to_owned());
     }

@@ -27,7 +27,7 @@ mod written;
 
 pub use behind::number_behind;
 pub use closure::kept_closure;
-pub use grip::{Gripped, gripped, refused_drag};
+pub use grip::{DragOutcome, gripped, refused_drag};
 pub use nearest::nearest;
 pub use set_uncertainty::set_uncertainty;
 pub use structure::{Edit, Locks, Restructured, restructured, why_not};

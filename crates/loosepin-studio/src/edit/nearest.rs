@@ -2,7 +2,7 @@
 
 use loosepin::result::simulation::Drawing;
 
-use super::grip::Gripped;
+use super::grip::DragOutcome;
 use super::reshape::{length, minus};
 use crate::drawing::still::Pose;
 
@@ -15,9 +15,9 @@ pub struct Nearest {
     pub far_m: f64,
 }
 
-/// The position at which joints lie nearest to where they are expected; between two poses they go straight. Nothing where nothing is
+/// The position at which joints lie nearest to where they are expected; between two poses they go straight. `None` if nothing is
 /// expected of them.
-pub fn nearest(gripped: &Gripped, drawing: &Drawing) -> Option<Nearest> {
+pub fn nearest(gripped: &DragOutcome, drawing: &Drawing) -> Option<Nearest> {
     let poses = &drawing.poses;
     let joints: Vec<(usize, [f64; 2])> = drawing
         .joints

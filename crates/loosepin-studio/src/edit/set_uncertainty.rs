@@ -14,8 +14,8 @@ use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::toml::change::changes;
-use super::toml::lines::{Lines, owned};
-use super::uncertainty_spec::{Piece, UncertaintySpec, piece, uncertainty_spec};
+use super::toml::lines::{EditedText, owned};
+use super::uncertainty_spec::{UncertaintySpec, WrittenQuantity, piece, uncertainty_spec};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
@@ -26,10 +26,10 @@ const RANDOM: &str = "random";
 const EPISTEMIC: &str = "epistemic";
 /// Numbers are rounded to this many parts of a unit.
 const ROUND: f64 = 1e12;
-/// Of a turn, to see whether a mechanism moves.
+/// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
 const PLAY: &str = "radial_clearance";
-/// Of a bearing whose radius nobody has said, where no other joint has one.
+/// Radius of a bearing without a stated one, if no other joint has one.
 const FIRST_RADIUS: &str = "8 mm";
 /// Name and numbers of a contact that nobody has described.
 const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\n\
@@ -65,15 +65,17 @@ pub fn known_texts(
         _ => Number::of_new_play(&model, path)?,
     };
     let known = uncertainty_spec(text, number.dimension, &number.unit)?;
-    let mut in_model = Lines::new(texts.model.text());
+    let mut in_model = EditedText::new(texts.model.text());
     match (&number.place, &known) {
-        (Place::There(range), UncertaintySpec::Exact(value)) => in_model.replace([(range.clone(), value.quoted())])?,
+        (NumberLocation::There(range), UncertaintySpec::Exact(value)) => {
+            in_model.replace([(range.clone(), value.quoted())])?
+        }
         // The model keeps its value: the drawn one.
-        (Place::There(_), _) => {}
-        (Place::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {
+        (NumberLocation::There(_), _) => {}
+        (NumberLocation::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {
             give_play(&mut in_model, &model, joint, &value.quoted())?;
         }
-        (Place::NewPlay(joint), _) => {
+        (NumberLocation::NewPlay(joint), _) => {
             return Err(Refusal::bad(format!("the joint '{joint}' has no play yet"))
                 .with_hint("write its play first, for example 0.1 mm or 0.1..0.5 mm"));
         }
@@ -81,7 +83,7 @@ pub fn known_texts(
     let entry = entry(&known, &number, &model, path)?;
     let in_study = match (&texts.study, &entry) {
         (Some(study), _) => {
-            let mut in_study = Lines::new(study.text());
+            let mut in_study = EditedText::new(study.text());
             write_entry(&mut in_study, path, entry.as_ref())?;
             Some(in_study)
         }
@@ -91,7 +93,7 @@ pub fn known_texts(
                 .with_hint("open a study of it, which has them under [random] or [epistemic]"));
         }
     };
-    let changed = |new: &Lines, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
+    let changed = |new: &EditedText, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
     let new_model = changed(&in_model, &texts.model);
     let new_study = in_study.zip(texts.study.as_ref()).and_then(|(new, old)| changed(&new, old));
     let new = texts.with(folder, new_model.as_deref(), new_study.as_deref());
@@ -133,21 +135,21 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     Ok(())
 }
 
-/// Where a number of the model stands.
-enum Place {
-    /// These bytes of the model, quotes and all.
+/// Location of a number of the model.
+enum NumberLocation {
+    /// Bytes of the model, with quotes.
     There(Range<usize>),
     /// Nowhere yet: the play of this joint.
     NewPlay(String),
 }
 
 struct Number {
-    place: Place,
+    place: NumberLocation,
     dimension: Dimension,
     /// The unit in which it is written; empty for a plain number.
     unit: String,
-    /// Its value; none of a play that is not there yet.
-    nominal: Option<Piece>,
+    /// Its value; `None` for a play that is not there yet.
+    nominal: Option<WrittenQuantity>,
 }
 
 impl Number {
@@ -171,7 +173,7 @@ impl Number {
                 .with_hint("change it in the text")
         })?;
         Ok(Self {
-            place: Place::There(source.clamp(span)),
+            place: NumberLocation::There(source.clamp(span)),
             dimension: quantity.dimension,
             unit: nominal.unit.clone(),
             nominal: Some(nominal),
@@ -185,7 +187,12 @@ impl Number {
             found.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none())
         });
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
-        Ok(Self { place: Place::NewPlay(name), dimension: Dimension::LENGTH, unit: "mm".to_owned(), nominal: None })
+        Ok(Self {
+            place: NumberLocation::NewPlay(name),
+            dimension: Dimension::LENGTH,
+            unit: "mm".to_owned(),
+            nominal: None,
+        })
     }
 }
 
@@ -193,7 +200,7 @@ fn missing(path: &str) -> Refusal {
     Refusal::bad(format!("the model has no number '{path}'"))
 }
 
-/// An entry of a study: the table, and what stands behind the equals sign.
+/// An entry of a study: the table, and the text behind the equals sign.
 type StudyEntry = (&'static str, String);
 
 fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {
@@ -217,7 +224,7 @@ fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) ->
             Some((EPISTEMIC, format!("{{ interval = [{}, {}] }}", lower.quoted(), upper.quoted())))
         }
         UncertaintySpec::OneOf(values) => {
-            let values: Vec<String> = values.iter().map(Piece::quoted).collect();
+            let values: Vec<String> = values.iter().map(WrittenQuantity::quoted).collect();
             Some((EPISTEMIC, format!("{{ any_of = [{}] }}", values.join(", "))))
         }
         UncertaintySpec::Fit(fit) => {
@@ -233,7 +240,7 @@ fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) ->
 }
 
 /// The ends that lie as far to both sides of a value, in its unit.
-fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
+fn around(value: &WrittenQuantity, half: &WrittenQuantity) -> [WrittenQuantity; 2] {
     let number: f64 = value.number.parse().unwrap_or(0.0);
     // Of a value of 0 the unit is told by the other number.
     let (unit, unit_si) = match number {
@@ -244,12 +251,12 @@ fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
         let value_si = value.value_si + side * half.value_si;
         // Digits that are round-off go.
         let number = format_number((value_si / unit_si * ROUND).round() / ROUND);
-        Piece { number, unit: unit.clone(), value_si }
+        WrittenQuantity { number, unit: unit.clone(), value_si }
     })
 }
 
 /// Puts the entry of a number in its table, and takes other entries of it out.
-fn write_entry(study: &mut Lines, path: &str, entry: Option<&StudyEntry>) -> Result<(), Refusal> {
+fn write_entry(study: &mut EditedText, path: &str, entry: Option<&StudyEntry>) -> Result<(), Refusal> {
     let mut is_written = false;
     for table in [RANDOM, EPISTEMIC] {
         let new = entry.filter(|(due, _)| *due == table).map(|(_, new)| new);
@@ -273,7 +280,7 @@ fn unreadable(which: &str) -> Refusal {
 }
 
 /// Gives a joint its play, with what belongs to one: the radius of the bearing and the contact.
-fn give_play(text: &mut Lines, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
+fn give_play(text: &mut EditedText, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
     let table = ["joint", joint];
     let radius = model.quantities.iter().find(|(_, quantity)| {
         quantity.path.starts_with("joint.")

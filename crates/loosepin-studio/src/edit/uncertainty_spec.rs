@@ -11,7 +11,7 @@ const FORMS: &str =
 
 /// A number with its unit; the unit is empty for a plain number.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Piece {
+pub struct WrittenQuantity {
     /// As it stands in a file.
     pub number: String,
     /// As it is written.
@@ -20,14 +20,14 @@ pub struct Piece {
     pub value_si: f64,
 }
 
-impl Piece {
+impl WrittenQuantity {
     /// A value as a file has it: `"0.1 mm"` with its quotes, or a bare number.
     pub fn quoted(&self) -> String {
         if self.unit.is_empty() { self.number.clone() } else { format!("\"{self}\"") }
     }
 }
 
-impl std::fmt::Display for Piece {
+impl std::fmt::Display for WrittenQuantity {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let space = if self.unit.is_empty() { "" } else { " " };
         write!(formatter, "{}{space}{}", self.number, self.unit)
@@ -38,17 +38,17 @@ impl std::fmt::Display for Piece {
 #[derive(Debug, Clone, PartialEq)]
 pub enum UncertaintySpec {
     /// Its value, and nothing else.
-    Exact(Piece),
+    Exact(WrittenQuantity),
     /// A value with its limits, as on a drawing: the nominal value, where it is written, and the limits.
-    Tolerance(Option<Piece>, String),
+    Tolerance(Option<WrittenQuantity>, String),
     /// A standard deviation about the value of the model.
-    StandardDeviation(Piece),
-    /// Evenly within so much of the value of the model.
-    Uniform(Piece),
+    StandardDeviation(WrittenQuantity),
+    /// Uniform within this distance of the value of the model.
+    Uniform(WrittenQuantity),
     /// Anything between two ends.
-    Interval([Piece; 2]),
+    Interval([WrittenQuantity; 2]),
     /// One of some values.
-    OneOf(Vec<Piece>),
+    OneOf(Vec<WrittenQuantity>),
     /// A fit by ISO 286.
     Fit(String),
 }
@@ -77,7 +77,7 @@ pub fn uncertainty_spec(text: &str, dimension: Dimension, unit: &str) -> Result<
         return Ok(UncertaintySpec::Uniform(only(rest)?));
     }
     if let Some((lower, upper)) = ends(&text)? {
-        let [lower, upper] = <[Piece; 2]>::try_from(read(&[lower, upper])?).map_err(|_| unread(&text))?;
+        let [lower, upper] = <[WrittenQuantity; 2]>::try_from(read(&[lower, upper])?).map_err(|_| unread(&text))?;
         return Ok(UncertaintySpec::Interval([lower, upper]));
     }
     if let Some((nominal, half)) = text.split_once('±') {
@@ -93,7 +93,8 @@ pub fn uncertainty_spec(text: &str, dimension: Dimension, unit: &str) -> Result<
         let mut read = if has_nominal { read(&[nominal, first, second])? } else { read(&[first, second])? };
         let second = read.pop().ok_or_else(|| unread(&text))?;
         let first = read.pop().ok_or_else(|| unread(&text))?;
-        let signed = |piece: &Piece| if piece.value_si < 0.0 { piece.to_string() } else { format!("+{piece}") };
+        let signed =
+            |piece: &WrittenQuantity| if piece.value_si < 0.0 { piece.to_string() } else { format!("+{piece}") };
         let limits = format!("{} {}", signed(&first), signed(&second));
         return Ok(UncertaintySpec::Tolerance(read.pop(), limits));
     }
@@ -148,7 +149,7 @@ fn ends(text: &str) -> Result<Option<(&str, &str)>, Refusal> {
 }
 
 /// The numbers of some parts, each with its unit.
-fn pieces(parts: &[&str], dimension: Dimension, unit: &str) -> Result<Vec<Piece>, Refusal> {
+fn pieces(parts: &[&str], dimension: Dimension, unit: &str) -> Result<Vec<WrittenQuantity>, Refusal> {
     let split: Vec<(&str, &str)> =
         parts.iter().map(|part| number_and_unit(part).ok_or_else(|| unread(part.trim()))).collect::<Result<_, _>>()?;
     let mut read = Vec::new();
@@ -165,7 +166,7 @@ fn pieces(parts: &[&str], dimension: Dimension, unit: &str) -> Result<Vec<Piece>
 ///
 /// # Errors
 /// What of it cannot be read.
-pub fn piece(number: &str, unit: &str, dimension: Dimension) -> Result<Piece, Refusal> {
+pub fn piece(number: &str, unit: &str, dimension: Dimension) -> Result<WrittenQuantity, Refusal> {
     let text = format!("{number} {unit}");
     let text = text.trim();
     let value: f64 = number.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| unread(text))?;
@@ -184,10 +185,10 @@ pub fn piece(number: &str, unit: &str, dimension: Dimension) -> Result<Piece, Re
     if found.dimension != dimension {
         return Err(Refusal::bad(format!("'{text}' is {}; expected {dimension}", found.dimension)));
     }
-    Ok(Piece { number: canonical(number, value), unit: unit.to_owned(), value_si: found.value_si })
+    Ok(WrittenQuantity { number: canonical(number, value), unit: unit.to_owned(), value_si: found.value_si })
 }
 
-/// A number with its digits as they are written, where a file takes them so: `.5`, `5.`, `+5`, `007` and `8e1` are written anew.
+/// A number with its digits as written, if a file accepts them: `.5`, `5.`, `+5`, `007` and `8e1` are rewritten.
 fn canonical(number: &str, value: f64) -> String {
     let digits = number.strip_prefix('-').unwrap_or(number);
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, "0"));
@@ -213,7 +214,7 @@ mod tests {
             UncertaintySpec::StandardDeviation(value) => format!("sd {}", value.quoted()),
             UncertaintySpec::Uniform(value) => format!("uniform {}", value.quoted()),
             UncertaintySpec::Interval([lower, upper]) => format!("{} .. {}", lower.quoted(), upper.quoted()),
-            UncertaintySpec::OneOf(values) => values.iter().map(Piece::quoted).collect::<Vec<_>>().join(", "),
+            UncertaintySpec::OneOf(values) => values.iter().map(WrittenQuantity::quoted).collect::<Vec<_>>().join(", "),
             UncertaintySpec::Fit(fit) => fit,
         }
     }

@@ -19,7 +19,7 @@ use crate::view::texts::Texts;
 
 /// Both texts with the values in them.
 #[derive(Debug, Serialize)]
-pub struct Adopted {
+pub struct AdoptedTexts {
     /// The model.
     pub model: String,
     /// The study.
@@ -34,7 +34,7 @@ pub struct Adopted {
 ///
 /// # Errors
 /// There is no such result or value; a value cannot be known so in these texts.
-pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Result<Adopted, Refusal> {
+pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Result<AdoptedTexts, Refusal> {
     let result = stored_study(folder, path)?;
     let known = known_values(&result).into_iter().nth(place);
     let known = known.ok_or_else(|| Refusal::bad(format!("the result '{path}' has no such value")))?;
@@ -56,7 +56,7 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
         let study = now.study.as_ref().map(|study| new(Document::Study, study.text()));
         now = now.with(folder, Some(&model), study.as_deref());
     }
-    Ok(Adopted {
+    Ok(AdoptedTexts {
         model: now.model.text().to_owned(),
         study: now.study.as_ref().map(|study| study.text().to_owned()),
         words: known.words,

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 use axum::http::StatusCode;
 use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
 
-use crate::files::listed::Known;
+use crate::files::listed::ListingCache;
 use crate::network::refusal::Refusal;
 
 /// Largest text, bytes.
@@ -23,14 +23,14 @@ const LONGEST_PATH: usize = 1024;
 #[derive(Debug, Clone)]
 pub struct Folder {
     opened: files::Folder,
-    known: Arc<Mutex<Known>>,
+    known: Arc<Mutex<ListingCache>>,
 }
 
 /// A text file as it stands on the disk.
 pub struct StoredText {
-    /// What it says.
+    /// Its text.
     pub text: String,
-    /// By which it is known again.
+    /// Tag that identifies its content.
     pub tag: String,
 }
 
@@ -43,7 +43,7 @@ impl Folder {
         Ok(Self { opened: files::Folder::open(&path.canonicalize()?)?, known: Arc::default() })
     }
 
-    /// Where it was when it was opened.
+    /// Its path when it was opened.
     pub fn root(&self) -> &Path {
         self.opened.path()
     }
@@ -53,8 +53,8 @@ impl Folder {
         &self.opened
     }
 
-    /// What earlier listings have read; `None` while another one has it.
-    pub(crate) fn known(&self) -> Option<MutexGuard<'_, Known>> {
+    /// Cache of earlier listings; `None` while another one has it.
+    pub(crate) fn known(&self) -> Option<MutexGuard<'_, ListingCache>> {
         match self.known.try_lock() {
             Ok(known) => Some(known),
             Err(TryLockError::Poisoned(known)) => Some(known.into_inner()),
@@ -62,7 +62,7 @@ impl Folder {
         }
     }
 
-    /// What is known of the entry at `path`, as the page writes it.
+    /// Information about the entry at `path`, as the page writes it.
     ///
     /// # Errors
     /// The path is none of this folder; nothing is there.
@@ -88,7 +88,7 @@ impl Folder {
         text_of(path, self.bytes(path, MAX_TABLE)?)
     }
 
-    /// Reads a file of at most so many bytes.
+    /// Reads a file of at most `most` bytes.
     ///
     /// # Errors
     /// The path is none of this folder; a file that is too large.
@@ -96,9 +96,9 @@ impl Folder {
         self.opened.read(&relative(path)?, most as u64).map_err(|error| not_readable(path, &error))
     }
 
-    /// Writes a text file whole, or not at all; gives the tag of what is there now. `known` is the tag of what the page has seen there,
-    /// `None` if no file is to be there. The tag is compared under a lock that all studios of the folder take: of several that save
-    /// at once with one tag, one saves.
+    /// Writes a text file whole, or not at all; returns the tag of its present content. `known` is the tag of what the page has seen there,
+    /// `None` if no file is to be there. The tag is compared under a lock that all studios of the folder take: of several that save at once
+    /// with one tag, one saves.
     ///
     /// # Errors
     /// The path is none of this folder, or no `.toml` file; somebody else has changed the file.
@@ -166,7 +166,7 @@ fn relative(path: &str) -> Result<PathBuf, Refusal> {
     if is_plain { Ok(PathBuf::from(path)) } else { Err(outside(path)) }
 }
 
-/// By which a text is known again.
+/// Tag that identifies a text.
 fn tag(text: &str) -> String {
     let mut hasher = loosepin::results::InputsHasher::new(loosepin::results::ResultKind::Study);
     hasher.add("text", text);

@@ -1,4 +1,4 @@
-//! What there is in the served folder: models, studies, results.
+//! Contents of the served folder: models, studies, results.
 //!
 //! A listing looks at no more than [`MAX_ENTRIES`] entries and reads the newest files only. What was read of a file is kept for as long
 //! as the file is the same one, of the same size and time.
@@ -19,7 +19,7 @@ use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::files::folder::{Folder, MAX_TEXT};
-use crate::files::listed::{Known, ListedFile, ListedResult, Version};
+use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache};
 use crate::messages::Document;
 use crate::view::texts::{model_beside, plain};
 
@@ -41,7 +41,7 @@ pub struct Listing {
     files: Vec<ListedFile>,
     /// Finished results, the newest first.
     results: Vec<ListedResult>,
-    /// Whether there is more than is told.
+    /// Whether the list is truncated.
     truncated: bool,
 }
 
@@ -56,7 +56,7 @@ impl Listing {
 /// Something that may be listed: its path in the served folder, its file of the version, and its time.
 struct Found {
     path: String,
-    version: Version,
+    version: FileVersion,
     at_ms: u64,
 }
 
@@ -74,7 +74,7 @@ pub fn listing(folder: &Folder) -> Listing {
     let mut reading = Reading { folder, left_bytes: MAX_READ_BYTES, is_cut: walk.entries_left == 0 };
     // Another listing may be reading: this one then reads for itself, and does not wait.
     let mut kept = folder.known();
-    let mut own = Known::default();
+    let mut own = ListingCache::default();
     let known = kept.as_deref_mut().unwrap_or(&mut own);
     let files = newest(walk.files, &mut known.files, &mut reading, |reading, found| reading.file(found));
     let results = newest(walk.results, &mut known.results, &mut reading, |reading, found| reading.result(found));
@@ -84,7 +84,7 @@ pub fn listing(folder: &Folder) -> Listing {
 /// The newest of `found` that are ours. What is there no more is forgotten.
 fn newest<T: Clone>(
     mut found: Vec<Found>,
-    known: &mut HashMap<String, (Version, Option<T>)>,
+    known: &mut HashMap<String, (FileVersion, Option<T>)>,
     reading: &mut Reading<'_>,
     read: fn(&mut Reading<'_>, &Found) -> Option<T>,
 ) -> Vec<T> {

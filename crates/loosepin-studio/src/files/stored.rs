@@ -68,9 +68,9 @@ pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
     file.into_study().map_err(|_| unreadable())
 }
 
-/// What can be done with a result.
+/// Available actions on a result.
 #[derive(Debug, Default, Serialize)]
-pub struct Doings {
+pub struct ResultActions {
     /// Name of the result.
     title: String,
     /// Whether it is the result of a study: of others there is nothing to be done.
@@ -94,18 +94,18 @@ struct Doing {
     command: String,
 }
 
-/// What can be done with the result in a folder.
+/// Available actions on the result in a folder.
 ///
 /// # Errors
 /// As for [`stored_study`], but for results that are of no study.
-pub fn doings(folder: &Folder, path: &str) -> Result<Doings, Refusal> {
+pub fn doings(folder: &Folder, path: &str) -> Result<ResultActions, Refusal> {
     let marker = marker(folder, path)?;
     if marker.kind != ResultKind::Study {
-        return Ok(Doings { title: marker.name, ..Doings::default() });
+        return Ok(ResultActions { title: marker.name, ..ResultActions::default() });
     }
     let result = stored_study(folder, path)?;
     let witnesses = witness_words(&result).into_iter();
-    Ok(Doings {
+    Ok(ResultActions {
         witnesses: witnesses
             .map(|words| Doing { values: words.values, attains: words.attains, command: words.command })
             .collect(),

@@ -8,14 +8,14 @@ use loosepin::diagnostics::Diagnostics;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{simulation_page, study_page, study_sentences, witness_words};
-use loosepin::results::{Claim, Place, ResultKind, ResultsError};
+use loosepin::results::{Claim, Destination, ResultKind, ResultsError};
 use loosepin::simulate::{Plan, SmallestClearance};
-use loosepin::store::{Beginning, RunStore};
+use loosepin::store::{ExistingRuns, RunStore};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
-    Begun, Concluded, Progress, RunOptions, Study, begin_in_folder, conclude, plan_runs, run_inputs, run_into,
-    run_study, store_identity, study_inputs, witness_run,
+    ClaimOutcome, Progress, RunOptions, Study, StudyOutcome, begin_in_folder, conclude, plan_runs, run_inputs,
+    run_into, run_study, store_identity, study_inputs, witness_run,
 };
 
 use crate::files::folder::Folder;
@@ -27,7 +27,7 @@ use crate::view::texts::Texts;
 /// Folder below the served one in which results get a folder of their own.
 const RESULTS: &str = "results";
 
-/// What became of a study.
+/// Outcome of a study.
 pub enum Outcome {
     /// Its results stand in a folder.
     Finished {
@@ -38,7 +38,7 @@ pub enum Outcome {
         /// Over all requirements.
         verdict: Option<Verdict>,
     },
-    /// It was stopped; its runs are kept.
+    /// The job was stopped; its runs are kept.
     Stopped,
 }
 
@@ -74,8 +74,8 @@ fn message_and_hint(refusal: Refusal) -> Vec<String> {
     std::iter::once(refusal.message).chain(refusal.hint).collect()
 }
 
-/// Runs the mechanism at a witness of the finished study in the folder `path`, of the texts that the result holds, as the command does
-/// that the result tells; or finds the run that is there. `named` hears what is run.
+/// Runs the mechanism at a witness of the finished study in the folder `path`, from the texts that the result holds, as its command does;
+/// or finds an existing run. `named` hears what is run.
 ///
 /// # Errors
 /// Why it came to no result, in words.
@@ -112,7 +112,7 @@ fn simulated(
         kind: ResultKind::Simulation,
         name: model.name.clone(),
         inputs: run_inputs(model, settings, plan, &[]),
-        place: Place::Within(folder.opened().clone(), RESULTS.into()),
+        destination: Destination::Within(folder.opened().clone(), RESULTS.into()),
         with_force: false,
     };
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
@@ -148,16 +148,16 @@ fn run_or_read(
     threads: usize,
 ) -> Result<Outcome, Diagnostics> {
     let inputs = study_inputs(study, &[], None);
-    let place = Place::Within(folder.opened().clone(), RESULTS.into());
-    let claim = Claim { kind: ResultKind::Study, name: study.name.clone(), inputs, place, with_force: false };
+    let destination = Destination::Within(folder.opened().clone(), RESULTS.into());
+    let claim = Claim { kind: ResultKind::Study, name: study.name.clone(), inputs, destination, with_force: false };
     let is_there = claim.is_finished().map_err(|error| Diagnostics::one(&error, None))?;
     if !is_there {
         plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
     let identity = store_identity(&claim.inputs);
-    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, Beginning::GoOn))? {
-        Begun::Open(results, store) => (results, store),
-        Begun::Finished(results) => {
+    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, ExistingRuns::GoOn))? {
+        ClaimOutcome::Open(results, store) => (results, store),
+        ClaimOutcome::Finished(results) => {
             let result = read_summary(&results).map_err(|error| Diagnostics::one(&error, None))?;
             return Ok(finished(folder, results.path(), &result));
         }
@@ -166,8 +166,8 @@ fn run_or_read(
     let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, progress, stop) };
     let outcome = run_study(study, &claim.inputs.to_string(), &options);
     Ok(match conclude(study, results, store, outcome, &study_page, (started, threads))? {
-        Concluded::Finished { run, folder: results } => finished(folder, results.path(), &run.result),
-        Concluded::Interrupted { .. } => Outcome::Stopped,
+        StudyOutcome::Finished { run, folder: results } => finished(folder, results.path(), &run.result),
+        StudyOutcome::Interrupted { .. } => Outcome::Stopped,
     })
 }
 

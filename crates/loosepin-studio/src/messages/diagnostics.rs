@@ -9,7 +9,7 @@ use serde::Serialize;
 pub enum Document {
     /// The mechanism.
     Model,
-    /// What is uncertain in it, and what is asked.
+    /// Its uncertain inputs and its questions.
     Study,
 }
 
@@ -29,19 +29,19 @@ pub struct Stretch {
 /// A second place that matters to a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LabelView {
-    /// The text; nothing where it is none of the two.
+    /// The text; `None` if it is none of the two.
     pub document: Option<Document>,
-    /// Where in it.
+    /// Range in the document.
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
-    /// What is said of it.
+    /// Its text.
     pub text: String,
 }
 
 /// Something wrong, or worth a warning.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DiagnosticView {
-    /// The text at fault; nothing where it is none of the two.
+    /// The text at fault; `None` if it is none of the two.
     pub document: Option<Document>,
     /// Path of the file at fault.
     pub path: Option<String>,
@@ -49,11 +49,11 @@ pub struct DiagnosticView {
     pub code: &'static str,
     /// How grave it is.
     pub severity: Severity,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
     /// The way out.
     pub hint: Option<String>,
-    /// Where.
+    /// Range.
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
     /// Other places.
@@ -71,7 +71,7 @@ pub struct Change {
     pub from: usize,
     /// Behind the last UTF-16 unit that goes.
     pub to: usize,
-    /// What comes in its place.
+    /// The replacement.
     pub insert: String,
 }
 
@@ -81,6 +81,6 @@ pub struct Fix {
     /// It.
     #[serde(flatten)]
     pub change: Change,
-    /// What it does, in words.
+    /// Its effect, in words.
     pub words: String,
 }

@@ -1,5 +1,5 @@
-//! What the page and the server say to each other over the live connection, as JSON. `front/src/messages.ts` has the same types, and
-//! `just studio-messages` writes them there.
+//! Messages between the page and the server over the live connection, as JSON. `front/src/messages.ts` has the same types, and `just
+//! studio-messages` writes them there.
 //!
 //! | What | File |
 //! |---|---|
@@ -15,7 +15,7 @@ mod view;
 
 pub use diagnostics::{Change, DiagnosticView, Document, Fix, LabelView, Stretch};
 pub use jobs::{Job, JobDraft, JobKind, JobState};
-pub use live::{FromPage, Grip, Held, Look, LookAnswer, Reshaped, SentText, Shown, ToPage};
+pub use live::{DragResult, FromPage, Grip, Held, Look, LookAnswer, SentText, Shown, ToPage};
 pub use view::{
     BodyView, DimensionKind, DimensionView, ForceTable, ForceView, JointView, LimitView, Outline, OutputView, PinView,
     PointView, QuantityKind, QuantityView, View,

@@ -1,4 +1,4 @@
-//! Accepting connections: so many at once, each for so long.
+//! Accepting connections, with limits of their number and duration.
 
 use std::pin::pin;
 use std::time::Duration;
@@ -15,18 +15,18 @@ use tokio::task::yield_now;
 use tokio::time::sleep;
 
 use crate::network::stream::Stream;
-use crate::network::times::Times;
+use crate::network::times::Timeouts;
 use crate::network::visitors::Visitors;
 
 /// Most connections at once, live ones too; where all have shown the token, further ones wait.
 const MAX_CONNECTIONS: usize = 64;
-/// Most bytes of a head, and of what is read or written at a time.
+/// Largest size of a head, and of a read or write, bytes.
 const BUFFER: usize = 64 << 10;
 /// Rest after the system has refused a connection, for example since too many files are open.
 const REST: Duration = Duration::from_millis(50);
 
 /// Serves `router` to all who connect, for ever. Requests carry their [`Visitor`](crate::network::visitors::Visitor).
-pub async fn accept(listener: TcpListener, router: Router, times: Times) {
+pub async fn accept(listener: TcpListener, router: Router, times: Timeouts) {
     let visitors = Visitors::new(MAX_CONNECTIONS, times.stay);
     loop {
         let Ok((stream, _)) = listener.accept().await else {
@@ -45,7 +45,7 @@ pub async fn accept(listener: TcpListener, router: Router, times: Times) {
 }
 
 /// Serves the requests of one connection until its time is over.
-async fn serve(stream: Stream, router: Router, times: Times, sign: impl Fn(&mut Request<Incoming>)) {
+async fn serve(stream: Stream, router: Router, times: Timeouts, sign: impl Fn(&mut Request<Incoming>)) {
     let routes = TowerToHyperService::new(router);
     let service = service_fn(move |mut request| {
         sign(&mut request);

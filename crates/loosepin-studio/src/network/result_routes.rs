@@ -1,4 +1,4 @@
-//! What is asked of finished results: two of them compared, what can be done with one, its values taken into the texts of the page.
+//! Requests on finished results: two of them compared, the actions on one, its values taken into the texts of the page.
 
 use std::path::Path;
 
@@ -12,12 +12,12 @@ use crate::files::stored::{doings, stored_study};
 use crate::messages::Look;
 use crate::network::refusal::{Refusal, json};
 use crate::network::requests::{AdoptAnswer, AdoptRequest, CompareAnswer, CompareRequest, ResultRequest};
-use crate::network::routes::{Answer, in_background, parsed};
+use crate::network::routes::{RouteResult, in_background, parsed};
 use crate::studio::Studio;
 use crate::view::texts::Texts;
 
 /// Two studies beside each other.
-pub async fn compare(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn compare(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let CompareRequest { before, after } = parsed(&body)?;
     let folder = studio.folder.clone();
     let comparison = in_background(move || {
@@ -29,15 +29,15 @@ pub async fn compare(State(studio): State<Studio>, body: Bytes) -> Answer {
     Ok(json(&CompareAnswer(comparison.await?)))
 }
 
-/// What can be done with a result.
-pub async fn result(State(studio): State<Studio>, body: Bytes) -> Answer {
+/// Available actions on a result.
+pub async fn result(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let ResultRequest { path } = parsed(&body)?;
     let folder = studio.folder.clone();
     Ok(json(&in_background(move || doings(&folder, &path)).await?))
 }
 
 /// Values of a result in the texts of the page. What these texts do not take is no fault of the page: a refusal is an answer.
-pub async fn adopt(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn adopt(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let AdoptRequest { model, study, path, place } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {

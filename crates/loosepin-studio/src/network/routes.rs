@@ -1,4 +1,4 @@
-//! What is asked by plain requests: files, templates, results.
+//! Plain requests: files, templates, results.
 
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
@@ -34,8 +34,8 @@ const SAME_PLACE_M: f64 = 1e-5;
 /// Largest page of a result that is shown, bytes.
 const MAX_REPORT: usize = 64 << 20;
 
-/// What comes of a request.
-pub type Answer = Result<Response, Refusal>;
+/// Result of a request.
+pub type RouteResult = Result<Response, Refusal>;
 
 pub async fn index(headers: HeaderMap) -> Response {
     // The guard has seen that there is one, and that it is this machine.
@@ -51,13 +51,13 @@ pub async fn hello(State(studio): State<Studio>) -> Response {
     json(&HelloAnswer { version: VERSION, folder, limits: Limits { text_bytes: MAX_TEXT } })
 }
 
-pub async fn templates(State(studio): State<Studio>) -> Answer {
+pub async fn templates(State(studio): State<Studio>) -> RouteResult {
     let folder = studio.folder.clone();
     let cards = in_background(move || Ok(cards(&folder))).await?;
     Ok(json(&cards))
 }
 
-pub async fn folder(State(studio): State<Studio>) -> Answer {
+pub async fn folder(State(studio): State<Studio>) -> RouteResult {
     let folder = studio.folder.clone();
     let listing = in_background(move || Ok(listing(&folder))).await?;
     Ok(json(&listing))
@@ -66,7 +66,7 @@ pub async fn folder(State(studio): State<Studio>) -> Answer {
 pub async fn open(
     State(studio): State<Studio>,
     query: Result<Query<OpenRequest>, axum::extract::rejection::QueryRejection>,
-) -> Answer {
+) -> RouteResult {
     let Query(OpenRequest { path }) = query.map_err(|_| Refusal::bad("give the file: /api/open?path=model.toml"))?;
     let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
     let both = in_background(move || {
@@ -83,14 +83,14 @@ pub async fn open(
     Ok(json(&both.await?))
 }
 
-pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn save(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let SaveRequest { path, text, tag } = parsed(&body)?;
     let tag = in_background(move || studio.folder.write(&path, &text, tag.as_deref())).await?;
     Ok(json(&SaveAnswer { tag }))
 }
 
 /// How well a number is known, written into the texts of the page.
-pub async fn set_uncertainty(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn set_uncertainty(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let SetUncertaintyRequest { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
@@ -104,7 +104,7 @@ pub async fn set_uncertainty(State(studio): State<Studio>, body: Bytes) -> Answe
 }
 
 /// Links, joints and bodies that come, go or get other names, in the texts of the page.
-pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let RestructureRequest { model, study, edit, poses } = parsed(&body)?;
     let folder = studio.folder.clone();
     let done = in_background(move || {
@@ -117,7 +117,7 @@ pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> Answer {
     Ok(json(&done.await?))
 }
 
-pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn new(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let NewRequest { template, folder } = parsed(&body)?;
     let template = find_template(&template).ok_or_else(|| {
         Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
@@ -128,8 +128,8 @@ pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
     Ok(json(&written))
 }
 
-/// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
-pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
+/// Findings of the library on a drawing; if a folder is named and the mechanism moves, model and study are written there.
+pub async fn draw(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let DrawRequest { drawn, folder: name } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
@@ -154,7 +154,7 @@ pub async fn import(
     State(studio): State<Studio>,
     query: Result<Query<ImportRequest>, axum::extract::rejection::QueryRejection>,
     drawing: Bytes,
-) -> Answer {
+) -> RouteResult {
     let Query(ImportRequest { folder: name, title, unit }) =
         query.map_err(|_| Refusal::bad("give the folder: /api/import?folder=press&title=press"))?;
     let folder = studio.folder.clone();
@@ -176,13 +176,13 @@ pub async fn import(
     Ok(json(&said.await?))
 }
 
-pub async fn explain(Path(code): Path<String>) -> Answer {
+pub async fn explain(Path(code): Path<String>) -> RouteResult {
     let code: Code = code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such error code"))?;
     let entry = code.entry();
     Ok(json(&ExplainAnswer { code: entry.text, title: entry.title, text: entry.explanation }))
 }
 
-pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
+pub async fn view(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let ViewRequest { path } = parsed(&body)?;
     let report = format!("{}/{REPORT_FILE}", path.trim_end_matches('/'));
     studio.folder.info(&report)?;
@@ -193,7 +193,7 @@ pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
     Ok(json(&ViewAnswer { address: format!("/view/{ticket}") }))
 }
 
-pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
+pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> RouteResult {
     let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was already used, or is too old");
     let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
     let page = in_background(move || studio.folder.bytes(&path, MAX_REPORT)).await?;
@@ -205,7 +205,7 @@ pub async fn missing() -> Refusal {
     Refusal::new(StatusCode::NOT_FOUND, "the studio has no such address")
 }
 
-/// A body as what is asked.
+/// Parses a body as a request.
 ///
 /// # Errors
 /// It is something else.
@@ -213,7 +213,7 @@ pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
     serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this request is not valid: {error}")))
 }
 
-/// What takes longer than the other connections are to wait.
+/// Runs long work in the background, without blocking the other connections.
 ///
 /// # Errors
 /// That of the work.

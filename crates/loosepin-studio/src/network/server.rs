@@ -22,7 +22,7 @@ use crate::network::guard::guard;
 use crate::network::result_routes;
 use crate::network::routes;
 use crate::network::socket;
-use crate::network::times::Times;
+use crate::network::times::Timeouts;
 use crate::network::token::Token;
 use crate::studio::Studio;
 
@@ -66,7 +66,7 @@ pub struct Serving<'s> {
 /// # Errors
 /// The folder is not there; the port is in use.
 pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Serving<'_>)) -> Result<(), StudioError> {
-    serve_within(&Times::default(), folder, port, stop, ready)
+    serve_within(&Timeouts::default(), folder, port, stop, ready)
 }
 
 /// As [`serve`], waiting for clients as long as `times` says.
@@ -74,7 +74,7 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
 /// # Errors
 /// As [`serve`].
 pub fn serve_within(
-    times: &Times,
+    times: &Timeouts,
     folder: &Path,
     port: u16,
     stop: &AtomicBool,

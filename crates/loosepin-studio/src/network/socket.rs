@@ -19,7 +19,7 @@ use crate::network::mailbox::Mailbox;
 use crate::network::time_limit::{LONGEST_LOOK, within};
 use crate::network::visitors::Visitor;
 use crate::studio::Studio;
-use crate::view::look::{cut, look_until};
+use crate::view::look::{answer_look, cut};
 
 /// Longest message: two texts, each letter escaped.
 const MAX_MESSAGE: usize = 4 * MAX_TEXT;
@@ -144,7 +144,7 @@ fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf
             let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
         };
         let text = catch_unwind(AssertUnwindSafe(|| {
-            within(LONGEST_LOOK, late, |stop| told(&look_until(folder, &request, stop)))
+            within(LONGEST_LOOK, late, |stop| told(&answer_look(folder, &request, stop)))
         }));
         // What came too late is answered already.
         let Some(text) = text.transpose() else { continue };
@@ -199,7 +199,7 @@ impl Watched {
         }
     }
 
-    /// Those that are not as they were a tick ago.
+    /// Files that have changed since the last tick.
     fn changed(&mut self, folder: &Folder) -> Vec<String> {
         let mut changed = Vec::new();
         for (path, known) in &mut self.0 {

@@ -11,8 +11,8 @@ use tokio::net::TcpStream;
 use tokio::sync::oneshot;
 use tokio::time::{Sleep, sleep};
 
-use crate::network::times::Times;
-use crate::network::visitors::Place;
+use crate::network::times::Timeouts;
+use crate::network::visitors::ConnectionSlot;
 
 /// Most bytes of a connection that has not shown the token: heads of requests, and a first message. Nobody else makes the studio
 /// keep more than that.
@@ -21,7 +21,7 @@ const MAX_WITHOUT_TOKEN: usize = 64 << 10;
 /// A connection with its place, which it has until it is dropped.
 pub struct Stream {
     tcp: TcpStream,
-    place: Place,
+    place: ConnectionSlot,
     /// Comes when it has to make room.
     end: oneshot::Receiver<()>,
     has_ended: bool,
@@ -35,12 +35,12 @@ pub struct Stream {
 
 impl Stream {
     /// A connection at a place, until `end` comes.
-    pub fn new(tcp: TcpStream, place: Place, end: oneshot::Receiver<()>, times: &Times) -> Self {
+    pub fn new(tcp: TcpStream, place: ConnectionSlot, end: oneshot::Receiver<()>, times: &Timeouts) -> Self {
         let total = Box::pin(sleep(times.connection + times.last_request));
         Self { tcp, place, end, has_ended: false, total, stalled: None, write: times.write, received: 0 }
     }
 
-    /// Whether it may go on. The task is woken when it may not any more.
+    /// Whether the connection may continue. The task is woken when it may not any more.
     fn check(&mut self, context: &mut Context<'_>) -> io::Result<()> {
         self.has_ended = self.has_ended || Pin::new(&mut self.end).poll(context).is_ready();
         if self.has_ended {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// Times after which the studio waits no longer for a client.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Times {
+pub struct Timeouts {
     /// For the head of a request, and between two requests of a connection. Default: 5 s.
     pub head: Duration,
     /// For the body of a request and the work on its answer. Default: 10 s.
@@ -21,7 +21,7 @@ pub struct Times {
     pub stay: Duration,
 }
 
-impl Default for Times {
+impl Default for Timeouts {
     fn default() -> Self {
         Self {
             head: Duration::from_secs(5),

@@ -1,4 +1,4 @@
-//! Who is connected: so many at once, and who makes room when all places are taken.
+//! Connected visitors: their limit, and who makes room when all places are taken.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,7 +8,7 @@ use std::time::Duration;
 use tokio::sync::{Notify, oneshot};
 use tokio::time::{Instant, sleep_until};
 
-/// What a connection has shown of itself.
+/// State of a connection: whether it has shown the token.
 #[derive(Debug, Clone, Default)]
 pub struct Visitor(Arc<Shown>);
 
@@ -19,12 +19,12 @@ struct Shown {
 }
 
 impl Visitor {
-    /// It has shown the token: it makes room for nobody.
+    /// Marks the visitor as one with the token: it makes room for nobody.
     pub fn show_token(&self) {
         self.0.has_token.store(true, Ordering::Relaxed);
     }
 
-    /// It has shown the token on a live connection, which may stay open.
+    /// Marks the visitor as one with the token on a live connection, which may stay open.
     pub fn go_live(&self) {
         self.show_token();
         self.0.is_live.store(true, Ordering::Relaxed);
@@ -64,7 +64,7 @@ struct Inside {
 }
 
 /// A place among the connections; free again when this is dropped.
-pub struct Place {
+pub struct ConnectionSlot {
     number: u64,
     /// Who has it.
     pub visitor: Visitor,
@@ -73,13 +73,13 @@ pub struct Place {
 
 /// What happens to somebody who wants in.
 enum Admission {
-    Admitted(Place, oneshot::Receiver<()>),
+    Admitted(ConnectionSlot, oneshot::Receiver<()>),
     /// Try again then, or when a place is free.
     Wait(Option<Instant>),
 }
 
 impl Visitors {
-    /// At most so many at once; one without the token is open for `stay` before it makes room.
+    /// At most `most` visitors at once; one without the token is open for `stay` before it makes room.
     pub fn new(most: usize, stay: Duration) -> Arc<Self> {
         Arc::new(Self { most, stay, state: Mutex::default(), changed: Notify::new() })
     }
@@ -88,9 +88,9 @@ impl Visitors {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A place, and what comes to an end when its connection has to. Where all are taken, the oldest connection that has not shown the
+    /// A place, and a receiver that ends when its connection has to. Where all are taken, the oldest connection that has not shown the
     /// token makes room; where all have shown it, the next place that is free is taken.
-    pub async fn admit(self: &Arc<Self>) -> (Place, oneshot::Receiver<()>) {
+    pub async fn admit(self: &Arc<Self>) -> (ConnectionSlot, oneshot::Receiver<()>) {
         loop {
             let changed = self.changed.notified();
             match self.try_admit() {
@@ -120,11 +120,11 @@ impl Visitors {
         let (end, ended) = oneshot::channel();
         state.next += 1;
         state.inside.insert(number, Inside { visitor: visitor.clone(), since: Instant::now(), _end: end });
-        Admission::Admitted(Place { number, visitor, visitors: Arc::clone(self) }, ended)
+        Admission::Admitted(ConnectionSlot { number, visitor, visitors: Arc::clone(self) }, ended)
     }
 }
 
-impl Drop for Place {
+impl Drop for ConnectionSlot {
     fn drop(&mut self) {
         self.visitors.state().inside.remove(&self.number);
         self.visitors.changed.notify_one();
@@ -135,7 +135,7 @@ impl Drop for Place {
 mod tests {
     use super::*;
 
-    fn admitted(visitors: &Arc<Visitors>) -> Option<(Place, oneshot::Receiver<()>)> {
+    fn admitted(visitors: &Arc<Visitors>) -> Option<(ConnectionSlot, oneshot::Receiver<()>)> {
         match visitors.try_admit() {
             Admission::Admitted(place, end) => Some((place, end)),
             Admission::Wait(_) => None,

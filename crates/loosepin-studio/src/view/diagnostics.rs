@@ -11,7 +11,7 @@ use crate::view::texts::Texts;
 const MAX_SHOWN: usize = 200;
 
 /// The first diagnostics in the order of their places; the last one says how many more there are.
-pub fn seen(diagnostics: &Diagnostics, texts: &Texts) -> Vec<DiagnosticView> {
+pub fn diagnostic_views(diagnostics: &Diagnostics, texts: &Texts) -> Vec<DiagnosticView> {
     let sorted = diagnostics.sorted();
     let mut seen: Vec<DiagnosticView> =
         sorted.iter().take(MAX_SHOWN).map(|diagnostic| one(diagnostic, texts)).collect();

@@ -15,18 +15,18 @@ use loosepin::units::{Dimension, format_value};
 use crate::drawing::dimensions::dimensions;
 use crate::drawing::forces::forces;
 use crate::drawing::still::{NamedPoses, placed, still_drawing};
-use crate::edit::{Gripped, gripped, kept_closure, nearest, refused_drag, why_not};
+use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
 use crate::messages::{
     BodyView, JointView, LimitView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
 };
-use crate::view::diagnostics::seen;
+use crate::view::diagnostics::diagnostic_views;
 use crate::view::limits::limits;
 use crate::view::quantities::quantities;
 use crate::view::texts::Texts;
 
 const MM_PER_M: f64 = 1e3;
-/// A run that is followed for a drawing is shown at so many instants, at most.
+/// Largest number of instants shown of a run that is followed for a drawing.
 const CONTROLLED_POSITIONS: usize = 121;
 /// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
 const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";
@@ -35,7 +35,7 @@ const POSITIONS: [usize; 2] = [12, 720];
 
 /// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
 /// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
-pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
+pub fn answer_look(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
     let began = Instant::now();
     let before = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
@@ -61,7 +61,7 @@ fn seen_after(
     folder: &Folder,
     look: &Look,
     before: &Texts,
-    drag: Option<&Gripped>,
+    drag: Option<&DragOutcome>,
     stop: &AtomicBool,
 ) -> (LookAnswer, Option<Drawing>) {
     let texts = match drag {
@@ -107,14 +107,14 @@ fn seen_after(
                 }),
         }
     });
-    let diagnostics = seen(&diagnostics, &texts);
+    let diagnostics = diagnostic_views(&diagnostics, &texts);
     (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
 }
 
-/// As [`look_until`], to its end.
+/// As [`answer_look`], to its end.
 #[cfg(test)]
 pub fn look(folder: &Folder, look: &Look) -> LookAnswer {
-    look_until(folder, look, &AtomicBool::new(false))
+    answer_look(folder, look, &AtomicBool::new(false))
 }
 
 /// The answer to a look that took longer than it may.

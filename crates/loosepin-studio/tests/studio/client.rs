@@ -9,7 +9,7 @@ use std::sync::mpsc::channel;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use loosepin_studio::Times;
+use loosepin_studio::Timeouts;
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
@@ -26,11 +26,11 @@ pub struct Server {
 
 impl Server {
     pub fn of(folder: &Path) -> Self {
-        Self::within(folder, Times::default())
+        Self::within(folder, Timeouts::default())
     }
 
     /// A server that waits as long as `times` says.
-    pub fn within(folder: &Path, times: Times) -> Self {
+    pub fn within(folder: &Path, times: Timeouts) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let (sender, receiver) = channel();
         let (flag, folder) = (Arc::clone(&stop), folder.to_owned());

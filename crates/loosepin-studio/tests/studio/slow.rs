@@ -5,7 +5,7 @@ use std::net::TcpStream;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use loosepin_studio::Times;
+use loosepin_studio::Timeouts;
 use serde_json::json;
 
 use crate::client::{Live, Server};
@@ -20,8 +20,8 @@ const SHORT: Duration = Duration::from_millis(300);
 const LONG: Duration = Duration::from_secs(600);
 
 /// Nothing ends by itself.
-const PATIENT: Times =
-    Times { head: LONG, request: LONG, write: LONG, connection: LONG, last_request: LONG, hello: LONG, stay: SHORT };
+const PATIENT: Timeouts =
+    Timeouts { head: LONG, request: LONG, write: LONG, connection: LONG, last_request: LONG, hello: LONG, stay: SHORT };
 
 fn desk() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
@@ -94,7 +94,7 @@ fn strangers_in_all_places_make_room_for_the_owner() {
 #[test]
 fn connections_with_the_token_make_room_for_nobody() {
     let desk = desk();
-    let server = Server::within(desk.path(), Times { stay: Duration::ZERO, ..PATIENT });
+    let server = Server::within(desk.path(), Timeouts { stay: Duration::ZERO, ..PATIENT });
     let head = format!("GET /api/hello HTTP/1.1\r\nHost: {}\r\n", server.host);
     let request = format!("{head}Authorization: Bearer {}\r\n\r\n", server.token);
     let mut own = server.sent(request.as_bytes());
@@ -134,7 +134,7 @@ fn pages_without_the_token_take_no_seat() {
 #[test]
 fn pages_that_say_nothing_are_let_go() {
     let desk = desk();
-    let server = Server::within(desk.path(), Times { hello: SHORT, ..PATIENT });
+    let server = Server::within(desk.path(), Timeouts { hello: SHORT, ..PATIENT });
     let mut page = server.connection();
     let began = Instant::now();
     assert_eq!(page.next(), None);
@@ -144,7 +144,7 @@ fn pages_that_say_nothing_are_let_go() {
 #[test]
 fn a_client_that_takes_nothing_is_let_go() {
     let desk = desk();
-    let server = Server::within(desk.path(), Times { write: SHORT, ..PATIENT });
+    let server = Server::within(desk.path(), Timeouts { write: SHORT, ..PATIENT });
     let mut slow = server.sent(&greedy(&server));
     assert!(comes(|| is_ended(&mut slow)), "the server waits for a client that reads nothing");
 }
@@ -152,7 +152,7 @@ fn a_client_that_takes_nothing_is_let_go() {
 #[test]
 fn pages_that_take_nothing_free_their_seats() {
     let desk = desk();
-    let server = Server::within(desk.path(), Times { write: SHORT, ..PATIENT });
+    let server = Server::within(desk.path(), Timeouts { write: SHORT, ..PATIENT });
     // The answer tells what was not understood: 1 MB each.
     let odd = json!({"kind": "x".repeat(1_000_000)}).to_string();
     let pages: Vec<Live> = (0..PAGES)
@@ -177,7 +177,7 @@ fn pages_that_take_nothing_free_their_seats() {
 #[test]
 fn a_connection_ends_however_busy_it_is() {
     let desk = desk();
-    let times = Times { connection: SHORT, last_request: SHORT, ..PATIENT };
+    let times = Timeouts { connection: SHORT, last_request: SHORT, ..PATIENT };
     let server = Server::within(desk.path(), times);
     // Takes a byte now and then.
     let mut slow = server.sent(&greedy(&server));
@@ -221,7 +221,7 @@ fn little_is_taken_from_strangers() {
 #[test]
 fn few_bodies_are_read_at_once_and_none_for_long() {
     let desk = desk();
-    let server = Server::within(desk.path(), Times { request: Duration::from_secs(3), ..PATIENT });
+    let server = Server::within(desk.path(), Timeouts { request: Duration::from_secs(3), ..PATIENT });
     let token = &server.token;
     let head = format!("PUT /api/file HTTP/1.1\r\nHost: {}\r\nAuthorization: Bearer {token}\r\n", server.host);
     let half = format!("{head}Content-Length: 4000000\r\n\r\n{{");

@@ -1,9 +1,9 @@
-//! How near the bounds came to what was asked.
+//! Reached accuracy of the bounds.
 
 use super::material::Material;
 use crate::file::{Ask, Where};
-use crate::planning::goals::{Ended, targets};
-use loosepin_bounds::{Assessment, Standing, Statistic};
+use crate::planning::goals::{RoundsEnd, targets};
+use loosepin_bounds::{Assessment, RefinementStatus, Statistic};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
 
 /// Errors fall at least with this power of the number of runs where anything is to be foreseen, and at most with the other one.
@@ -12,8 +12,8 @@ const MAX_PACE: f64 = 1.5;
 /// The power where nothing has been seen yet: that of independent runs.
 const USUAL_PACE: f64 = 0.5;
 
-/// What came of accuracy and budget; nothing where neither was stated.
-pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord> {
+/// Reached accuracy and budget; `None` if neither was stated.
+pub fn accuracy(material: &Material<'_>, ended: &RoundsEnd) -> Option<AccuracyRecord> {
     let budget = ended.budget?;
     let plan = &material.response.shared.plan;
     let outcomes: Vec<AccuracyOutcome> = targets(material.study, plan)
@@ -21,8 +21,8 @@ pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord
         .collect();
     let stop = match (ended.standing, ended.left) {
         (_, Some(_)) => AccuracyStop::Budget,
-        (Standing::Exhausted, None) => AccuracyStop::Exhausted,
-        (Standing::Growing | Standing::Reached, None) => AccuracyStop::Reached,
+        (RefinementStatus::Exhausted, None) => AccuracyStop::Exhausted,
+        (RefinementStatus::Growing | RefinementStatus::Reached, None) => AccuracyStop::Reached,
     };
     let step = |assessment: &Assessment| AccuracyStep {
         rounds: assessment.rounds,
@@ -50,13 +50,13 @@ pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord
     })
 }
 
-/// The bounds of a statistic against what was asked: the pose that is furthest from it.
+/// The bounds of a statistic against the requested accuracy: the pose that is furthest from it.
 fn outcome(
     material: &Material<'_>,
     ask: &Ask,
     statistic: Statistic,
     asked_si: f64,
-    ended: &Ended,
+    ended: &RoundsEnd,
 ) -> Option<AccuracyOutcome> {
     let widening = |end: &BoundEnd| {
         let widening_si = (end.widened_si - end.value_si).abs();
@@ -84,7 +84,7 @@ fn outcome(
 
 /// Runs at which an error that is `share` times too large would not be: error ~ runs^-p, p from the first and the last size of the
 /// samples, that of independent runs where there was one size only.
-fn runs_needed(share: f64, ended: &Ended) -> Option<u64> {
+fn runs_needed(share: f64, ended: &RoundsEnd) -> Option<u64> {
     let pace = match (ended.history.first(), ended.history.last()) {
         (Some(first), Some(last)) if last.runs > first.runs && first.share.is_finite() => {
             let pace = (first.share / last.share).ln() / (last.runs as f64 / first.runs as f64).ln();
@@ -101,10 +101,10 @@ fn runs_needed(share: f64, ended: &Ended) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Ended, runs_needed};
-    use loosepin_bounds::{Assessment, Standing};
+    use super::{RoundsEnd, runs_needed};
+    use loosepin_bounds::{Assessment, RefinementStatus};
 
-    fn ended(sizes: &[(usize, f64)]) -> Ended {
+    fn ended(sizes: &[(usize, f64)]) -> RoundsEnd {
         let assessment = |&(runs, share): &(usize, f64)| Assessment {
             rounds: 3,
             runs,
@@ -118,7 +118,7 @@ mod tests {
         };
         let runs = sizes.last().map_or(700, |(runs, _)| *runs);
         let history = sizes.iter().map(assessment).collect();
-        Ended { standing: Standing::Growing, left: Some(90), rounds: 3, runs, history, budget: None }
+        RoundsEnd { standing: RefinementStatus::Growing, left: Some(90), rounds: 3, runs, history, budget: None }
     }
 
     #[test]

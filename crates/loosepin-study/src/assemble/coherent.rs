@@ -89,7 +89,7 @@ pub(super) fn narrow_to_nearest(end: &mut BoundEnd, limits_si: &[f64]) -> usize 
     if nearest.is_some_and(|limit_si| narrow(end, limit_si)) { rests_on } else { 0 }
 }
 
-/// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
+/// Moves the widened end of a bound to `limit`, and makes its error the difference to the value.
 fn set_widened(end: &mut BoundEnd, limit_si: f64) {
     let room = (limit_si - end.value_si).abs();
     end.widened_si = limit_si;
@@ -102,7 +102,7 @@ fn set_widened(end: &mut BoundEnd, limit_si: f64) {
     end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
 }
 
-/// What is possible to a higher degree is possible to a lower one: its bounds lie within.
+/// Nests the cuts: the bounds at a higher degree of possibility lie within those at a lower one.
 pub(super) fn nest_cuts(cuts: &mut [CutBounds]) {
     let mut places: Vec<usize> = (0..cuts.len()).collect();
     places.sort_by(|a, b| cuts[*b].alpha.total_cmp(&cuts[*a].alpha));

@@ -12,7 +12,7 @@ const POSES: usize = 180;
 /// Samples of an orbit over the recorded turns.
 const ORBIT_SAMPLES: usize = 720;
 
-/// What is drawn from runs with nominal dimensions.
+/// Drawings from runs with nominal dimensions.
 pub struct Pictures {
     /// The mechanism, epistemic inputs in the middle.
     pub drawing: Drawing,
@@ -77,7 +77,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         input.quantity().is_some_and(is_play) || matches!(input.subject, EpistemicSubject::Law { .. })
     };
     for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
-        for value in input.variable.shown() {
+        for value in input.variable.representative_values() {
             let mut epistemic = middle.clone();
             epistemic[index] = value;
             if let Some(run) = run_at(&epistemic, false) {

@@ -22,11 +22,11 @@ pub struct Case {
     pub(super) values: Values,
     /// Laid out for the mechanism.
     pub(super) sample: Sample<f64>,
-    /// What scatters, where the case has a study.
+    /// Scattering inputs, if the case has a study.
     pub(super) scatter: Vec<Scatter>,
-    /// What scatters together.
+    /// Correlations of the scatter.
     pub(super) correlations: Vec<ScatterCorrelation>,
-    /// What it must meet, in the order of the file.
+    /// Its checks, in the order of the file.
     pub(super) checks: Vec<Check>,
 }
 
@@ -35,19 +35,19 @@ pub struct Case {
 pub(super) struct Check {
     /// Its name.
     pub name: String,
-    /// Where the numbers come from: `analytic`, `published`, `peer` or `pinned`.
+    /// Source of the numbers: `analytic`, `published`, `peer` or `pinned`.
     pub origin: &'static str,
     /// The formula, the paper or the program.
     pub source: String,
-    /// Where it stands.
+    /// Place in the file.
     pub place: Place,
-    /// What is compared.
-    pub what: What,
+    /// The compared quantity.
+    pub what: CheckSubject,
 }
 
-/// What a table of `expected.toml` compares.
+/// The compared quantity of a table of `expected.toml`.
 #[derive(Debug, Clone)]
-pub(super) enum What {
+pub(super) enum CheckSubject {
     /// Numbers, one by one.
     Numbers(Numbers),
     /// Numbers of the first impacts of a joint; the largest difference counts.
@@ -76,15 +76,15 @@ pub(super) struct ExpectedNumber {
     pub value_si: f64,
     /// Settings `path=value` of the model under which it holds.
     pub settings: Vec<String>,
-    /// Where it holds, if not for a whole run.
-    pub at: Option<At>,
-    /// What tells it from the others of its list, as it is written: `at 60 deg`, `with restitution=0.5`.
+    /// Instant of the comparison, if it is not a whole run.
+    pub at: Option<CheckInstant>,
+    /// Its distinction from the others of its list, as written: `at 60 deg`, `with restitution=0.5`.
     pub words: Option<String>,
 }
 
 /// An instant of a motion, or a state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum At {
+pub(super) enum CheckInstant {
     /// Angle of the drive that the cycle counts, rad.
     Angle(f64),
     /// Time from the start, s.
@@ -102,7 +102,7 @@ pub(super) struct Quantity {
     pub play: Option<usize>,
     /// The output or state, for quantities of one.
     pub column: Option<Column>,
-    /// What becomes of a course in time.
+    /// Reduction of a course in time.
     pub reduce: Option<Reduce>,
     /// Length of the run from its start, s.
     pub span_s: f64,
@@ -153,7 +153,7 @@ pub(super) enum QuantityKind {
     DriveWork,
 }
 
-/// What becomes of a course in time.
+/// Reduction of a course in time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reduce {
     /// Its smallest value.
@@ -179,7 +179,7 @@ pub(super) struct Impacts {
     pub tolerance_si: f64,
     /// Length of the run, s.
     pub span_s: f64,
-    /// Their unit.
+    /// Unit of the numbers.
     pub unit: ReadableUnit,
 }
 
@@ -204,16 +204,16 @@ pub(super) struct History {
     /// The file.
     pub reference: Arc<Reference>,
     /// The columns that count as one number, each with ours.
-    pub columns: Vec<(usize, Ours)>,
+    pub columns: Vec<(usize, ComputedColumn)>,
     /// Largest accepted difference, SI.
     pub tolerance_si: f64,
-    /// Their unit.
+    /// Unit of the numbers.
     pub unit: ReadableUnit,
 }
 
 /// A column of our run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ours {
+pub(super) enum ComputedColumn {
     /// Index of an output column.
     Output(usize),
     /// Index in a row of the states of all bodies.
@@ -223,12 +223,13 @@ pub(super) enum Ours {
 impl Case {
     /// How many numbers and histories it must meet.
     pub fn count(&self) -> usize {
-        let count = |check: &Check| if let What::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
+        let count =
+            |check: &Check| if let CheckSubject::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
         self.checks.iter().map(count).sum()
     }
 
     /// How many of these are histories.
     pub fn histories(&self) -> usize {
-        self.checks.iter().filter(|check| matches!(check.what, What::History(_))).count()
+        self.checks.iter().filter(|check| matches!(check.what, CheckSubject::History(_))).count()
     }
 }

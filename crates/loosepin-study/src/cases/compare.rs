@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::case::{Case, Check, What};
+use super::case::{Case, Check, CheckSubject};
 use super::history::largest_difference;
 use super::obtain::Runs;
 use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
@@ -26,7 +26,7 @@ pub fn compare(case: &Case) -> Result<CaseRecord, Diagnostics> {
     let mut runs = Runs::new(case);
     // Histories first: their runs serve the numbers as well.
     for check in &case.checks {
-        if let What::History(history) = &check.what {
+        if let CheckSubject::History(history) = &check.what {
             runs.beside(history)?;
         }
     }
@@ -48,7 +48,7 @@ fn compare_check(runs: &mut Runs<'_>, check: &Check, records: &mut Vec<NumberRec
         si_per_unit: unit.si_per_unit,
     };
     match &check.what {
-        What::Numbers(numbers) => {
+        CheckSubject::Numbers(numbers) => {
             for (index, number) in numbers.numbers.iter().enumerate() {
                 let obtained_si = runs.obtain(&numbers.quantity, number, index, &check.place)?;
                 let name = match &number.words {
@@ -60,7 +60,7 @@ fn compare_check(runs: &mut Runs<'_>, check: &Check, records: &mut Vec<NumberRec
                 records.push(record(name, comparison, numbers.tolerance_si, &numbers.unit));
             }
         }
-        What::Impacts(impacts) => {
+        CheckSubject::Impacts(impacts) => {
             let simulation = runs.over(impacts.span_s)?;
             let ours = runs.impacts(&simulation, impacts.play, impacts.of);
             let difference_si =
@@ -75,7 +75,7 @@ fn compare_check(runs: &mut Runs<'_>, check: &Check, records: &mut Vec<NumberRec
             let comparison = Comparison::Largest { of, difference_si };
             records.push(record(check.name.clone(), comparison, impacts.tolerance_si, &impacts.unit));
         }
-        What::History(history) => {
+        CheckSubject::History(history) => {
             let simulation = runs.beside(history)?;
             let of = format!("{} rows", history.reference.rows.len());
             let difference_si = largest_difference(history, &simulation);

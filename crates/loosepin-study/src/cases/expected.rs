@@ -3,7 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::case::{At, Case, Check, ExpectedNumber, History, Numbers, Ours, Quantity, QuantityKind, Reduce, What};
+use super::case::{
+    Case, Check, CheckInstant, CheckSubject, ComputedColumn, ExpectedNumber, History, Numbers, Quantity, QuantityKind,
+    Reduce,
+};
 use super::dimension::{dimension_of, si_unit, state_dimension, stiffness_dimension};
 use super::problem::CaseProblem;
 use super::reference::{Reference, open_reference};
@@ -86,9 +89,9 @@ impl ExpectedReader<'_> {
             .map(|value_si| ExpectedNumber { value_si, settings: Vec::new(), at: None, words: None })
             .collect();
         for (entry, at, dimension) in [
-            (&table.angle, At::Angle as fn(f64) -> At, Dimension::ANGLE),
-            (&table.time, At::Time, Dimension::TIME),
-            (&table.penetration, At::Penetration, Dimension::LENGTH),
+            (&table.angle, CheckInstant::Angle as fn(f64) -> CheckInstant, Dimension::ANGLE),
+            (&table.time, CheckInstant::Time, Dimension::TIME),
+            (&table.penetration, CheckInstant::Penetration, Dimension::LENGTH),
         ] {
             let Some(entry) = entry else { continue };
             let instants = self.one_or_each(entry, dimension)?;
@@ -113,11 +116,11 @@ impl ExpectedReader<'_> {
             origin: table.origin?.0,
             source: table.source.filter(|_| table.reason.is_some())?,
             place: self.reader.place(entry.key_span),
-            what: What::Numbers(Numbers { quantity, numbers, tolerance_si, unit }),
+            what: CheckSubject::Numbers(Numbers { quantity, numbers, tolerance_si, unit }),
         })
     }
 
-    /// The settings, checked against the model; none where the key is not written.
+    /// The settings, checked against the model; `None` if the key is not written.
     fn settings(&mut self, written: Option<&Entry<'_>>) -> Option<Option<Vec<String>>> {
         let Some(entry) = written else { return Some(None) };
         let mut settings = Vec::new();
@@ -158,7 +161,7 @@ impl ExpectedReader<'_> {
         entries.iter().map(|entry| self.reader.measured(entry, due, Rule::Finite)).collect()
     }
 
-    /// A value, or the values of a list, as they are written.
+    /// A value, or the values of a list, as written.
     fn texts(&mut self, entry: &Entry<'_>) -> Vec<String> {
         let list = if entry.is_list() { self.reader.list(entry) } else { None };
         match list {
@@ -346,7 +349,13 @@ impl ExpectedReader<'_> {
             if let Some((name, history)) = self.history_column(&listed, &reference) {
                 let place = self.reader.place(listed.span);
                 let name = format!("{}: {name}", entry.name.replace('_', " "));
-                checks.push(Check { name, origin, source: source.clone(), place, what: What::History(history) });
+                checks.push(Check {
+                    name,
+                    origin,
+                    source: source.clone(),
+                    place,
+                    what: CheckSubject::History(history),
+                });
             }
         }
         checks
@@ -363,13 +372,13 @@ impl ExpectedReader<'_> {
         let (ours, due, words) = if let Some(entry) = table.output {
             let index = self.output(&entry)?;
             let column = columns(&self.case.mechanism.model).swap_remove(index);
-            (Ours::Output(index), dimension_of(&column.unit), column.name)
+            (ComputedColumn::Output(index), dimension_of(&column.unit), column.name)
         } else {
             let entry = table.state?;
             let (body, part) = self.state(&entry)?;
             let bodies = self.case.model.bodies.len() - 1;
             let index = (part / 3 * bodies + body) * 3 + part % 3;
-            (Ours::State(index), state_dimension(part), self.reader.text(&entry)?.to_owned())
+            (ComputedColumn::State(index), state_dimension(part), self.reader.text(&entry)?.to_owned())
         };
         let entry = table.tolerance?;
         let tolerance_si = self.reader.measured(&entry, due, Rule::NonNegative)?;

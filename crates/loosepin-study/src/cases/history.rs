@@ -1,9 +1,9 @@
 //! Our rows against the rows of a file.
 
-use super::case::{History, Ours};
+use super::case::{ComputedColumn, History};
 use loosepin_simulate::Simulation;
 
-/// Largest absolute difference over the rows of the columns that count as one number, SI; not a number where the run has other
+/// Largest absolute difference over the rows of the columns that count as one number, SI; NaN if the run has other
 /// rows.
 pub(super) fn largest_difference(history: &History, simulation: &Simulation) -> f64 {
     let rows = &history.reference.rows;
@@ -16,8 +16,8 @@ pub(super) fn largest_difference(history: &History, simulation: &Simulation) -> 
     for (index, row) in rows.iter().enumerate() {
         for &(column, ours) in &history.columns {
             let value_si = match ours {
-                Ours::Output(output) => outputs[output].value_si[index],
-                Ours::State(state) => states.rows[index][state],
+                ComputedColumn::Output(output) => outputs[output].value_si[index],
+                ComputedColumn::State(state) => states.rows[index][state],
             };
             let difference = (value_si - row[column]).abs();
             if difference.is_nan() {

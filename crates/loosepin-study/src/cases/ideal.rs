@@ -1,6 +1,6 @@
 //! Numbers of the mechanism without play, and of the quasi-static answer.
 
-use super::case::{At, Case, ExpectedNumber, Quantity, QuantityKind, Reduce};
+use super::case::{Case, CheckInstant, ExpectedNumber, Quantity, QuantityKind, Reduce};
 use super::problem::CaseProblem;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::Values;
@@ -23,9 +23,9 @@ pub(super) fn ideal_output(
     let input = input(mechanism, values, mechanism.model.cycle.span)?;
     let output = IdealOutput::new(mechanism, values, quantity)?;
     match (quantity.reduce, number.at) {
-        (None, Some(At::Angle(angle_rad))) => output.at((angle_rad - input.start_rad) / input.speed_rad_s),
-        (None, Some(At::Time(time_s))) => output.at(time_s),
-        (None, Some(At::Penetration(_)) | None) => output.at(0.0),
+        (None, Some(CheckInstant::Angle(angle_rad))) => output.at((angle_rad - input.start_rad) / input.speed_rad_s),
+        (None, Some(CheckInstant::Time(time_s))) => output.at(time_s),
+        (None, Some(CheckInstant::Penetration(_)) | None) => output.at(0.0),
         (Some(reduce), _) => {
             let sign = if matches!(reduce, Reduce::Minimum | Reduce::AngleOfMinimum) { -1.0 } else { 1.0 };
             output.extreme(input.turn_s(), sign).map(|[value_si, time_s]| match reduce {
@@ -105,7 +105,7 @@ pub(super) fn quasi_static(
         _ => motion,
     };
     let record = of(mechanism, values, &plan).map_err(|error| error.diagnostic(&case.model))?;
-    let Some(At::Angle(angle_rad)) = number.at else { return Ok(f64::NAN) };
+    let Some(CheckInstant::Angle(angle_rad)) = number.at else { return Ok(f64::NAN) };
     /// An angle counts as that of a position to round-off of a turn, rad.
     const SAME_ANGLE_RAD: f64 = 1e-9;
     let Some(position) = record.drive_angle_rad.iter().position(|known| (known - angle_rad).abs() < SAME_ANGLE_RAD)

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::case::{At, Case, ExpectedNumber, History, ImpactNumber, Quantity, QuantityKind, Reduce};
+use super::case::{Case, CheckInstant, ExpectedNumber, History, ImpactNumber, Quantity, QuantityKind, Reduce};
 use super::ideal::{ideal_output, quasi_static};
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
@@ -18,7 +18,7 @@ pub(super) struct Runs<'c> {
     done: Vec<(RunKey, Rc<Simulation>)>,
 }
 
-/// What tells runs of a case apart.
+/// Key of a run of a case.
 #[derive(Debug, Clone, PartialEq)]
 struct RunKey {
     settings: Vec<String>,
@@ -33,11 +33,17 @@ impl<'c> Runs<'c> {
         Self { case, done: Vec::new() }
     }
 
-    /// The number as the program has it, SI; not a number where the run has none.
+    /// The number as the program has it, SI; NaN if the run has none.
     ///
     /// # Errors
     /// A run or the ideal motion fails.
-    pub fn obtain(&mut self, quantity: &Quantity, number: &ExpectedNumber, index: usize, place: &Place) -> Obtained {
+    pub fn obtain(
+        &mut self,
+        quantity: &Quantity,
+        number: &ExpectedNumber,
+        index: usize,
+        place: &Place,
+    ) -> NumberResult {
         let case = self.case;
         match quantity.kind {
             QuantityKind::ContactOnset => self.of_impact(quantity, number, index, ImpactNumber::Onset),
@@ -61,7 +67,7 @@ impl<'c> Runs<'c> {
                 let (mechanism, values) = self.compiled(&number.settings)?;
                 let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.diagnostic(&case.model))?;
                 let normal = &sample.plays[quantity.play.unwrap_or(0)].normal;
-                let Some(At::Penetration(penetration_m)) = number.at else { return Ok(f64::NAN) };
+                let Some(CheckInstant::Penetration(penetration_m)) = number.at else { return Ok(f64::NAN) };
                 Ok(normal.elastic_n(penetration_m))
             }
             QuantityKind::Output => self.output(quantity, number),
@@ -156,8 +162,14 @@ impl<'c> Runs<'c> {
         Ok(simulation)
     }
 
-    /// Of the impact of a joint that stands at `index` in the list, or of the first one in a run with settings of its own.
-    fn of_impact(&mut self, quantity: &Quantity, number: &ExpectedNumber, index: usize, of: ImpactNumber) -> Obtained {
+    /// A number of the impact of a joint at `index` in the list, or of the first one in a run with settings of its own.
+    fn of_impact(
+        &mut self,
+        quantity: &Quantity,
+        number: &ExpectedNumber,
+        index: usize,
+        of: ImpactNumber,
+    ) -> NumberResult {
         let simulation = self.run(&number.settings, quantity.span_s, 1)?;
         let numbers = self.impacts(&simulation, quantity.play.unwrap_or(0), of);
         let index = if number.settings.is_empty() { index } else { 0 };
@@ -169,15 +181,15 @@ impl<'c> Runs<'c> {
         quantity: &Quantity,
         number: &ExpectedNumber,
         read: impl Fn(&JointSummary) -> f64,
-    ) -> Obtained {
+    ) -> NumberResult {
         let simulation = self.run(&number.settings, quantity.span_s, 1)?;
         Ok(simulation.record.joints.get(quantity.play.unwrap_or(0)).map_or(f64::NAN, read))
     }
 
-    fn output(&mut self, quantity: &Quantity, number: &ExpectedNumber) -> Obtained {
+    fn output(&mut self, quantity: &Quantity, number: &ExpectedNumber) -> NumberResult {
         let name = quantity.column.as_ref().map(|column| column.name.clone()).unwrap_or_default();
         let span_s = match number.at {
-            Some(At::Time(time_s)) => time_s,
+            Some(CheckInstant::Time(time_s)) => time_s,
             _ => quantity.span_s,
         };
         let simulation = self.run(&number.settings, span_s, 1)?;
@@ -199,7 +211,7 @@ impl<'c> Runs<'c> {
         })
     }
 
-    fn loop_drift(&mut self, quantity: &Quantity, number: &ExpectedNumber) -> Obtained {
+    fn loop_drift(&mut self, quantity: &Quantity, number: &ExpectedNumber) -> NumberResult {
         let (mechanism, values) = self.compiled(&number.settings)?;
         let sample = Sample::new(&mechanism, &values).map_err(|error| error.diagnostic(&mechanism.model))?;
         let window = Window { start_s: 0.0, end_s: quantity.span_s };
@@ -211,7 +223,7 @@ impl<'c> Runs<'c> {
 }
 
 /// A number, or why there is none.
-pub(super) type Obtained = Result<f64, Diagnostics>;
+pub(super) type NumberResult = Result<f64, Diagnostics>;
 
 /// Largest residual of the loops of ideal joints at the ends of all steps and between them.
 struct Drift {

@@ -5,7 +5,8 @@
 use std::path::Path;
 
 use super::case::{
-    Case, Check, ExpectedNumber, History, ImpactNumber, Impacts, Numbers, Ours, Quantity, QuantityKind, What,
+    Case, Check, CheckSubject, ComputedColumn, ExpectedNumber, History, ImpactNumber, Impacts, Numbers, Quantity,
+    QuantityKind,
 };
 use super::dimension::{si_unit, stiffness_dimension};
 use super::problem::CaseProblem;
@@ -52,14 +53,14 @@ pub(super) fn read_script(reader: &mut Reader, root: &ExpectedTable<'_>, folder:
         ("positions of all bodies", 0, POSITION_TOLERANCE_M, Dimension::LENGTH),
         ("velocities of all bodies", 3 * bodies, VELOCITY_TOLERANCE_M_S, Dimension::VELOCITY),
     ] {
-        let columns = (first..first + 3 * bodies).map(|index| (1 + index, Ours::State(index))).collect();
+        let columns = (first..first + 3 * bodies).map(|index| (1 + index, ComputedColumn::State(index))).collect();
         if reference.columns.len() < 1 + 9 * bodies {
             let problem = CaseProblem::BadRow { found: reference.columns.len(), due: 1 + 9 * bodies };
             reader.report(&problem, entry.key_span);
             return Vec::new();
         }
         let history = History { reference: reference.clone(), columns, tolerance_si, unit: si_unit(unit) };
-        found.push(name.to_owned(), What::History(history));
+        found.push(name.to_owned(), CheckSubject::History(history));
     }
     if let Some(table) = root.energy.as_ref().and_then(|entry| reader.table(entry, &ENERGY_KEYS)) {
         found.energies(reader, &table);
@@ -90,7 +91,7 @@ struct Found {
 }
 
 impl Found {
-    fn push(&mut self, name: String, what: What) {
+    fn push(&mut self, name: String, what: CheckSubject) {
         let (source, place) = (self.source.clone(), self.place.clone());
         self.checks.push(Check { name, origin: "peer", source, place, what });
     }
@@ -109,7 +110,7 @@ impl Found {
         // A moment and an energy have the same dimension; here it is always an energy.
         let is_energy = dimension == Dimension::TORQUE;
         let unit = if is_energy { joule() } else { si_unit(dimension) };
-        self.push(name.to_owned(), What::Numbers(Numbers { quantity, numbers, tolerance_si, unit }));
+        self.push(name.to_owned(), CheckSubject::Numbers(Numbers { quantity, numbers, tolerance_si, unit }));
     }
 
     /// Of our own account, which no other program needs to know.
@@ -180,7 +181,7 @@ impl Found {
             if !expected_si.is_empty() {
                 let (span_s, unit) = (self.span_s, si_unit(dimension));
                 let impacts = Impacts { play, of, expected_si, tolerance_si, span_s, unit };
-                self.push(format!("{joint}: {words}"), What::Impacts(impacts));
+                self.push(format!("{joint}: {words}"), CheckSubject::Impacts(impacts));
             }
         }
     }

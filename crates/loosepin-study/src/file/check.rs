@@ -15,14 +15,14 @@ use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
 const MAX_IMPOSSIBLE_SHARE: f64 = 0.01;
 /// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
 const QUANTILES: usize = 1000;
-/// Probability of what a distribution is taken not to come to: beyond six standard deviations of a normal one.
+/// Probability that counts as none: beyond six standard deviations of a normal distribution.
 const NEARLY_NONE: f64 = 1e-9;
 /// Of numbers that are written in two files.
 const ROUND_OFF: f64 = 1e-9;
 /// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
 const MAX_CORNERS: usize = 1024;
 
-/// What is written of the input `path` in a table of inputs.
+/// The entry of the input `path` in a table of inputs.
 pub(super) fn entry_of<'t>(table: &Option<Entry<'t>>, path: &str) -> Option<Entry<'t>> {
     table.as_ref()?.get(path)
 }
@@ -163,8 +163,11 @@ impl StudyReader {
 
     /// Evaluates every corner of the box of intervals with every combination of the numbers of lists.
     fn check_corners(&self) -> Result<(), QuantityError> {
-        let shown: Vec<(QuantityId, Vec<f64>)> =
-            self.epistemic.iter().filter_map(|input| Some((input.quantity()?, input.variable.shown()))).collect();
+        let shown: Vec<(QuantityId, Vec<f64>)> = self
+            .epistemic
+            .iter()
+            .filter_map(|input| Some((input.quantity()?, input.variable.representative_values())))
+            .collect();
         let corners = shown.iter().fold(1_usize, |corners, (_, values)| corners.saturating_mul(values.len()));
         if corners > MAX_CORNERS {
             return Ok(());
@@ -222,7 +225,7 @@ impl StudyReader {
         let mut values = quantities.nominal();
         let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
         let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
-        let stands_alone = quantities.stands_alone(input.quantity);
+        let is_independent = quantities.is_independent(input.quantity);
         if let Some(problem) = self.share_without_play(input, &drawn) {
             return Some(problem);
         }
@@ -238,7 +241,7 @@ impl StudyReader {
                 quantities.evaluate_into(&set, &mut values)
             };
             // Where the other values are possible with one of these, and nothing depends on it, its own rule is all there is.
-            let is_own_rule = stands_alone && drawn.iter().any(|&value_si| possible(value_si).is_ok());
+            let is_own_rule = is_independent && drawn.iter().any(|&value_si| possible(value_si).is_ok());
             let mut impossible = 0;
             let mut first = None;
             for &value_si in &drawn {

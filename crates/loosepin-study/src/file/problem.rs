@@ -1,4 +1,4 @@
-//! What can be wrong with a study beyond its single entries.
+//! Problems of a study beyond its single entries.
 
 use super::sizes::MAX_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
@@ -8,7 +8,7 @@ use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::DistributionError;
 
 problems! {
-    /// What can be wrong with a study file. `entry` is a path in words.
+    /// Problems of a study file. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum StudyProblem | Path(PathError) {
         /// A path written without quotes, which TOML takes apart.
@@ -201,7 +201,7 @@ problems! {
         NothingRandom { entry: String } => Code::AskNotPossible,
             says("{entry}: there is no random input, so there are no small probabilities"),
             hint("omit 'method'");
-        /// A value of the model that the study does not come to.
+        /// A value of the model outside of the range of the study.
         FarFromModel { path: String, value: String, from: String, to: String } => Code::FarFromModel,
             says("'{path}' is {value} in the model, but from {from} to {to} here"),
             hint("a dimension has one nominal value, from which deviations are measured: correct the wrong one, or omit the mean to use the value \
@@ -216,11 +216,11 @@ problems! {
                 if *is_itself { "this study itself" } else { "another study" }),
             hint("for example model = \"model.toml\"");
         /// A length that varies as no part does.
-        WildScatter { path: String, found: String, nominal: String } => Code::HardlyPossible,
+        WildScatter { path: String, found: String, nominal: String } => Code::ImplausibleNumber,
             says("'{path}' has a standard deviation of {found}, but is {nominal} in the model; usual values are below a hundredth of it"),
             hint("correct it, or ignore this warning if the value is intended");
         /// A sample of a length that holds one of the other sign.
-        OtherSign { path: String, found: String, nominal: String } => Code::HardlyPossible,
+        OtherSign { path: String, found: String, nominal: String } => Code::ImplausibleNumber,
             says("the sample of '{path}' contains {found}, but the value in the model is {nominal}"),
             hint("correct the sign or remove the value, or ignore this warning if the value is intended");
         /// Wear as a deviation from the ideal motion.
@@ -310,7 +310,7 @@ problems! {
         BesideFits { entry: String, has_fits: bool } => Code::AskNotPossible,
             says("{entry} {}", if *has_fits { "cannot be used with fits: they have no cost" } else { "needs fits" }),
             hint("leave it out");
-        /// An offer beyond what is asked about.
+        /// An offer beyond the range of the question.
         OfferBeyond { entry: String, offer: String, up_to: String } => Code::AskNotPossible,
             says("{entry} has an offer of {offer}, but the largest value to try is {up_to}"),
             hint("write up_to = \"{offer}\", or remove the offer");

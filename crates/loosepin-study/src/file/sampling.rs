@@ -1,10 +1,10 @@
-//! What is run, how many runs, and how accurate.
+//! Settings of the runs: their number, and their accuracy.
 
 use super::description::Sampling;
 use super::reader::StudyReader;
 use loosepin_bounds::MAX_OUTER;
 use loosepin_mechanics::model::{CYCLE_NUMBERS, Cycle};
-use loosepin_text::document::{Entry, Kind, Reads, Table, Usual, Value, count};
+use loosepin_text::document::{DefaultValue, Entry, Kind, Reads, Table, Value, count};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
@@ -58,8 +58,8 @@ impl<'t, R: Reads + ?Sized> Value<'t, R> for StepTolerance {
     }
 }
 
-impl<'t, R: Reads + ?Sized> Usual<'t, R, &'static str> for StepTolerance {
-    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
+impl<'t, R: Reads + ?Sized> DefaultValue<'t, R, &'static str> for StepTolerance {
+    fn default_value(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
         parse_quantity(usual).ok().map(|usual| Self(usual.value_si))
     }
 }

@@ -19,18 +19,18 @@ pub(crate) fn budget(study: &Study, stated_runs: usize, row_length: usize) -> Op
 /// Limits of the question whose answer gives the bounds of a study.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
-    /// Where it ends although its goals are not reached.
+    /// Budget at which it ends although its goals are not reached.
     pub budget: Option<Budget>,
     /// Runs of all questions, samples not grown.
     pub stated_runs: usize,
-    /// Those of them that are of the questions that follow.
+    /// Reserved runs of the questions that follow.
     pub reserved: usize,
 }
 
 impl Limits {
     /// Watches the budget from now on.
-    pub fn watch(&self) -> Watch {
-        Watch { limits: *self, began: Instant::now() }
+    pub fn watch(&self) -> BudgetWatch {
+        BudgetWatch { limits: *self, began: Instant::now() }
     }
 
     /// Runs at most; with a budget of time or rounds, those before the samples grow.
@@ -38,7 +38,7 @@ impl Limits {
         self.most_of(self.stated_runs)
     }
 
-    /// Runs at most, once this question has come to `own_runs` runs.
+    /// Largest number of runs, if this question makes `own_runs` runs.
     pub fn most_runs_with(&self, own_runs: usize) -> usize {
         self.most_of(self.stated_runs.max(own_runs + self.reserved))
     }
@@ -58,12 +58,12 @@ impl Limits {
 }
 
 /// Decides before each step whether it is made.
-pub(crate) struct Watch {
+pub(crate) struct BudgetWatch {
     limits: Limits,
     began: Instant,
 }
 
-impl Watch {
+impl BudgetWatch {
     /// Whether a step of `next` runs stays within the budget, `made` runs and `steps` steps being made. A time is foreseen from that
     /// of the runs so far, so that the first step is always made.
     pub fn allows(&self, next: usize, made: usize, steps: u32) -> bool {
@@ -82,9 +82,9 @@ impl Watch {
 
 #[cfg(test)]
 mod tests {
-    use super::{Budget, Limits, Watch};
+    use super::{Budget, BudgetWatch, Limits};
 
-    fn watch(budget: Option<Budget>) -> Watch {
+    fn watch(budget: Option<Budget>) -> BudgetWatch {
         Limits { budget, stated_runs: 650, reserved: 150 }.watch()
     }
 

@@ -1,4 +1,4 @@
-//! What a study will come to: how many runs, and how long one of them takes.
+//! Estimated cost of a study: the number of its runs, and the duration of one.
 
 use crate::error::StudyError;
 use crate::file::Study;
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
-/// Of combinations of laws, which are batches of their own, so many are timed.
+/// Largest number of timed combinations of laws, each of which is a batch of its own.
 const MAX_VARIANTS: usize = 4;
 /// The mechanisms among the runs, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
 /// as long as a run.
@@ -24,12 +24,12 @@ const MAX_PREPARING: Duration = Duration::from_millis(10);
 /// Multiplications of all timed runs, about a hundredth of a second; and evaluations without which a run shows nothing.
 const TIMED_MULTIPLICATIONS: f64 = 1.2e7;
 const MIN_EVALUATIONS: f64 = 100.0;
-/// The share of their time that timed runs have to come to, on average, where forces decide the motion: it begins with a settling, which
-/// tells nothing of the rest.
+/// Least progress of the timed runs, as a share of their time, on average, where forces decide the motion: the initial settling says
+/// nothing about the rest.
 const MIN_FREE_SHARE: f64 = 0.1;
 
-/// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some hundred
-/// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
+/// Estimated number and duration of the runs of `study`: measured on the first runs of its plan, each given up after some hundred or
+/// thousand evaluations and extrapolated from its progress. No samples but these are drawn.
 ///
 /// # Errors
 /// As for [`crate::plan_runs`], or all timed runs failed.
@@ -50,7 +50,7 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     Ok(estimate)
 }
 
-/// What is known of the timed runs.
+/// Durations of the timed runs.
 #[derive(Default)]
 struct Timing {
     /// Evaluations of each run, and the share of its time that it came to with them.
@@ -72,7 +72,7 @@ impl Timing {
     /// preparing/prepared + stepping/Σ evaluations · mean(evaluations/share)
     /// ```
     ///
-    /// None where the runs came to less than `least_share` of their time, on average.
+    /// `None` if the runs came to less than `least_share` of their time, on average.
     fn run_s(&self, least_share: f64) -> Option<f64> {
         let count = self.runs.len() as f64;
         let all: f64 = self.runs.iter().map(|(evaluations, _)| evaluations).sum();
@@ -84,7 +84,7 @@ impl Timing {
     }
 }
 
-/// Processor time of a whole run, s, from the first runs of the plan; none where they do not tell.
+/// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not show it.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
 fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {

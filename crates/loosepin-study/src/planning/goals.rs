@@ -2,7 +2,7 @@
 
 use crate::file::{AccuracyTarget, Ask, Budget, Study, dimension_of_statistic, statistic_name};
 use crate::response::columns::ColumnPlan;
-use loosepin_bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
+use loosepin_bounds::{Assessment, Goal, Refinement, RefinementStatus, Request, Statistic, SurrogateRounds};
 
 /// The accuracy that `statistic` of question `place` is to have.
 fn target(study: &Study, place: usize, ask: &Ask, statistic: Statistic) -> Option<f64> {
@@ -49,8 +49,8 @@ pub(crate) fn goals(study: &Study, plan: &ColumnPlan) -> Vec<Goal> {
 }
 
 /// How the rounds ended.
-pub(crate) struct Ended {
-    pub standing: Standing,
+pub(crate) struct RoundsEnd {
+    pub standing: RefinementStatus,
     /// Runs of the round that the budget did not allow.
     pub left: Option<usize>,
     /// Rounds and runs that were made.
@@ -60,7 +60,7 @@ pub(crate) struct Ended {
     pub budget: Option<Budget>,
 }
 
-impl Ended {
+impl RoundsEnd {
     /// Ends `rounds` of surrogates, of which `made` were made with `runs` runs.
     pub fn of_surrogates(
         rounds: &SurrogateRounds,
@@ -68,7 +68,7 @@ impl Ended {
         (made, runs): (u32, usize),
         budget: Option<Budget>,
     ) -> Self {
-        Self { standing: rounds.standing(), left, rounds: made, runs, history: rounds.history().to_vec(), budget }
+        Self { standing: rounds.status(), left, rounds: made, runs, history: rounds.history().to_vec(), budget }
     }
 
     /// Ends `refinement` after `runs` runs in `rounds` rounds.
@@ -78,7 +78,7 @@ impl Ended {
         (rounds, runs): (u32, usize),
         budget: Option<Budget>,
     ) -> Self {
-        let (standing, history) = (refinement.standing(), refinement.history().to_vec());
+        let (standing, history) = (refinement.status(), refinement.history().to_vec());
         Self { standing, left, rounds, runs, history, budget }
     }
 }

@@ -3,7 +3,7 @@
 use super::steps::{Next, Steps};
 use crate::error::StudyError;
 use crate::file::Budget;
-use crate::planning::goals::Ended;
+use crate::planning::goals::RoundsEnd;
 use loosepin_bounds::{Bounds, DoubleLoop, Refinement, SampleTable};
 
 /// The direct double loop.
@@ -22,7 +22,7 @@ pub struct Direct {
     /// The bounds.
     pub bounds: Bounds,
     /// How its rounds ended.
-    pub ended: Ended,
+    pub ended: RoundsEnd,
 }
 
 impl DirectSteps {
@@ -46,7 +46,7 @@ impl Steps for DirectSteps {
         }
         let plan = self.refinement.plan(runs).clone();
         let bounds = plan.results(runs)?;
-        let ended = Ended::new(&self.refinement, self.left, (self.rounds, runs.len()), self.budget);
+        let ended = RoundsEnd::new(&self.refinement, self.left, (self.rounds, runs.len()), self.budget);
         Ok(Next::Answer(Direct { plan, bounds, ended }))
     }
 

@@ -1,4 +1,4 @@
-//! What a study has found: its bounds, then what its questions add.
+//! Findings of a study: its bounds, then the results of its questions.
 
 use super::curve_bands::{CurveBand, curve_bands};
 use super::rare::Rare;
@@ -6,19 +6,19 @@ use super::surrogate::{LearnedBounds, SavedSurrogates};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::Sampling;
-use crate::planning::goals::Ended;
+use crate::planning::goals::RoundsEnd;
 use crate::runs::all_runs::Runs;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::StudyResult;
 
-/// What a study has found so far.
+/// Findings of a study so far.
 pub struct Found {
     /// The double loop of the last round; `None` if the surrogate stands alone.
     pub double_loop: Option<DoubleLoop>,
     pub bounds: Bounds,
     /// How the steps towards the goals ended.
-    pub ended: Ended,
+    pub ended: RoundsEnd,
     /// Small probabilities that were not counted.
     pub rare: Vec<Rare>,
     pub surrogate: Option<LearnedBounds>,
@@ -39,8 +39,8 @@ pub struct StudyRun {
 }
 
 impl Found {
-    /// Nothing but bounds.
-    pub fn new(bounds: Bounds, ended: Ended) -> Self {
+    /// Bounds alone.
+    pub fn new(bounds: Bounds, ended: RoundsEnd) -> Self {
         let (rare, curve_bands, other_readings) = (Vec::new(), Vec::new(), Vec::new());
         Self { double_loop: None, bounds, ended, rare, surrogate: None, curve_bands, other_readings }
     }
@@ -60,7 +60,7 @@ impl Found {
         Ok(())
     }
 
-    /// What a result is made from.
+    /// The inputs of a result.
     pub fn material<'m>(&'m self, runs: &'m Runs<'_>) -> Material<'m> {
         let Runs { study, response, table, .. } = runs;
         let Self { double_loop, bounds, rare, .. } = self;

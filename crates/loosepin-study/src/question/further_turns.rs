@@ -1,10 +1,10 @@
-//! What turns after the recorded ones change, where the motion does not repeat itself.
+//! Effect of turns after the recorded ones, if the motion does not repeat itself.
 //!
 //! Statistics are those of the recorded turns. Where a motion never repeats itself, later turns may go further: some of the runs are made
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
+use super::kind::{Planned, Question, QuestionContext, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
@@ -47,14 +47,14 @@ pub const KIND: QuestionKind = QuestionKind {
     planned,
 };
 
-/// How far some runs go on.
+/// Number of further turns of some runs.
 #[derive(Debug, Clone, Copy)]
 struct Settings {
     /// Whether the study states them.
     is_stated: bool,
     /// Turns after the recorded ones.
     turns: u32,
-    /// Runs that are made again; none where their share of the study decides.
+    /// Runs that are made again; `None` if their share of the study decides.
     runs: Option<usize>,
 }
 
@@ -66,13 +66,13 @@ fn read(written: Option<&Entry<'_>>, reader: &mut Reader, stated: &mut QuestionS
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
     settings: Settings,
-    /// Runs of the bounds at most, among which those are that go on.
+    /// Runs of the bounds at most, among which are those that continue.
     most_of_bounds: usize,
     /// What they change, or why there is nothing to look at; `None` before the runs.
-    answer: Option<Answer>,
+    answer: Option<FurtherTurnsResult>,
 }
 
-type Answer = Result<FurtherTurns, &'static str>;
+type FurtherTurnsResult = Result<FurtherTurns, &'static str>;
 
 const IS_TIME: &str = "The study covers a duration, not turns: no turns follow those that are recorded.";
 const IS_LIFE: &str = "Joints wear: the life is extrapolated from its cycles, not from further turns.";
@@ -85,7 +85,7 @@ const CANNOT_GO_ON: &str = "No run could be continued for so many turns.";
 ///
 /// # Errors
 /// A run may not have as many turns as are stated.
-fn planned(basis: &Basis<'_>) -> Planned {
+fn planned(basis: &QuestionContext<'_>) -> Planned {
     let Some(&settings) = basis.study.questions.get::<Settings>() else { return Ok(None) };
     if settings.is_stated {
         let cycle = &basis.study.cycle;
@@ -95,7 +95,7 @@ fn planned(basis: &Basis<'_>) -> Planned {
     Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
 }
 
-/// It is the number of further turns that is too large.
+/// Error of the number of further turns, which is too large.
 fn by_own_table(error: PrepareError) -> PrepareError {
     match error {
         PrepareError::TooManyTurns { turns, what, most, .. } => {
@@ -122,7 +122,7 @@ impl Question for FurtherTurnsQuestion {
             // A stated question has an answer in any case.
             Some(Err(reason)) if self.settings.is_stated => {
                 let mut answer = QuestionAnswer::new("further_turns", "Further turns");
-                answer.say([AnswerPart::from(*reason)]);
+                answer.add_sentence([AnswerPart::from(*reason)]);
                 run.result.answers.push(answer);
             }
             _ => {}
@@ -135,7 +135,7 @@ impl Question for FurtherTurnsQuestion {
 ///
 /// # Errors
 /// The study was interrupted.
-fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyError> {
+fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResult, StudyError> {
     let (study, table, plan) = (runs.study, &runs.table, &runs.response.shared.plan);
     if matches!(study.cycle.span, CycleSpan::Duration(_)) {
         return Ok(Err(IS_TIME));
@@ -215,7 +215,7 @@ fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)>
     }
 }
 
-/// By how much more turns exceed what was recorded. Where the recorded turns end a step ends, so that both differ by its error.
+/// Excess of the later turns over the recorded ones. Where the recorded turns end a step ends, so that both differ by its error.
 fn excess(reduction: Reduction, recorded_si: f64, later_si: f64) -> f64 {
     let sign = if reduction == Reduction::Minimum { -1.0 } else { 1.0 };
     (sign * (later_si - recorded_si)).max(0.0)
@@ -226,7 +226,7 @@ fn keeps(limit: Limit, value_si: f64) -> bool {
     (lower..=upper).contains(&value_si)
 }
 
-/// As many runs as are stated, or so many that they take a small share of the turns of the study.
+/// The stated number of runs, or a number that takes a small share of the turns of the study.
 fn number_of_runs(settings: Settings, study: &Study, made: usize) -> usize {
     if let Some(runs) = settings.runs {
         return runs;

@@ -19,7 +19,7 @@ pub(super) use curve_bands::CurveBand;
 pub(super) use direct::DirectSteps;
 pub(super) use found::Found;
 pub use found::StudyRun;
-pub(super) use kind::{Basis, Question};
+pub(super) use kind::{Question, QuestionContext};
 pub use loosest::with_loosened;
 pub(super) use rare::Rare;
 pub(super) use steps::take_steps;
@@ -59,6 +59,6 @@ pub(super) fn read_questions(root: &Table<'_>, reader: &mut Reader) -> QuestionS
 ///
 /// # Errors
 /// One of them is not possible.
-pub(super) fn questions(basis: &Basis<'_>) -> Result<Vec<Box<dyn Question>>, StudyError> {
+pub(super) fn questions(basis: &QuestionContext<'_>) -> Result<Vec<Box<dyn Question>>, StudyError> {
     QUESTIONS.iter().filter_map(|kind| (kind.planned)(basis).transpose()).collect()
 }

@@ -14,7 +14,7 @@ pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
     [0.5 - 0.5 * share, 0.5 + 0.5 * share].map(Statistic::quantile_at)
 }
 
-/// Where in the recorded turns a column is taken.
+/// Place of a column in the recorded turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Location {
     /// At this many turns of the drive after the start of the recorded part.
@@ -35,14 +35,14 @@ pub struct StudyColumn {
     pub output: usize,
     /// Which deviation.
     pub deviation: Deviation,
-    /// Where.
+    /// Place.
     pub spot: Location,
 }
 
 /// All columns of a study, and which ask uses which.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnPlan {
-    /// What can be asked of the model.
+    /// Outputs of the model.
     pub outputs: Vec<StudyOutput>,
     /// The numbers of a run.
     pub columns: Vec<StudyColumn>,
@@ -56,7 +56,7 @@ pub struct ColumnPlan {
     places: HashMap<ColumnKey, usize>,
 }
 
-/// What tells one column from another: output, deviation, and the bits of a pose or the reduction.
+/// Key of a column: output, deviation, and the bits of a pose or the reduction.
 type ColumnKey = (usize, Deviation, Result<[u64; 2], Reduction>);
 
 impl StudyColumn {

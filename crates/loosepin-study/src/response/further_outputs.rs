@@ -7,7 +7,7 @@ use crate::response::columns::Location;
 use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
 use crate::runs::all_runs::Runs;
-use crate::runs::part::Part;
+use crate::runs::run_subset::RunSubset;
 use crate::runs::table::{curve_name, scalar_name};
 use crate::study_run::all_failed;
 use loosepin_bounds::{Problem, Request, RunInputs, SampleTable};
@@ -30,9 +30,9 @@ pub struct RecordedOutput {
     pub name: String,
     /// Unit of its values.
     pub unit: SiUnit,
-    /// Angles of the drive at the points of a curve, rad; nothing for a number.
+    /// Angles of the drive at the points of a curve, rad; `None` for a number.
     pub pose_rad: Option<Vec<f64>>,
-    /// Where its values stand in a row.
+    /// Columns of its values in a row.
     pub columns: Vec<usize>,
 }
 
@@ -52,7 +52,7 @@ impl<'s> FurtherOutputs<'s> {
         Problem { columns, requests, compared_columns, readings_beside: Vec::new(), ..asked }
     }
 
-    /// What every run records, in the order in which the study asks for it.
+    /// Recorded outputs of every run, in the order in which the study asks for them.
     pub fn recorded(&self) -> Vec<RecordedOutput> {
         let plan = &self.response.shared.plan;
         let mut recorded: Vec<RecordedOutput> = Vec::new();
@@ -87,14 +87,14 @@ impl<'s> FurtherOutputs<'s> {
     /// planned, as progress tells. The store and the part of `options` are not used.
     ///
     /// # Errors
-    /// It was interrupted, all runs of the first round failed, or their maker stopped.
+    /// It was interrupted, all runs of the first round failed, or their provider stopped.
     pub fn run(
         &self,
         round: &[RunInputs],
         [before, most_runs]: [usize; 2],
         options: &RunOptions<'_>,
     ) -> Result<SampleTable, StudyError> {
-        let options = RunOptions { store: None, part: Part::Whole, ..*options };
+        let options = RunOptions { store: None, run_subset: RunSubset::Whole, ..*options };
         let most_runs = most_runs.max(before + round.len());
         let table = SampleTable::new(self.response.row_length());
         let mut runs = Runs::new(&options, (self.study, &self.response), table, (before, most_runs))?;

@@ -14,7 +14,7 @@ const MAX_NUMBERS: usize = 8 << 20;
 pub struct IdealKey(Vec<u64>);
 
 impl IdealKey {
-    /// That of `sample`, which has no play and whose points are `arms`, over `window`; nothing is changed. Where drives move everything,
+    /// Key of `sample`, which has no play and whose points are `arms`, over `window`; nothing is changed. Where drives move everything,
     /// forces and initial states do not matter.
     pub fn new(sample: &mut Sample<f64>, is_driven: bool, arms: &Arms, window: &Window) -> Self {
         let tables = sample.drives.table_points().chain(sample.references.table_points());
@@ -32,16 +32,16 @@ impl IdealKey {
     }
 }
 
-/// What is known of the ideal motion of a mechanism whose loops close.
+/// Cached ideal motion of a mechanism whose loops close.
 #[derive(Debug, Clone, Default)]
-pub struct KnownIdeal {
+pub struct CachedIdealMotion {
     /// Its table, where deviations from it are asked for.
     pub curve: Option<Arc<IdealCurve>>,
-    /// Itself, where forces decide it and outputs without a table are asked for.
+    /// The motion itself, if forces decide it and outputs without a table are requested.
     pub motion: Option<Arc<FreeMotion>>,
 }
 
-impl KnownIdeal {
+impl CachedIdealMotion {
     /// Numbers that it is kept in.
     fn numbers(&self) -> usize {
         let of_curve = self.curve.as_ref().map_or(0, |curve| curve.numbers());
@@ -52,23 +52,23 @@ impl KnownIdeal {
 /// The ideal motions that are known. Each has the same bits whoever finds it.
 #[derive(Debug, Default)]
 pub struct IdealTables {
-    known: Mutex<Known>,
+    known: Mutex<Cache>,
 }
 
 #[derive(Debug, Default)]
-struct Known {
-    motions: HashMap<IdealKey, KnownIdeal>,
+struct Cache {
+    motions: HashMap<IdealKey, CachedIdealMotion>,
     numbers: usize,
 }
 
 impl IdealTables {
-    /// What is known of a mechanism.
-    pub fn find(&self, key: &IdealKey) -> Option<KnownIdeal> {
+    /// The cached motion of a mechanism.
+    pub fn find(&self, key: &IdealKey) -> Option<CachedIdealMotion> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).motions.get(key).cloned()
     }
 
     /// Keeps what has been found, while there is room.
-    pub fn keep(&self, key: IdealKey, ideal: KnownIdeal) {
+    pub fn keep(&self, key: IdealKey, ideal: CachedIdealMotion) {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let numbers = key.0.len() + ideal.numbers();
         if known.numbers + numbers <= MAX_NUMBERS {

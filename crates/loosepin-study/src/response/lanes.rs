@@ -1,7 +1,7 @@
 //! The runs of a study on the lanes of a thread: from inputs to rows.
 
 use crate::response::extras::{JointExtras, RunExtras};
-use crate::response::ideal_tables::{IdealKey, KnownIdeal};
+use crate::response::ideal_tables::{CachedIdealMotion, IdealKey};
 use crate::response::recorder::{Recorder, References};
 use crate::response::study_response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
@@ -115,7 +115,7 @@ impl StudyResponse {
         // Where drives move everything, the search for a position begins at the one before, which decides on its last bits.
         let is_shared = !(needs_own && self.ideal.is_driven());
         let key = is_shared.then(|| IdealKey::new(&mut sample, self.ideal.is_driven(), arms, window));
-        if let Some(KnownIdeal { curve, motion }) = key.as_ref().and_then(|key| self.ideal_tables.find(key)) {
+        if let Some(CachedIdealMotion { curve, motion }) = key.as_ref().and_then(|key| self.ideal_tables.find(key)) {
             return Ok((motion.map(|motion| IdealReference::of_motion(&self.ideal, &sample, motion)), curve));
         }
         let mut own = IdealReference::new(&self.ideal, &sample, window.end_s, &self.settings)?;
@@ -128,7 +128,7 @@ impl StudyResponse {
         };
         let Some(key) = key else { return Ok((Some(own), curve)) };
         let motion = own.free_motion().filter(|_| needs_own);
-        self.ideal_tables.keep(key, KnownIdeal { curve: curve.clone(), motion });
+        self.ideal_tables.keep(key, CachedIdealMotion { curve: curve.clone(), motion });
         Ok((needs_own.then_some(own), curve))
     }
 
@@ -167,7 +167,7 @@ impl StudyResponse {
     }
 }
 
-/// What the row of a run tells of a joint with play beside what the run counted.
+/// Numbers of a joint with play in the row of a run, besides its counters.
 struct ContactNumbers {
     has_limit: bool,
     nominal_restitution: f64,

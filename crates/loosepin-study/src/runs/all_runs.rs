@@ -6,11 +6,11 @@ use crate::error::{StudyError, TooManyFailed};
 use crate::file::Study;
 use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
-use crate::runs::elsewhere::made_elsewhere;
-use crate::runs::evaluate::{Row, Work, evaluate};
+use crate::runs::evaluate::{RunOutcome, Work, evaluate};
+use crate::runs::external_runs::provided_rows;
 use crate::runs::failures::failures;
 use crate::runs::keep::{RunLists, StoredRuns};
-use crate::runs::part::{OpenRound, Part};
+use crate::runs::run_subset::{OpenRound, RunSubset};
 use crate::runs::table::{RunsTable, runs_table};
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 use loosepin_store::Shard;
@@ -29,7 +29,7 @@ pub(crate) struct Runs<'s> {
     pub pool: Arc<rayon::ThreadPool>,
     pub study: &'s Study,
     pub response: &'s StudyResponse,
-    /// Inputs that the inverse question has loosened, as [`crate::runs::elsewhere::AskedRuns::loosened`].
+    /// Inputs that the inverse question has loosened, as [`crate::runs::external_runs::RequestedRuns::loosened`].
     pub loosened: &'s [(usize, f64)],
     /// Runs at most, of all lists.
     pub most_runs: usize,
@@ -76,13 +76,14 @@ impl<'s> Runs<'s> {
         }
     }
 
-    /// Makes the runs of the pilot in `round`, the first one, and tells their draft; the rows by their place, the other places have no entry.
+    /// Makes the runs of the pilot in `round`, the first one, and reports their draft; the rows by their place, the other places have no
+    /// entry.
     ///
     /// # Errors
     /// The store cannot be used.
-    fn make_pilot(&self, round: &[RunInputs]) -> Result<BTreeMap<usize, Row>, StudyError> {
-        let (pool, RunOptions { progress, part, maker, stop, .. }) = (&self.pool, *self.options);
-        let Some(drafts) = self.drafts.filter(|_| part == Part::Whole && maker.is_none()) else {
+    fn make_pilot(&self, round: &[RunInputs]) -> Result<BTreeMap<usize, RunOutcome>, StudyError> {
+        let (pool, RunOptions { progress, run_subset, provider, stop, .. }) = (&self.pool, *self.options);
+        let Some(drafts) = self.drafts.filter(|_| run_subset == RunSubset::Whole && provider.is_none()) else {
             return Ok(BTreeMap::new());
         };
         let is_in_pilot: Vec<bool> = round.iter().map(|inputs| drafts.is_in_pilot(inputs)).collect();
@@ -94,7 +95,7 @@ impl<'s> Runs<'s> {
             kept.iter().zip(&is_in_pilot).map(|(kept, &is_own)| kept.is_none() && is_own).collect();
         let known = kept.iter().zip(&is_in_pilot).filter(|(kept, is_own)| kept.is_some() && **is_own).count();
         let finished = AtomicUsize::new(known);
-        let note = |place: usize, row: &Row| self.note(place, &round[place], row, &finished);
+        let note = |place: usize, row: &RunOutcome| self.note(place, &round[place], row, &finished);
         let work = Work { batch: round, is_waiting: &is_waiting, response: self.response, stop };
         let rows = pool.install(|| evaluate(&work, kept, &|| self.is_stopped(), &note));
         let own = rows.iter().zip(round).zip(&is_in_pilot).filter(|(_, is_own)| **is_own).map(|(run, _)| run);
@@ -108,7 +109,7 @@ impl<'s> Runs<'s> {
     }
 
     /// Keeps the row of a run that is finished and counts it.
-    fn note(&self, place: usize, inputs: &RunInputs, row: &Row, finished: &AtomicUsize) {
+    fn note(&self, place: usize, inputs: &RunInputs, row: &RunOutcome, finished: &AtomicUsize) {
         self.list.keep(place, inputs, row);
         let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
         if runs.is_multiple_of(RUNS_PER_REPORT) {
@@ -155,7 +156,8 @@ impl<'s> Runs<'s> {
         let batch: Vec<RunInputs> = runs.iter().map(|&run| self.table.inputs()[run].clone()).collect();
         let work = Work { batch: &batch, is_waiting: &vec![true; batch.len()], response, stop };
         let is_stopped = || stop.load(Ordering::Relaxed);
-        let rows = pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &|_: usize, _: &Row| {}));
+        let rows =
+            pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &|_: usize, _: &RunOutcome| {}));
         if rows.iter().any(Option::is_none) {
             return Err(StudyError::Interrupted { finished: Box::new(self.runs_table()), most_runs: self.most_runs });
         }
@@ -167,7 +169,7 @@ impl<'s> Runs<'s> {
     /// # Errors
     /// The study was interrupted, the store cannot be used, or runs are missing that are made elsewhere.
     pub fn make(&mut self, round: &[RunInputs]) -> Result<(), StudyError> {
-        let (pool, RunOptions { progress, part, maker, stop, .. }) = (&self.pool, *self.options);
+        let (pool, RunOptions { progress, run_subset, provider, stop, .. }) = (&self.pool, *self.options);
         progress.stage(Stage::Runs);
         let begin = self.table.len();
         let before = self.lists.finished_runs() + begin;
@@ -181,19 +183,19 @@ impl<'s> Runs<'s> {
                 *row = row.take().or_else(|| pilot.remove(&(number * RUNS_PER_BATCH + index)));
             }
             let is_waiting: Vec<bool> = (kept.iter().zip(first as u64..))
-                .map(|(kept, place)| kept.is_none() && part.makes(place, round.len()))
+                .map(|(kept, place)| kept.is_none() && run_subset.makes(place, round.len()))
                 .collect();
             let known = kept.iter().flatten().count();
             let making = is_waiting.iter().filter(|is_waiting| **is_waiting).count();
             // What the pilot has made of later batches is finished too.
             let finished = AtomicUsize::new(done + known + pilot.len());
-            let note = |index: usize, row: &Row| self.note(first + index, &batch[index], row, &finished);
+            let note = |index: usize, row: &RunOutcome| self.note(first + index, &batch[index], row, &finished);
             let is_stopped = || self.is_stopped();
             let work = Work { batch, is_waiting: &is_waiting, response: self.response, stop };
-            let outcomes = match maker {
+            let outcomes = match provider {
                 None => pool.install(|| evaluate(&work, kept, &is_stopped, &note)),
-                Some(maker) => {
-                    let made = made_elsewhere(maker, &work, kept, self.loosened, &is_stopped, &note);
+                Some(provider) => {
+                    let made = provided_rows(provider, &work, kept, self.loosened, &is_stopped, &note);
                     // What came back before something went wrong is kept.
                     made.or_else(|error| self.list.flush().and(Err(error)))?
                 }
@@ -211,8 +213,8 @@ impl<'s> Runs<'s> {
                     }
                     Some(_) => {}
                     None => {
-                        let maker = Shard::maker(place, part.shards().unwrap_or(1));
-                        *open.missing.entry(maker).or_default() += 1;
+                        let shard = Shard::index_for_run(place, run_subset.shards().unwrap_or(1));
+                        *open.missing.entry(shard).or_default() += 1;
                     }
                 }
             }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Columns and extras of a finished run, or why it gave nothing.
-pub(crate) type Row = Result<Vec<f64>, Failure>;
+pub(crate) type RunOutcome = Result<Vec<f64>, Failure>;
 
 /// A batch of runs, and which of them are to be made.
 pub(crate) struct Work<'w> {
@@ -18,17 +18,17 @@ pub(crate) struct Work<'w> {
     pub stop: &'w AtomicBool,
 }
 
-/// The rows of a batch, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop has kept from
-/// starting or from ending.
+/// The rows of a batch, the `kept` ones unchanged; `None` for runs that are not to be made, or that a stop has kept from starting or from
+/// ending.
 ///
 /// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
 /// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.
 pub(crate) fn evaluate(
     work: &Work<'_>,
-    kept: Vec<Option<Row>>,
+    kept: Vec<Option<RunOutcome>>,
     is_stopped: &(dyn Fn() -> bool + Sync),
-    finished: &(dyn Fn(usize, &Row) + Sync),
-) -> Vec<Option<Row>> {
+    finished: &(dyn Fn(usize, &RunOutcome) + Sync),
+) -> Vec<Option<RunOutcome>> {
     let Work { batch, is_waiting, response, stop } = *work;
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
         response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
@@ -36,7 +36,7 @@ pub(crate) fn evaluate(
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }
     let execution = Execution::best();
-    let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
+    let parts: Vec<Vec<(usize, RunOutcome)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
         .map(|_| {

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 use crate::error::StudyError;
-use crate::runs::evaluate::Row;
+use crate::runs::evaluate::RunOutcome;
 use loosepin_bounds::{Failure, RunInputs};
 use loosepin_store::{InputsKey, RunStore, StoreError, StoredRun};
 
@@ -33,7 +33,7 @@ impl<'s> RunLists<'s> {
         StoredRuns { store: self.store, list: self.begun.fetch_add(1, Ordering::Relaxed) }
     }
 
-    /// A list is finished with so many runs.
+    /// A list is finished with `runs` runs.
     pub fn close(&self, runs: usize) {
         self.finished_runs.fetch_add(runs, Ordering::Relaxed);
     }
@@ -49,7 +49,7 @@ impl StoredRuns<'_> {
     ///
     /// # Errors
     /// The store cannot be read, or holds runs with other inputs at these places.
-    pub fn find(&self, first: usize, batch: &[RunInputs]) -> Result<Vec<Option<Row>>, StudyError> {
+    pub fn find(&self, first: usize, batch: &[RunInputs]) -> Result<Vec<Option<RunOutcome>>, StudyError> {
         let Some(store) = self.store else { return Ok(vec![None; batch.len()]) };
         let found = store.find(self.list, first as u64..(first + batch.len()) as u64)?;
         let rows = found.into_iter().zip(batch).enumerate().map(|(offset, (kept, inputs))| match kept {
@@ -68,14 +68,14 @@ impl StoredRuns<'_> {
     }
 
     /// Keeps the run at `place`.
-    pub fn keep(&self, place: usize, inputs: &RunInputs, row: &Row) {
+    pub fn keep(&self, place: usize, inputs: &RunInputs, row: &RunOutcome) {
         if let Some(store) = self.store {
             let outcome = row.clone().map_err(|failure| failure.0);
             store.keep(self.list, place as u64, StoredRun { inputs: key(inputs), outcome });
         }
     }
 
-    /// Whether what is finished cannot be kept any more.
+    /// Whether finished runs can no longer be stored.
     pub fn is_broken(&self) -> bool {
         self.store.is_some_and(RunStore::is_broken)
     }

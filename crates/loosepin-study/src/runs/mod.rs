@@ -2,11 +2,11 @@
 //! Which rows are wanted is said outside.
 
 pub(crate) mod all_runs;
-pub(crate) mod elsewhere;
 pub(crate) mod evaluate;
+pub(crate) mod external_runs;
 pub(crate) mod failures;
 pub(crate) mod keep;
 pub(crate) mod memory_at_hand;
-pub(crate) mod part;
 pub(crate) mod run_rows;
+pub(crate) mod run_subset;
 pub(crate) mod table;

@@ -4,7 +4,7 @@ use crate::error::StudyError;
 use crate::file::Study;
 use crate::question::with_loosened;
 use crate::response::study_response::StudyResponse;
-use crate::runs::evaluate::{Row, Work, evaluate};
+use crate::runs::evaluate::{RunOutcome, Work, evaluate};
 use loosepin_bounds::{Failure, Purpose, RunInputs};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -27,7 +27,7 @@ struct Ready {
 }
 
 impl RunRows {
-    /// Makes runs of `study` on so many threads.
+    /// Makes runs of `study` on `threads` threads.
     ///
     /// # Errors
     /// The study cannot begin, or the threads could not be started.
@@ -44,7 +44,7 @@ impl RunRows {
     }
 
     /// The row of each run, or why it gave nothing: `inputs` are the values of its random and its epistemic inputs, `loosened` as in
-    /// [`AskedRuns::loosened`](crate::runs::elsewhere::AskedRuns::loosened).
+    /// [`RequestedRuns::loosened`](crate::runs::external_runs::RequestedRuns::loosened).
     ///
     /// # Errors
     /// Inputs cannot be loosened so.
@@ -56,7 +56,8 @@ impl RunRows {
         self.make_until(loosened, inputs, &|| true)
     }
 
-    /// As [`Self::make`]; `finished` hears of every run that ends, and says whether others are to begin: rows of those that are not are left out.
+    /// As [`Self::make`]; `finished` is called for every run that ends, and returns whether others are to begin: rows of runs that did not
+    /// begin are left out.
     ///
     /// # Errors
     /// Inputs cannot be loosened so.
@@ -74,7 +75,7 @@ impl RunRows {
         let batch: Vec<RunInputs> = inputs.into_iter().map(run).collect();
         let (is_waiting, stop) = (vec![true; batch.len()], AtomicBool::new(false));
         let is_stopped = || stop.load(Ordering::Relaxed);
-        let heard = |_: usize, _: &Row| {
+        let heard = |_: usize, _: &RunOutcome| {
             if !finished() {
                 stop.store(true, Ordering::Relaxed);
             }

@@ -1,6 +1,6 @@
 //! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
 
-use crate::without_runs::judge::{Judged, judge};
+use crate::without_runs::judge::{Judgement, judge};
 use crate::written::input_file::InputFile;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Values;
@@ -43,7 +43,7 @@ impl InputFile {
     pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
         let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
         if let InputFile::Study(study) = self {
-            let Judged { requirements, allowances } = judge(study, positions, set)?;
+            let Judgement { requirements, allowances } = judge(study, positions, set)?;
             (record.requirements, record.allowances) = (requirements, allowances);
         }
         Ok(record)
@@ -67,12 +67,12 @@ impl InputFile {
                 InputFile::Model(_) => Vec::new(),
                 InputFile::Study(study) => study.linear_correlations(),
             },
-            overrides: Override::of_settings(&settings),
+            overrides: Override::from_settings(&settings),
         };
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)
     }
 
-    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it
+    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it
     /// cannot be followed.
     pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
         let model = self.model();
@@ -84,7 +84,7 @@ impl InputFile {
         controlled_drawing(&mechanism, &set.values, positions).ok()
     }
 
-    /// Where play is uncertain in a study, the worst case is that of the most play; what is `set` counts before.
+    /// Settings of the most play, if play is uncertain in a study: the worst case is taken there; `set` has priority.
     fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
         let is_set =

@@ -20,8 +20,8 @@ use loosepin_text::units::SiUnit;
 /// Halvings of the range of what may be loosened, as in a study.
 const HALVINGS: usize = 7;
 
-/// What was judged.
-pub(crate) struct Judged {
+/// Judgement of a requirement.
+pub(crate) struct Judgement {
     pub requirements: Vec<MotionRequirement>,
     pub allowances: Vec<MotionAllowance>,
 }
@@ -30,9 +30,9 @@ pub(crate) struct Judged {
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`].
-pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judged, Diagnostics> {
+pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judgement, Diagnostics> {
     if study.requirements.is_empty() {
-        return Ok(Judged { requirements: Vec::new(), allowances: Vec::new() });
+        return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
     }
     let set_values = study.model.set_values(set)?;
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
@@ -41,15 +41,15 @@ pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions };
     let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(&study.model))?;
     let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(&study.model))?;
-    Ok(Judged { requirements, allowances })
+    Ok(Judgement { requirements, allowances })
 }
 
-/// Where the positions of a requirement stand among the questions.
+/// Index of the positions of a requirement among the questions.
 enum Asked {
     One(usize),
     /// x and y of a point: what lies between them bounds every error of its path.
     Path([usize; 2]),
-    /// It is no position.
+    /// The output is no position.
     No(&'static str),
 }
 

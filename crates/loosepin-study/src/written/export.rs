@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use crate::question::{SavedSurrogateError, SavedSurrogates};
 use crate::written::tables::SURROGATES_FILE;
 use loosepin_files::{io_error_words, read_named_text};
-use loosepin_store::results::{Claim, FinishedResult, InputsHasher, Place, ResultKind, ResultsError, ResultsFolder};
+use loosepin_store::results::{
+    Claim, Destination, FinishedResult, InputsHasher, ResultKind, ResultsError, ResultsFolder,
+};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
 
@@ -66,7 +68,7 @@ pub fn export_networks(
         kind: ResultKind::Networks,
         name: saved.study.clone(),
         inputs: inputs.finish(),
-        place: Place::Folder(folder.to_owned()),
+        destination: Destination::Folder(folder.to_owned()),
         with_force,
     };
     let mut written = claim.take()?;

@@ -1,4 +1,4 @@
-//! A study in its folder of results: what is opened there before its runs, and what is left there after them.
+//! A study in its folder of results: opening it before the runs, and writing it after them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,8 +15,8 @@ use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
 use loosepin_text::diagnostics::{Diagnostics, Problem};
 
-/// What became of a study in a folder.
-pub enum Concluded {
+/// Outcome of a study in a folder.
+pub enum StudyOutcome {
     /// Its results stand in the folder.
     Finished {
         /// The results.
@@ -24,24 +24,24 @@ pub enum Concluded {
         /// The folder.
         folder: ResultsFolder,
     },
-    /// It was interrupted: its store and `runs.parquet` stand in the folder.
+    /// The study was interrupted: its store and `runs.parquet` stand in the folder.
     Interrupted {
         /// The finished runs.
         finished: Box<RunsTable>,
-        /// The runs that it may come to.
+        /// Upper limit of its runs.
         most_runs: usize,
         /// The folder.
         folder: PathBuf,
     },
 }
 
-/// Whose runs the store of a study with these inputs holds.
+/// Identity of the store of a study with these inputs.
 pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
     StoreIdentity { version: loosepin_text::VERSION.to_owned(), inputs: inputs.to_string() }
 }
 
 /// The outcome of claiming the folder of a study.
-pub enum Begun {
+pub enum ClaimOutcome {
     /// Its results are there already.
     Finished(ResultsFolder),
     /// The folder is taken, and the store is open.
@@ -56,12 +56,12 @@ pub enum Begun {
 pub fn begin_in_folder(
     claim: &Claim,
     open: impl Fn(&Arc<FolderLock>) -> Result<RunStore, StoreError>,
-) -> Result<Begun, Diagnostics> {
+) -> Result<ClaimOutcome, Diagnostics> {
     let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
     let folder = claim.lock(&store_files).map_err(report)?;
     if folder.is_finished() {
         remove_store(folder.lock()).map_err(report)?;
-        return Ok(Begun::Finished(folder.begin().map_err(report)?));
+        return Ok(ClaimOutcome::Finished(folder.begin().map_err(report)?));
     }
     // A store that cannot be looked at is one that is there.
     let was_there = folder.lock().folder().find(Path::new(STORE_FILE)).map_or(true, |found| found.is_some());
@@ -73,7 +73,7 @@ pub fn begin_in_folder(
         report(error)
     })?;
     match folder.begin() {
-        Ok(folder) => Ok(Begun::Open(folder, store)),
+        Ok(folder) => Ok(ClaimOutcome::Open(folder, store)),
         Err(error) => {
             if !was_there {
                 let _ = store.remove();
@@ -83,7 +83,7 @@ pub fn begin_in_folder(
     }
 }
 
-/// Writes what came of a study that began at `started` into its folder, or keeps there what there is of it; `page` makes its report.
+/// Writes the outcome of a study that began at `started` into its folder, or keeps the finished runs there; `page` makes its report.
 ///
 /// # Errors
 /// Why it has no result, or cannot be written.
@@ -94,18 +94,18 @@ pub fn conclude(
     outcome: Result<StudyRun, StudyError>,
     page: &dyn Fn(&StudyResult) -> String,
     (started, threads): (SystemTime, usize),
-) -> Result<Concluded, Diagnostics> {
+) -> Result<StudyOutcome, Diagnostics> {
     match outcome {
         Ok(run) => {
             let made = store.flush().map_err(report)?.saturating_sub(store.runs_at_start());
             let timing = Timing::since(started, made as usize, threads);
             write(&mut folder, &run, page, &timing)?;
             store.remove().map_err(report)?;
-            Ok(Concluded::Finished { run: run.into(), folder })
+            Ok(StudyOutcome::Finished { run: run.into(), folder })
         }
         Err(StudyError::Interrupted { finished, most_runs }) => {
             keep(&mut folder, &finished)?;
-            Ok(Concluded::Interrupted { finished, most_runs, folder: folder.path().to_owned() })
+            Ok(StudyOutcome::Interrupted { finished, most_runs, folder: folder.path().to_owned() })
         }
         Err(StudyError::TooManyFailed(failed)) => {
             keep(&mut folder, &failed.runs)?;

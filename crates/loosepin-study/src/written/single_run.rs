@@ -12,7 +12,7 @@ use loosepin_result::json::Stored;
 use loosepin_result::simulation::{Override, SimulationRecord};
 use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
-use loosepin_simulate::measured::{MeasuredTable, lay_over};
+use loosepin_simulate::measured::{MeasuredTable, compare_with_measured};
 use loosepin_simulate::{
     Integrator, Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv,
     wear_profiles_csv,
@@ -24,7 +24,7 @@ use loosepin_store::results::{
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem};
 
 /// The settings `path=value` and the plan of the run at a witness of `study`: those of the command that the study prints, random inputs as
-/// in the model. Nothing where the witness has a parameter of a distribution, which no mechanism has.
+/// in the model. `None` if the witness has a parameter of a distribution, which no mechanism has.
 pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Plan)> {
     let settings = witness_settings(study, witness)?;
     let cycle = Cycle {
@@ -33,7 +33,7 @@ pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Pla
         ..study.model.cycle.clone()
     };
     let settings_of_run = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_simulation() };
-    let overrides = Override::of_settings(&settings);
+    let overrides = Override::from_settings(&settings);
     Some((
         settings,
         Plan {
@@ -77,7 +77,7 @@ pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[M
 
 /// A run that came to its end, with its files written.
 pub struct FinishedRun {
-    /// What the page shows.
+    /// The record of the page.
     pub record: SimulationRecord,
     /// Why it counts as failed all the same: its energy account does not bear it out.
     pub failure: Option<Diagnostic>,
@@ -110,7 +110,7 @@ pub fn run_into(
                 .map_err(|error| error.diagnostic(model))?;
         }
         for table in measured {
-            lay_over(table, &mut simulation.record)?;
+            compare_with_measured(table, &mut simulation.record)?;
         }
     }
     let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(report);

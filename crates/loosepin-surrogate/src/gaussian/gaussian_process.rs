@@ -3,7 +3,7 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
-use loosepin_math::{FourRows, beside_one_another};
+use loosepin_math::{FourRows, interleaved};
 use std::sync::Arc;
 
 use loosepin_math::dense::{Cholesky, LowerTriangle};
@@ -30,7 +30,7 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// Factorises V (row by row, its lower triangle); nothing where it is singular to round-off.
+    /// Factorises V (row by row, its lower triangle); `None` if it is singular to round-off.
     pub fn try_new(covariance: Vec<f64>, order: usize) -> Option<Self> {
         let cholesky = Cholesky::new(covariance, order)?;
         Some(Self::of(cholesky.inverse_factor(), cholesky))
@@ -60,7 +60,7 @@ impl Factor {
     }
 }
 
-/// Columns of a trend that are worked out side by side: as many as there are numbers in two vectors.
+/// Columns of a trend that are computed side by side: as many as there are numbers in two vectors.
 const COLUMNS_AT_ONCE: usize = 8;
 
 /// What `product` makes of each of `columns`, [`COLUMNS_AT_ONCE`] side by side.
@@ -71,7 +71,7 @@ fn of_each<'c>(
     let columns: Vec<&[f64]> = columns.into_iter().map(Vec::as_slice).collect();
     let mut products = Vec::with_capacity(columns.len());
     for own in columns.chunks(COLUMNS_AT_ONCE) {
-        let found = product(&beside_one_another(own));
+        let found = product(&interleaved(own));
         products.extend((0..own.len()).map(|column| found.iter().map(|entry| entry[column]).collect()));
     }
     products
@@ -91,7 +91,7 @@ pub struct Whitened {
 }
 
 impl Whitened {
-    /// Factorises V (row by row, its lower triangle) for the columns of F; nothing where V is singular to round-off.
+    /// Factorises V (row by row, its lower triangle) for the columns of F; `None` if V is singular to round-off.
     pub fn try_new<'c>(
         covariance: Vec<f64>,
         trend: impl IntoIterator<Item = &'c Vec<f64>>,
@@ -100,7 +100,7 @@ impl Whitened {
         Some(Self::of_factor(Arc::new(Factor::try_new(covariance, order)?.closed()), order, trend))
     }
 
-    /// [`Self::try_new`] of a V that has been factorised.
+    /// [`Self::try_new`] from a factorised V.
     pub fn of_factor<'c>(factor: Arc<Factor>, order: usize, trend: impl IntoIterator<Item = &'c Vec<f64>>) -> Self {
         let trend = of_each(trend, |columns| factor.whitening.multiply_each::<COLUMNS_AT_ONCE>(columns));
         let by_point: Vec<f64> = (0..order).flat_map(|point| trend.iter().map(move |column| column[point])).collect();
@@ -134,13 +134,13 @@ impl Whitened {
     }
 
     /// Takes B b out of N whitened vectors side by side.
-    pub fn take_out_of_each<const N: usize>(&self, white: &mut [[f64; N]], coefficients: &[[f64; N]]) {
-        self.by_point.take_out_each(white, coefficients);
+    pub fn subtract_trends<const N: usize>(&self, white: &mut [[f64; N]], coefficients: &[[f64; N]]) {
+        self.by_point.subtract_products(white, coefficients);
     }
 
     /// Takes B b out of a whitened vector.
-    pub fn take_out(&self, white: &mut [f64], coefficients: &[f64]) {
-        self.by_point.take_out(white, coefficients);
+    pub fn subtract_trend(&self, white: &mut [f64], coefficients: &[f64]) {
+        self.by_point.subtract_product(white, coefficients);
     }
 
     /// Columns of Wᵀ B.

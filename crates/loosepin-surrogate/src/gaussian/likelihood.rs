@@ -12,7 +12,7 @@ use crate::gaussian::gaussian_process::Whitened;
 use crate::gaussian::kernel::Kernel;
 use loosepin_math::dense::{Cholesky, dot};
 
-/// What a process is fitted to.
+/// Observations that a process is fitted to.
 pub(crate) struct Observations<'a> {
     /// One row a point.
     pub points: &'a [Vec<f64>],
@@ -67,7 +67,7 @@ impl Observations<'_> {
         covariance
     }
 
-    /// Everything at `parameters`; nothing where V is singular to round-off.
+    /// Everything at `parameters`; `None` if V is singular to round-off.
     pub fn solve(&self, kernel: Kernel, parameters: &[f64]) -> Option<Solved> {
         self.solve_covariance(self.covariance(kernel, parameters, None))
     }
@@ -82,7 +82,7 @@ impl Observations<'_> {
         let mut rest = whitened.whitening().multiply(self.values);
         let mut coefficients = whitened.products(&rest);
         information.solve(&mut coefficients);
-        whitened.take_out(&mut rest, &coefficients);
+        whitened.subtract_trend(&mut rest, &coefficients);
         let deviance = whitened.ln_determinant + information.ln_determinant() + dot(&rest, &rest);
         let weights = whitened.whitening().multiply_transposed(&rest);
         deviance.is_finite().then_some(Solved { whitened, information, coefficients, weights, deviance })

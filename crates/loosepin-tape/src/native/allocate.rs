@@ -45,7 +45,7 @@ impl Allocator<'_> {
     fn operand(&mut self, value: ValueIndex, is_folded: bool) -> Operand {
         match self.places[value as usize].memory {
             Some(memory) if is_folded => Operand::Memory(memory),
-            _ => Operand::Register(self.loaded(value)),
+            _ => Operand::Register(self.ensure_in_register(value)),
         }
     }
 
@@ -91,12 +91,12 @@ impl Allocator<'_> {
                 self.less_than(unit, is_negated, left, right)
             }
             (UnitOperation::MaskNot, [Some(operand), ..]) => {
-                let from = self.loaded(operand);
+                let from = self.ensure_in_register(operand);
                 Instruction::MaskNot { to: self.result_register(unit), from }
             }
             (UnitOperation::Select, [Some(mask), Some(chosen), Some(otherwise)]) => {
                 let is_folded = self.folded(&[chosen]).is_some();
-                let (mask, otherwise) = (self.loaded(mask), self.loaded(otherwise));
+                let (mask, otherwise) = (self.ensure_in_register(mask), self.ensure_in_register(otherwise));
                 let chosen = self.operand(chosen, is_folded);
                 Instruction::Blend { to: self.result_register(unit), mask, otherwise, chosen }
             }
@@ -137,7 +137,7 @@ impl Allocator<'_> {
         } else {
             (left, right, self.folded(&[right]).is_some())
         };
-        let left = self.loaded(left);
+        let left = self.ensure_in_register(left);
         let right = self.operand(right, is_folded);
         Instruction::Arithmetic { operation, to: self.result_register(unit), left, right }
     }
@@ -151,7 +151,7 @@ impl Allocator<'_> {
             (_, false) => (Predicate::Less, left, right),
             (_, true) => (Predicate::NotLess, left, right),
         };
-        let left = self.loaded(left);
+        let left = self.ensure_in_register(left);
         let right = self.operand(right, folded.is_some());
         Instruction::Compare { predicate, to: self.result_register(unit), left, right }
     }
@@ -162,7 +162,7 @@ impl Allocator<'_> {
         let mut registers = [0; 3];
         for place in 0..3 {
             if folded != Some(place) {
-                registers[place] = self.loaded(operands[place]);
+                registers[place] = self.ensure_in_register(operands[place]);
             }
         }
         let memory = folded.and_then(|place| self.places[operands[place] as usize].memory);
@@ -199,14 +199,14 @@ impl Allocator<'_> {
         for &(value, _) in &lowered.late_stores {
             let is_safe = !matches!(self.places[value as usize].memory, Some(Memory::Slot { .. }));
             if lowered.values[value as usize].is_overwritten && !is_safe {
-                let register = self.loaded(value);
+                let register = self.ensure_in_register(value);
                 self.spill(value, register);
                 self.unpin_all();
             }
         }
         for stores in lowered.late_stores.chunk_by(|one, other| one.0 == other.0) {
             let value = stores[0].0;
-            let from = self.loaded(value);
+            let from = self.ensure_in_register(value);
             for &(_, to) in stores {
                 self.instructions.push(Instruction::Store { from, to });
             }

@@ -3,7 +3,7 @@
 use super::error::NativeError;
 use super::node::{BinaryOperation, FusedSigns, Node, NodeIndex, Slot, UnaryOperation};
 use super::program::Program;
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 use std::cell::Cell;
 
 /// Lanes of a vector of numbers that the compiler makes instructions for.
@@ -79,8 +79,8 @@ impl Interpreted {
         }
     }
 
-    /// Runs on plain `f64` numbers, with the same bits as machine code (except for which of the numbers "not a number" a result is).
-    /// `scratch` is work space, which grows to what is needed and can be used again.
+    /// Runs on plain `f64` numbers, with the same bits as machine code (except for the bits of NaN). `scratch` is work space, which grows
+    /// to what is needed and can be used again.
     ///
     /// # Errors
     ///
@@ -91,7 +91,7 @@ impl Interpreted {
         if scratch.len() < needed {
             scratch.resize(needed, 0.0);
         }
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let mut lane = 0;
@@ -143,7 +143,7 @@ impl Interpreted {
     }
 }
 
-/// Refuses `blocks` that are fewer, or shorter, than so many values of so many `lanes`.
+/// Refuses too few or too short `blocks` for `values` values of `lanes` lanes.
 pub(super) fn check_blocks(blocks: &[&mut [f64]], values: &[usize], lanes: usize) -> Result<(), NativeError> {
     if blocks.len() < values.len() {
         return Err(NativeError::TooFewBlocks { given: blocks.len(), needed: values.len() });
@@ -157,12 +157,12 @@ pub(super) fn check_blocks(blocks: &[&mut [f64]], values: &[usize], lanes: usize
 }
 
 /// A row: the result of an operation in `C` vectors of `W` lanes.
-type Row<const W: usize, const C: usize> = [Cell<[f64; W]>; C];
+type LaneValues<const W: usize, const C: usize> = [Cell<[f64; W]>; C];
 
 /// Writes the result of a node that is no input from the rows of its operands; a mask is 1 where it holds, else 0. Every arm is a
 /// loop of its own over the lanes, which the compiler turns into vector instructions.
 #[inline(always)]
-fn operate<const W: usize, const C: usize>(node: Node, rows: &[Row<W, C>], result: &Row<W, C>) {
+fn operate<const W: usize, const C: usize>(node: Node, rows: &[LaneValues<W, C>], result: &LaneValues<W, C>) {
     let value = |row: NodeIndex| &rows[row as usize];
     match node {
         Node::Input(_) => {}
@@ -218,14 +218,18 @@ fn operate<const W: usize, const C: usize>(node: Node, rows: &[Row<W, C>], resul
 }
 
 #[inline(always)]
-fn fill<const W: usize, const C: usize>(result: &Row<W, C>, number: f64) {
+fn fill<const W: usize, const C: usize>(result: &LaneValues<W, C>, number: f64) {
     for result in result {
         result.set([number; W]);
     }
 }
 
 #[inline(always)]
-fn one<const W: usize, const C: usize>(result: &Row<W, C>, operand: &Row<W, C>, operation: impl Fn(f64) -> f64) {
+fn one<const W: usize, const C: usize>(
+    result: &LaneValues<W, C>,
+    operand: &LaneValues<W, C>,
+    operation: impl Fn(f64) -> f64,
+) {
     for vector in 0..C {
         let mut numbers = operand[vector].get();
         for number in &mut numbers {
@@ -237,8 +241,8 @@ fn one<const W: usize, const C: usize>(result: &Row<W, C>, operand: &Row<W, C>, 
 
 #[inline(always)]
 fn two<const W: usize, const C: usize>(
-    result: &Row<W, C>,
-    [left, right]: [&Row<W, C>; 2],
+    result: &LaneValues<W, C>,
+    [left, right]: [&LaneValues<W, C>; 2],
     operation: impl Fn(f64, f64) -> f64,
 ) {
     for vector in 0..C {
@@ -253,8 +257,8 @@ fn two<const W: usize, const C: usize>(
 
 #[inline(always)]
 fn three<const W: usize, const C: usize>(
-    result: &Row<W, C>,
-    [first, second, third]: [&Row<W, C>; 3],
+    result: &LaneValues<W, C>,
+    [first, second, third]: [&LaneValues<W, C>; 3],
     operation: impl Fn(f64, f64, f64) -> f64,
 ) {
     for vector in 0..C {

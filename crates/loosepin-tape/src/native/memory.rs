@@ -10,9 +10,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::assemble::Code;
+use super::block_start::BlockStart;
 use super::error::NativeError;
 use super::evaluate::check_blocks;
-use super::place::Place;
 use super::program::Program;
 use super::translate::{KernelSize, translate};
 use super::{Level, MAX_BLOCKS};
@@ -31,7 +31,7 @@ type Entry = unsafe extern "C" fn(*const *mut f64, u32);
 pub struct Kernel {
     #[expect(dead_code, reason = "it is kept for as long as its code may be called")]
     memory: Arc<Mmap>,
-    /// Where its code begins.
+    /// Entry point of its code.
     entry: Entry,
     lanes: usize,
     values_per_block: Vec<usize>,
@@ -131,12 +131,12 @@ impl Kernel {
 pub(super) struct PlacedKernel {
     kernel: Kernel,
     /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
-    parts: [Part; MAX_BLOCKS],
+    parts: [BlockRange; MAX_BLOCKS],
 }
 
 /// Numbers of a block, from the first to behind the last.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Part {
+pub(super) struct BlockRange {
     block: usize,
     first: usize,
     end: usize,
@@ -148,7 +148,7 @@ impl PlacedKernel {
     /// # Errors
     ///
     /// Those of [`parts`].
-    pub fn new(kernel: &Kernel, places: &[Place]) -> Result<Self, NativeError> {
+    pub fn new(kernel: &Kernel, places: &[BlockStart]) -> Result<Self, NativeError> {
         Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
     }
 
@@ -184,7 +184,7 @@ struct Call {
     lanes_of_a_trip: usize,
     /// So many of its blocks do not begin where that of the caller with the same number does.
     moves: usize,
-    /// These, one after the other.
+    /// Places of the blocks, one after the other.
     moved: [Moved; MAX_BLOCKS],
 }
 
@@ -276,19 +276,23 @@ impl PlacedKernels {
     }
 }
 
-/// The parts of a program's blocks of so many values that lie at `places`; those without a value have none.
+/// The ranges of a program's blocks with `values` values that lie at `places`; blocks without a value have none.
 ///
 /// # Errors
 ///
 /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], and [`NativeError::PlacesOverlap`] where two blocks have numbers in
 /// common.
-pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<[Part; MAX_BLOCKS], NativeError> {
+pub(super) fn parts(
+    values: &[usize],
+    places: &[BlockStart],
+    lanes: usize,
+) -> Result<[BlockRange; MAX_BLOCKS], NativeError> {
     if places.len() < values.len() {
         return Err(NativeError::TooFewBlocks { given: places.len(), needed: values.len() });
     }
-    let mut parts = [Part::default(); MAX_BLOCKS];
+    let mut parts = [BlockRange::default(); MAX_BLOCKS];
     for (index, (place, &values)) in places.iter().zip(values).enumerate() {
-        let Place { block, first } = *place;
+        let BlockStart { block, first } = *place;
         if block >= MAX_BLOCKS || index >= MAX_BLOCKS {
             return Err(NativeError::TooManyBlocks { given: block.max(index) + 1 });
         }
@@ -296,7 +300,7 @@ pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<
             continue;
         }
         let end = first.saturating_add(values).saturating_mul(lanes);
-        let part = Part { block, first: first.saturating_mul(lanes), end };
+        let part = BlockRange { block, first: first.saturating_mul(lanes), end };
         if parts.iter().any(|other| other.block == block && other.first < part.end && part.first < other.end) {
             return Err(NativeError::PlacesOverlap { block });
         }

@@ -35,6 +35,7 @@
 
 mod allocate;
 mod assemble;
+mod block_start;
 mod counts;
 mod encode;
 mod error;
@@ -46,7 +47,6 @@ mod level;
 mod lower;
 mod memory;
 mod node;
-mod place;
 mod program;
 mod registers;
 mod schedule;
@@ -58,6 +58,7 @@ mod random_instructions;
 #[cfg(test)]
 mod random_programs;
 
+pub use block_start::BlockStart;
 pub use counts::OperationCounts;
 pub use error::NativeError;
 pub use graph::{Graph, Mask, Value};
@@ -65,7 +66,6 @@ pub use hoist::Hoisted;
 pub use level::Level;
 pub use memory::Kernel;
 pub use node::Slot;
-pub use place::Place;
 pub use program::Program;
 pub use sequence::{Routine, Sequence};
 pub use translate::KernelSize;

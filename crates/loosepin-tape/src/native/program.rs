@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use super::block_start::BlockStart;
 use super::error::NativeError;
 use super::graph::{Graph, Value};
 use super::node::{BinaryOperation, Node, NodeIndex, Slot, UnaryOperation};
-use super::place::Place;
 
 /// The operations that some outputs need, in an order in which they can be done, and where the outputs go.
 ///
@@ -68,7 +68,7 @@ impl Program {
     }
 
     /// The program with block `b` at `places[b]` of other blocks; a block that it does not use may have no place.
-    pub(super) fn placed(&self, places: &[Place]) -> Self {
+    pub(super) fn placed(&self, places: &[BlockStart]) -> Self {
         let moved = |slot: Slot| {
             let place = places[usize::from(slot.block)];
             Slot { block: place.block as u8, index: place.first as u32 + slot.index }

@@ -1,7 +1,7 @@
 //! Random programs as machine code and interpreted, compared bit for bit.
 
 use super::translate::translate_interleaved;
-use super::{Graph, Kernel, Level, MAX_BLOCKS, Mask, NativeError, Place, Program, Routine, Sequence, Slot, Value};
+use super::{BlockStart, Graph, Kernel, Level, MAX_BLOCKS, Mask, NativeError, Program, Routine, Sequence, Slot, Value};
 
 /// Random numbers for tests: SplitMix64 (Steele, Lea and Flood 2014).
 pub(super) struct Random(pub u64);
@@ -37,7 +37,7 @@ pub(super) struct Shape {
     pub nodes: usize,
     pub inputs: usize,
     pub outputs: usize,
-    /// Operands are taken from so many of the youngest values: more means more values alive.
+    /// Operands are taken from this number of the youngest values: more means more values alive.
     pub reach: usize,
     pub blocks: usize,
     /// Some outputs take the place of inputs.
@@ -122,7 +122,7 @@ pub(super) fn random_graph(random: &mut Random, shape: &Shape) -> (Graph, Vec<(S
     (graph, outputs)
 }
 
-/// The bits, with all numbers "not a number" alike.
+/// The bits, the same for all NaN.
 pub(super) fn comparable(number: f64) -> u64 {
     if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() }
 }
@@ -277,7 +277,7 @@ fn identity_a_sequence_gives_the_same_bits_as_its_programs_one_by_one() {
     for _ in 0..20 {
         let shape = Shape { nodes: 60, inputs: 4, outputs: 4, reach: 20, blocks: 2, is_in_place: true };
         let programs: Vec<Program> = (0..3).map(|_| random_program(&mut random, &shape)).collect();
-        let at = |block, first| Place { block, first };
+        let at = |block, first| BlockStart { block, first };
         let calls = [
             (0, [at(0, 0), at(1, 1)]),
             (1, [at(2, 3), at(3, 2)]),
@@ -392,9 +392,9 @@ fn refusals_say_what_is_wrong_and_what_the_rule_is() {
     );
     for level in [Level::best(), None] {
         let routine = &Routine::all(vec![program.clone()], level, 8)[0];
-        let sequence = |places: &[Place]| Sequence::new(&[(routine, places)]);
-        let refused = |places: &[Place]| text(sequence(places).map(|_| ()));
-        let at = |block, first| Place { block, first };
+        let sequence = |places: &[BlockStart]| Sequence::new(&[(routine, places)]);
+        let refused = |places: &[BlockStart]| text(sequence(places).map(|_| ()));
+        let at = |block, first| BlockStart { block, first };
         assert_eq!(refused(&[at(0, 0)]), "called with 1 blocks; must be at least 2");
         assert_eq!(refused(&[at(0, 0), at(8, 0)]), "the program uses 9 blocks; must be at most 8");
         // Values 2 and 3 of the block, and 3 to 6.

@@ -9,9 +9,9 @@ use super::Level;
 use super::instruction::{Instruction, Memory};
 use super::lower::{Lowered, ValueIndex};
 
-/// Where a value is now.
+/// Current location of a value.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct ValueLocation {
     register: Option<u8>,
     pub memory: Option<Memory>,
 }
@@ -31,7 +31,8 @@ impl RegisterFile {
     }
 }
 
-/// A value that must be stored first gives up its register only if it is needed so many times later than one that need not.
+/// Weight of a store: a value that must be stored first gives up its register only if it is needed this many times later than one that need
+/// not.
 const STORE_WEIGHT: usize = 4;
 
 /// Position of the vector registers in [`Allocator::files`].
@@ -45,10 +46,10 @@ pub(super) struct Allocator<'a> {
     level: Level,
     /// Vectors, and masks where they have registers of their own.
     files: [RegisterFile; 2],
-    pub places: Vec<Place>,
+    pub places: Vec<ValueLocation>,
     /// Positions of the units to come that read a value, last first, so that the next one is at the end.
     pub uses: Vec<Vec<usize>>,
-    /// The unit at hand.
+    /// The current unit.
     pub position: usize,
     free_frame_vectors: Vec<u32>,
     pub frame_vectors: u32,
@@ -75,7 +76,7 @@ impl<'a> Allocator<'a> {
             level,
             // k0 cannot choose lanes.
             files: [RegisterFile::new(0, level.vector_registers()), RegisterFile::new(1, 7)],
-            places: lowered.values.iter().map(|value| Place { register: None, memory: value.memory }).collect(),
+            places: lowered.values.iter().map(|value| ValueLocation { register: None, memory: value.memory }).collect(),
             uses,
             position: 0,
             free_frame_vectors: Vec::new(),
@@ -163,7 +164,7 @@ impl<'a> Allocator<'a> {
     }
 
     /// The register of `value`, which is loaded if it is in none, and stays there for the present unit.
-    pub fn loaded(&mut self, value: ValueIndex) -> u8 {
+    pub fn ensure_in_register(&mut self, value: ValueIndex) -> u8 {
         let file = self.file_of(value);
         let register = match (self.register_of(value), self.places[value as usize].memory) {
             (None, Some(from)) => {

@@ -1,9 +1,9 @@
 //! Programs that run one after the other on the same blocks.
 
+use super::block_start::BlockStart;
 use super::error::NativeError;
 use super::evaluate::Interpreted;
 use super::memory::{Kernel, PlacedKernel, PlacedKernels, parts};
-use super::place::Place;
 use super::program::Program;
 use super::{Level, MAX_BLOCKS};
 use std::ops::Range;
@@ -17,8 +17,8 @@ pub struct Routine {
 }
 
 impl Routine {
-    /// `programs` for so many lanes: as machine code for `level`, or to be interpreted. What no machine code can be had for is
-    /// interpreted as well.
+    /// `programs` for `lanes` lanes: as machine code for `level`, or to be interpreted. What no machine code can be had for is interpreted
+    /// as well.
     pub fn all(programs: Vec<Program>, level: Option<Level>, lanes: usize) -> Vec<Self> {
         let kernels = level.map_or_else(Vec::new, |level| match Kernel::compile_together(&programs, level, lanes) {
             Ok(kernels) => kernels.into_iter().map(Some).collect(),
@@ -48,7 +48,7 @@ impl Sequence {
     /// # Errors
     ///
     /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], [`NativeError::PlacesOverlap`].
-    pub fn new(calls: &[(&Routine, &[Place])]) -> Result<Self, NativeError> {
+    pub fn new(calls: &[(&Routine, &[BlockStart])]) -> Result<Self, NativeError> {
         let mut own: Vec<Call> = Vec::with_capacity(calls.len());
         for &(Routine { program, kernel, lanes }, places) in calls {
             let Some(kernel) = kernel else {

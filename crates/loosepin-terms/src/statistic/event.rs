@@ -3,18 +3,18 @@
 /// A property of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event {
-    /// It exceeds this limit.
+    /// The value exceeds this limit.
     Above(f64),
-    /// It falls short of this limit.
+    /// The value falls short of this limit.
     Below(f64),
-    /// It does not exceed this limit.
+    /// The value does not exceed this limit.
     UpTo(f64),
     /// Its magnitude exceeds this limit.
     Beyond(f64),
 }
 
 impl Event {
-    /// Whether `value` has the property; one that is not a number has none.
+    /// Whether `value` has the property; NaN has none.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Above(limit) => value > limit,

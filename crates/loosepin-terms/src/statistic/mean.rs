@@ -1,6 +1,6 @@
 //! The mean, E(Y).
 
-use super::kind::{Description, Estimation, Form, Mirrored, MovedBy, StatisticKind};
+use super::kind::{Description, ErrorEffect, Estimation, Form, Mirrored, StatisticKind};
 
 pub(super) struct Mean;
 
@@ -38,7 +38,7 @@ impl StatisticKind for Mean {
         Mirrored::Opposite
     }
 
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Shifts
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Shifts
     }
 }

@@ -1,6 +1,6 @@
 //! The mean absolute deviation about the mean, E|Y - E Y|.
 
-use super::kind::{Description, Form, MovedBy, StatisticKind, as_kind};
+use super::kind::{Description, ErrorEffect, Form, StatisticKind, as_kind};
 use super::mean::Mean;
 use super::standard_deviation::StandardDeviation;
 
@@ -33,8 +33,8 @@ impl StatisticKind for MeanAbsoluteDeviation {
         as_kind::<StandardDeviation>(other).is_some()
     }
 
-    /// It is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::RootMeanSquare
+    /// The mean absolute deviation is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::RootMeanSquare
     }
 }

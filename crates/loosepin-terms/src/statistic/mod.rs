@@ -15,7 +15,7 @@ mod standard_deviation;
 mod tests;
 
 pub use event::Event;
-pub use kind::{Description, Estimation, Form, Mirrored, MovedBy, Number, NumberKind, StatisticKind};
+pub use kind::{Description, ErrorEffect, Estimation, Form, Mirrored, Number, NumberKind, StatisticKind};
 pub use quantile::between_order_statistics;
 
 /// The enum of all statistics, their lists, and what each hands on to its own file.
@@ -42,7 +42,7 @@ macro_rules! statistics {
                 [$(Self::$variant(number)),+]
             }
 
-            /// What is written of it.
+            /// Its names.
             pub const fn description(self) -> &'static Description {
                 match self {
                     $(Self::$plain => &$plain_file::$plain::DESCRIPTION,)+
@@ -94,14 +94,14 @@ statistics! {
     }
 }
 
-/// Those that plans and charts take whatever is asked.
+/// Statistics that plans and charts use for every question.
 impl Statistic {
     /// The quantile at `probability`.
     pub const fn quantile_at(probability: f64) -> Self {
         Self::Quantile(probability)
     }
 
-    /// What the chart of a curve shows at each of its points: its middle, and both ends of a band between two quantiles.
+    /// Statistics in the chart of a curve at each of its points: its middle, and both ends of a band between two quantiles.
     pub const fn of_curve_point(band: [f64; 2]) -> [Self; 3] {
         [Self::Mean, Self::Quantile(band[0]), Self::Quantile(band[1])]
     }
@@ -111,20 +111,19 @@ impl Statistic {
         Self::SimultaneousBand(share)
     }
 
-    /// What the chart of a single number shows: its distribution function.
+    /// Statistic in the chart of a single number: its distribution function.
     pub const fn of_single_number() -> Self {
         Self::Cdf
     }
 
-    /// What of an error of every value tells how far a statistic goes that is [moved by its root mean square](MovedBy::RootMeanSquare): of its
-    /// square this one.
+    /// Statistic of the squared error of every value that bounds a statistic with [`ErrorEffect::RootMeanSquare`].
     pub const fn of_squared_error() -> Self {
         Self::Mean
     }
 }
 
 impl Statistic {
-    /// Statistic of a word and its parameter; nothing where they do not go together.
+    /// Statistic of a word and its parameter; `None` if they do not go together.
     pub fn from_word(word: &str, parameter: Option<f64>) -> Option<Self> {
         let is_named = |statistic: &Self| statistic.word() == word;
         match parameter {
@@ -161,7 +160,7 @@ impl Statistic {
         }
     }
 
-    /// Which estimator is right for it; nothing where it is more than one number.
+    /// Which estimator is right for it; `None` if it is more than one number.
     pub fn estimation(self) -> Option<Estimation> {
         self.is_single().then(|| self.with_kind(StatisticKind::estimation))
     }
@@ -193,7 +192,7 @@ impl Statistic {
         matches!(self.estimation(), None | Some(Estimation::Counted(_) | Estimation::Ordered(_)))
     }
 
-    /// The statistic of a sample whose values are finite and in increasing order; not a number of none, and where it is more than one number.
+    /// The statistic of a sample whose values are finite and in increasing order; NaN if there are none, and if it is more than one number.
     pub fn of_sorted(self, sorted: &[f64]) -> f64 {
         self.with_kind(|kind| kind.of_sorted(sorted))
     }
@@ -227,8 +226,8 @@ impl Statistic {
         }
     }
 
-    /// What errors of the values do to it.
-    pub fn moved_by_errors(self) -> MovedBy {
-        self.with_kind(StatisticKind::moved_by_errors)
+    /// Effect of errors of the values.
+    pub fn effect_of_errors(self) -> ErrorEffect {
+        self.with_kind(StatisticKind::effect_of_errors)
     }
 }

@@ -1,7 +1,7 @@
 //! Probabilities of leaving a limit: P(Y > limit), P(Y < limit) and P(|Y| > limit).
 
 use super::event::Event;
-use super::kind::{Description, Estimation, Form, MovedBy, Number, NumberKind, StatisticKind, as_kind};
+use super::kind::{Description, ErrorEffect, Estimation, Form, Number, NumberKind, StatisticKind, as_kind};
 
 /// Name of the number of each in results.
 const LIMIT: &str = "limit_si";
@@ -71,7 +71,7 @@ impl StatisticKind for ProbabilityAbove {
         [0.0, 1.0]
     }
 
-    /// Where the event here implies the other one: a >= b gives P(Y > a) <= P(Y > b) and P(Y > a) <= P(|Y| > b).
+    /// Whether the event here implies the other one: a >= b gives P(Y > a) <= P(Y > b) and P(Y > a) <= P(|Y| > b).
     fn never_exceeds(&self, other: &dyn StatisticKind) -> bool {
         as_kind(other).is_some_and(|Self(other)| self.0 >= *other)
             || as_kind(other).is_some_and(|ProbabilityBeyond(other)| self.0 >= *other)
@@ -81,8 +81,8 @@ impl StatisticKind for ProbabilityAbove {
         true
     }
 
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Shifts
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Shifts
     }
 }
 
@@ -105,8 +105,8 @@ impl StatisticKind for ProbabilityBelow {
             || as_kind(other).is_some_and(|ProbabilityBeyond(other)| -self.0 >= *other)
     }
 
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Shifts
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Shifts
     }
 }
 
@@ -130,8 +130,8 @@ impl StatisticKind for ProbabilityBeyond {
 
     // Errors that go outwards on either side raise it above both shifts. Values on both sides of zero and near both limits at once are
     // rare, and the shifts are what bounds by surrogates take.
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Shifts
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Shifts
     }
 }
 

@@ -1,6 +1,6 @@
 //! The quantile at p, the value that Y stays below with this probability.
 
-use super::kind::{Description, Estimation, Form, Mirrored, MovedBy, Number, NumberKind, StatisticKind, as_kind};
+use super::kind::{Description, ErrorEffect, Estimation, Form, Mirrored, Number, NumberKind, StatisticKind, as_kind};
 
 pub(super) struct Quantile(pub f64);
 
@@ -49,8 +49,8 @@ impl StatisticKind for Quantile {
         Mirrored::OppositeWith(1.0 - self.0)
     }
 
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::Shifts
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::Shifts
     }
 }
 

@@ -1,6 +1,6 @@
 //! The standard deviation, √E((Y - E Y)²).
 
-use super::kind::{Description, Estimation, Form, MovedBy, StatisticKind};
+use super::kind::{Description, ErrorEffect, Estimation, Form, StatisticKind};
 use super::mean::Mean;
 
 pub(super) struct StandardDeviation;
@@ -27,13 +27,13 @@ impl StatisticKind for StandardDeviation {
         Estimation::RootOfVariance
     }
 
-    /// It is greatest where half of the mechanisms is at either end: (T. Popoviciu 1935) Var <= (b - a)²/4.
+    /// The variance is greatest where half of the mechanisms is at either end: (T. Popoviciu 1935) Var <= (b - a)²/4.
     fn range_within(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         [0.0, 0.5 * (high - low)]
     }
 
-    /// It is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
-    fn moved_by_errors(&self) -> MovedBy {
-        MovedBy::RootMeanSquare
+    /// The standard deviation is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
+    fn effect_of_errors(&self) -> ErrorEffect {
+        ErrorEffect::RootMeanSquare
     }
 }

@@ -1,6 +1,6 @@
 //! What every statistic states of itself, held against samples: a new one is in the list, and so in these tests.
 
-use super::{Form, Mirrored, MovedBy, Number, NumberKind, Statistic, StatisticKind};
+use super::{ErrorEffect, Form, Mirrored, Number, NumberKind, Statistic, StatisticKind};
 
 /// All values have the same weight. Most are small and one is large: the mean lies beyond the upper quantile.
 const SAMPLE: [f64; 10] = [-1.5, -0.25, 0.125, 0.5, 0.75, 0.875, 1.25, 1.5, 1.75, 400.0];
@@ -161,12 +161,12 @@ fn identity_errors_move_no_statistic_further_than_it_states() {
     for statistic in single().into_iter().filter(|statistic| statistic.word() != "probability_beyond") {
         let [own, found] = [&SAMPLE[..], &moved].map(|values| statistic.of_sorted(values));
         let shifted = [-0.5, 0.0, 0.5].map(|shift| statistic.of_sorted(&sorted(SAMPLE.iter().map(|y| y + shift))));
-        let [least, greatest] = match statistic.moved_by_errors() {
-            MovedBy::Shifts => {
+        let [least, greatest] = match statistic.effect_of_errors() {
+            ErrorEffect::Shifts => {
                 [shifted.iter().copied().fold(own, f64::min), shifted.iter().copied().fold(own, f64::max)]
             }
-            MovedBy::RootMeanSquare => [own - root_mean_square, own + root_mean_square],
-            MovedBy::Unknown => continue,
+            ErrorEffect::RootMeanSquare => [own - root_mean_square, own + root_mean_square],
+            ErrorEffect::Unknown => continue,
         };
         assert!(found >= least - ROUND_OFF && found <= greatest + ROUND_OFF, "{statistic:?}: {found}");
     }
@@ -182,7 +182,7 @@ fn what_states_nothing_gets_the_careful_answers() {
     }
     assert_eq!(Silent.range_within([0.25, 0.5]), [f64::NEG_INFINITY, f64::INFINITY]);
     assert!(!Silent.grows_with_variable() && !Silent.never_exceeds(&Silent) && !Silent.never_falls_short_of(&Silent));
-    assert_eq!((Silent.mirrored(), Silent.moved_by_errors()), (Mirrored::Unrelated, MovedBy::Unknown));
+    assert_eq!((Silent.mirrored(), Silent.effect_of_errors()), (Mirrored::Unrelated, ErrorEffect::Unknown));
 }
 
 #[test]

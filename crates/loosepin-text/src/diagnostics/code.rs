@@ -485,7 +485,7 @@ of a pin in its hole well: this is a warning. Above the smallest clearance it do
 study, the smallest clearance is taken at the lower end of an interval, and at the 0.1 % quantile of a random input. Mechanisms without \
 play have no such limit."
 
-    HardlyPossible "E0823" "a number is implausible"
+    ImplausibleNumber "E0823" "a number is implausible"
 "A warning: the number is permitted, but far from the values of real machines. Most often a unit is wrong by a factor of a thousand (MPa for \
 GPa, g for kg, mm for m), or a speed in rpm is written in rad/s. The check covers Young's modulus, Poisson's ratio, density, viscosity, \
 friction, speeds of drives, gravity, masses compared with one another, inertia and centre of mass compared with the points of the body, \

@@ -25,7 +25,7 @@ impl PartialEq for Source {
 
 impl Eq for Source {}
 
-/// A byte that begins a character, and what stands before it.
+/// The first byte of a character, and the count of units before it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Position {
     byte: usize,
@@ -78,7 +78,7 @@ impl Source {
         Arc::new(Source { name: name.into(), text: text.into(), files: Some(files), positions: OnceLock::new() })
     }
 
-    /// The files that were given with it; nothing where those that it names are opened.
+    /// The files that were given with it; `None` if those that it names are opened.
     pub fn files(&self) -> Option<&[Arc<Source>]> {
         self.files.as_deref()
     }
@@ -151,7 +151,7 @@ impl Source {
 pub struct Place {
     /// The file.
     pub source: Arc<Source>,
-    /// Where in it.
+    /// Span in the file.
     pub span: Span,
 }
 

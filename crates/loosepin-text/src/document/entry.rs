@@ -13,7 +13,7 @@ use crate::units::{Dimension, Rule};
 /// A table whose keys have been checked.
 #[derive(Debug, Clone)]
 pub struct Table<'t> {
-    /// Where it stands.
+    /// Its path.
     pub path: EntryPath,
     /// Its header.
     pub span: Span,
@@ -24,7 +24,7 @@ pub struct Table<'t> {
 /// One `key = value`.
 #[derive(Debug, Clone)]
 pub struct Entry<'t> {
-    /// Where it stands.
+    /// Its path.
     pub path: EntryPath,
     /// The key as written.
     pub name: &'t str,
@@ -51,7 +51,7 @@ static NOTHING: LazyLock<DeTable<'static>> = LazyLock::new(DeTable::new);
 
 impl<'t> Table<'t> {
     /// A table that is left out at `path`, as if it were there without keys.
-    pub fn left_out(path: EntryPath, keys: &'static Keys) -> Table<'t> {
+    pub fn omitted(path: EntryPath, keys: &'static Keys) -> Table<'t> {
         Table { path, span: Span::default(), entries: &NOTHING, keys }
     }
 
@@ -68,7 +68,7 @@ impl<'t> Table<'t> {
         quantity_of(self.keys.find(key)?)
     }
 
-    /// What the table of keys says of a key.
+    /// Description of a key in the table of keys.
     pub fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys.find(name)
     }
@@ -118,8 +118,8 @@ impl<'t> Entry<'t> {
         quantity_of(self.key?)
     }
 
-    /// How its key is written, with what it means: `mass = "0.3 kg" (mass of the body)`. None of an element of a list, or of a key
-    /// without an example.
+    /// An example of its key, with its meaning: `mass = "0.3 kg" (mass of the body)`. None of an element of a list, or of a key without an
+    /// example.
     pub fn example(&self) -> Option<String> {
         let key = self.key.filter(|key| !key.example.is_empty())?;
         Some(format!("{} = {} ({})", key.name, key.example, key.doc))

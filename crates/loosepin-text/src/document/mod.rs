@@ -23,5 +23,5 @@ pub use path::EntryPath;
 pub use path::describe_path;
 pub use problem::DocumentProblem;
 pub use reader::{Reader, not_readable, parse_toml, read_beside, read_source, source_from_bytes};
-pub use record::{Choice, Reads, Usual, Value, choice, count, words_of};
+pub use record::{Choice, DefaultValue, Reads, Value, choice, count, words_of};
 pub use schema::json_schema;

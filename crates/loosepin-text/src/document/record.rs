@@ -17,7 +17,7 @@ impl Reads for Reader {
     }
 }
 
-/// What `R` reads at an entry.
+/// A value that `R` reads at an entry.
 pub trait Value<'t, R: ?Sized>: Sized {
     /// The value; `None` after a diagnostic.
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
@@ -40,14 +40,14 @@ impl<'t, R: ?Sized, T: Value<'t, R>> Value<'t, R> for Option<T> {
 }
 
 /// Default value of an omitted key, written as `D` in the description of its table.
-pub trait Usual<'t, R: ?Sized, D>: Value<'t, R> {
+pub trait DefaultValue<'t, R: ?Sized, D>: Value<'t, R> {
     /// The value that `usual` stands for.
-    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
+    fn default_value(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
 }
 
-impl<'t, R: ?Sized, D, T: Usual<'t, R, D>> Usual<'t, R, D> for Option<T> {
-    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self> {
-        T::usual(reader, table, key, usual).map(Some)
+impl<'t, R: ?Sized, D, T: DefaultValue<'t, R, D>> DefaultValue<'t, R, D> for Option<T> {
+    fn default_value(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self> {
+        T::default_value(reader, table, key, usual).map(Some)
     }
 }
 
@@ -77,7 +77,7 @@ pub const fn count(least: u64, most: u64) -> Kind {
     Kind::Count { least, most }
 }
 
-/// Whatever stands there, to be read by the hand of whoever knows more.
+/// Any entry, to be read by code that knows more about it.
 impl<'t, R: ?Sized> Value<'t, R> for Entry<'t> {
     fn read(_reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
         Some(entry.clone())
@@ -90,8 +90,8 @@ impl<'t, R: Reads + ?Sized, T: Choice> Value<'t, R> for T {
     }
 }
 
-impl<'t, R: Reads + ?Sized, T: Choice> Usual<'t, R, &'static str> for T {
-    fn usual(_reader: &mut R, _table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+impl<'t, R: Reads + ?Sized, T: Choice> DefaultValue<'t, R, &'static str> for T {
+    fn default_value(_reader: &mut R, _table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
         let found = T::choices().into_iter().find(|(word, _)| *word == usual);
         debug_assert!(found.is_some(), "{key}: {usual} is none of its words");
         found.map(|(_, meaning)| meaning)
@@ -114,8 +114,8 @@ impl<'t, R: Reads + ?Sized> Value<'t, R> for f64 {
     }
 }
 
-impl<'t, R: Reads + ?Sized> Usual<'t, R, f64> for f64 {
-    fn usual(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: f64) -> Option<Self> {
+impl<'t, R: Reads + ?Sized> DefaultValue<'t, R, f64> for f64 {
+    fn default_value(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: f64) -> Option<Self> {
         debug_assert!(table.due_quantity(key).is_none_or(|(dimension, _)| dimension == Dimension::NUMBER), "{key}");
         Some(usual)
     }
@@ -127,8 +127,8 @@ impl<'t, R: Reads + ?Sized> Value<'t, R> for u64 {
     }
 }
 
-impl<'t, R: Reads + ?Sized> Usual<'t, R, u64> for u64 {
-    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: u64) -> Option<Self> {
+impl<'t, R: Reads + ?Sized> DefaultValue<'t, R, u64> for u64 {
+    fn default_value(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: u64) -> Option<Self> {
         Some(usual)
     }
 }
@@ -139,8 +139,8 @@ impl<'t, R: Reads + ?Sized> Value<'t, R> for usize {
     }
 }
 
-impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
-    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: usize) -> Option<Self> {
+impl<'t, R: Reads + ?Sized> DefaultValue<'t, R, usize> for usize {
+    fn default_value(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: usize) -> Option<Self> {
         Some(usual)
     }
 }
@@ -298,7 +298,7 @@ macro_rules! record {
         ) -> Self {
             let table = entry.and_then(|entry| $crate::document::Reads::document(reader).table(entry, &Self::KEYS));
             let table = table
-                .unwrap_or_else(|| $crate::document::Table::left_out(Default::default(), &Self::KEYS));
+                .unwrap_or_else(|| $crate::document::Table::omitted(Default::default(), &Self::KEYS));
             Self::of(reader, table).expect("every key has a value, or may have none")
         }
     };
@@ -333,7 +333,7 @@ macro_rules! record {
     (@read lenient $need:ident $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
         match $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry)) {
             Some(value) => Some(value),
-            None => <$type as $crate::document::Usual<'t, R, _>>::usual($reader, &$table, $key, $usual),
+            None => <$type as $crate::document::DefaultValue<'t, R, _>>::default_value($reader, &$table, $key, $usual),
         }
     };
     (@read strict required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
@@ -351,7 +351,7 @@ macro_rules! record {
     (@read strict optional $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
         match $table.get($key) {
             Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry),
-            None => <$type as $crate::document::Usual<'t, R, _>>::usual($reader, &$table, $key, $usual),
+            None => <$type as $crate::document::DefaultValue<'t, R, _>>::default_value($reader, &$table, $key, $usual),
         }
     };
 }

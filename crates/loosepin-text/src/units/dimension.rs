@@ -23,8 +23,8 @@ pub struct Dimension {
     pub temperature: f64,
 }
 
-/// What is said of a dimension that has a constant; nothing is empty text.
-struct Row {
+/// Names of a dimension that has a constant; a missing one is an empty text.
+struct NamedDimension {
     dimension: Dimension,
     /// Its SI unit, where that is not written with kg, m, rad and s.
     si_unit: &'static str,
@@ -40,8 +40,8 @@ macro_rules! dimensions {
             $(#[doc = $doc] pub const $constant: Dimension = new($($exponent),+);)+
         }
 
-        static ROWS: &[Row] = &[$(
-            Row { dimension: Dimension::$constant, si_unit: $si_unit, name: $name, example: $example },
+        static ROWS: &[NamedDimension] = &[$(
+            NamedDimension { dimension: Dimension::$constant, si_unit: $si_unit, name: $name, example: $example },
         )+];
     };
 }
@@ -125,7 +125,7 @@ impl Dimension {
     }
 
     /// What is said of it; absent for a dimension without a name.
-    fn row(self) -> Option<&'static Row> {
+    fn row(self) -> Option<&'static NamedDimension> {
         ROWS.iter().find(|row| row.dimension == self && !row.name.is_empty())
     }
 

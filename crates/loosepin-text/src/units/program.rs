@@ -62,7 +62,7 @@ pub enum Op {
 impl Op {
     /// Whether it takes two operands from the stack.
     #[inline(always)]
-    pub fn takes_two(&self) -> bool {
+    pub fn is_binary(&self) -> bool {
         matches!(
             self,
             Self::Add
@@ -95,7 +95,7 @@ impl Expression {
     }
 }
 
-/// Runs operations made by the parser over the slots `values`; gives what is left on the stack, NaN if nothing is.
+/// Runs operations made by the parser over the slots `values`; returns the top of the stack, NaN if it is empty.
 ///
 /// A list may hold many expressions, each ending in [`Op::Store`]. Nothing is allocated.
 pub fn run(ops: &[Op], values: &mut [f64]) -> f64 {
@@ -115,7 +115,7 @@ pub fn run(ops: &[Op], values: &mut [f64]) -> f64 {
                 top -= 1;
                 values[slot] = stack[top];
             }
-            _ if op.takes_two() => {
+            _ if op.is_binary() => {
                 top -= 1;
                 stack[top - 1] = of_two(*op, stack[top - 1], stack[top]);
             }

@@ -38,13 +38,13 @@ impl Copula {
 /// the row: the i-th of n for [(i - 1)/n, i/n). The others play no part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmpiricalCopula {
-    /// Of each row the places of its values among the values of their columns in increasing order.
+    /// Ranks of the values of each row in their columns, from the smallest.
     ranks: Vec<Vec<usize>>,
     inputs: usize,
 }
 
 impl EmpiricalCopula {
-    /// The copula of `rows`, each with a value for every input; nothing where there is no row, or one of another length.
+    /// The copula of `rows`, each with a value for every input; `None` if there is no row, or one of another length.
     pub fn new(rows: &[Vec<f64>]) -> Option<Self> {
         let inputs = rows.first()?.len();
         if inputs == 0 || rows.iter().any(|row| row.len() != inputs) {

@@ -1,4 +1,4 @@
-//! Where the event is nearest: design points of first-order reliability.
+//! Nearest points of the event: design points of first-order reliability.
 
 use super::{dot, square};
 use crate::{hash, normal};
@@ -46,7 +46,7 @@ impl Default for DesignSearch {
 /// A point of the limit state nearest to the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignPoint {
-    /// Where, in standard normal numbers.
+    /// Point in standard normal numbers.
     pub point: Vec<f64>,
     /// Reliability index β: its distance from the origin, negative where the origin itself belongs to the event.
     pub index: f64,
@@ -83,7 +83,7 @@ pub fn design_points<E>(
     let sign = if at_origin <= 0.0 { -1.0 } else { 1.0 };
     let mut found: Vec<DesignPoint> = Vec::new();
     for start in std::iter::once(origin).chain(further_starts(&mut counted, dimensions, search)?) {
-        let Some(mut design) = descend(&mut counted, start, search.iterations)? else { continue };
+        let Some(mut design) = search_design_point(&mut counted, start, search.iterations)? else { continue };
         design.index *= sign;
         let apart = |other: &DesignPoint| {
             let squares = other.point.iter().zip(&design.point).map(|(a, b)| (a - b) * (a - b));
@@ -103,8 +103,8 @@ pub fn design_points<E>(
     Ok((found, runs))
 }
 
-/// One design point from `start`; nothing where g has no numbers or no slope there.
-pub(super) fn descend<E>(
+/// One design point from `start`; empty if g has no numbers or no slope there.
+pub(super) fn search_design_point<E>(
     limit_state: &mut impl FnMut(&[Vec<f64>]) -> Result<Vec<f64>, E>,
     start: Vec<f64>,
     iterations: usize,

@@ -6,7 +6,7 @@ use crate::{ScrambledSobol, SobolError, hash, normal_cdf, normal_quantile, stude
 
 /// Share of the points that are drawn wide around the origin, whatever the design points say.
 const WIDE_SHARE: f64 = 0.25;
-/// Independent scramblings, whose spread tells the error.
+/// Independent scramblings, for the standard error.
 const REPLICATES: usize = 16;
 /// Points of each replicate in the first round.
 const FIRST_POINTS: usize = 32;
@@ -151,10 +151,10 @@ impl Mixture {
 mod tests {
     use super::{ImportanceSampling, importance_sampling};
     use crate::SobolError;
-    use crate::reliability::tests::{FOUR_BRANCHES, Known, LIMIT_STATES};
+    use crate::reliability::tests::{FOUR_BRANCHES, KnownLimitState, LIMIT_STATES};
     use crate::reliability::{DesignSearch, RareProbability, design_points};
 
-    fn estimate(known: &Known, seed: u64) -> RareProbability {
+    fn estimate(known: &KnownLimitState, seed: u64) -> RareProbability {
         let mut limit_state = |points: &[Vec<f64>]| -> Result<Vec<f64>, SobolError> {
             Ok(points.iter().map(|point| (known.limit_state)(point)).collect())
         };

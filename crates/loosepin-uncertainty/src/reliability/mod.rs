@@ -27,7 +27,7 @@ pub struct RareProbability {
     pub high: RareEstimate,
     /// Evaluations of the limit state.
     pub runs: usize,
-    /// Those that gave no number.
+    /// Runs without a number.
     pub failed: usize,
 }
 
@@ -65,7 +65,7 @@ mod tests {
     use crate::normal_cdf;
 
     /// A limit state and the probability of g <= 0.
-    pub struct Known {
+    pub struct KnownLimitState {
         pub name: &'static str,
         pub dimensions: usize,
         pub limit_state: fn(&[f64]) -> f64,
@@ -86,33 +86,33 @@ mod tests {
         (0..2000).map(piece).sum()
     }
 
-    pub const LIMIT_STATES: [Known; 5] = [
-        Known {
+    pub const LIMIT_STATES: [KnownLimitState; 5] = [
+        KnownLimitState {
             name: "plane",
             dimensions: 2,
             limit_state: |x| 4.2649 - 0.6 * x[0] - 0.8 * x[1],
             probability: || normal_cdf(-4.2649),
         },
-        Known {
+        KnownLimitState {
             name: "plane in eight dimensions",
             dimensions: 8,
             limit_state: |x| 4.2649 - x.iter().sum::<f64>() / 8.0_f64.sqrt(),
             probability: || normal_cdf(-4.2649),
         },
-        Known {
+        KnownLimitState {
             name: "sphere",
             dimensions: 3,
             limit_state: |x| 27.0 - super::square(x),
             // P(χ² > r²) with three degrees of freedom: 2 Φ(-r) + 2 r φ(r).
             probability: || 2.0 * normal_cdf(-27.0_f64.sqrt()) + 2.0 * 27.0_f64.sqrt() * density(27.0_f64.sqrt()),
         },
-        Known {
+        KnownLimitState {
             name: "parabola bent towards the origin",
             dimensions: 2,
             limit_state: |x| 4.4 - x[0] - 0.1 * x[1] * x[1],
             probability: || integral(-9.0, 9.0, |y| density(y) * normal_cdf(0.1 * y * y - 4.4)),
         },
-        Known {
+        KnownLimitState {
             name: "parabola bent away",
             dimensions: 2,
             limit_state: |x| 4.0 - x[0] + 0.3 * x[1] * x[1],
@@ -122,7 +122,7 @@ mod tests {
 
     /// P. H. Waarts (2000), four branches, moved out until the event is rare: in v = (x1 + x2)/√2 and w = (x1 - x2)/√2 it is
     /// |w| >= 4.6 or |v| >= 4.5 + 0.2 w².
-    pub const FOUR_BRANCHES: Known = Known {
+    pub const FOUR_BRANCHES: KnownLimitState = KnownLimitState {
         name: "four branches",
         dimensions: 2,
         limit_state: |x| {

@@ -1,6 +1,6 @@
-//! Where in a box of unknown inputs an event is likeliest and least likely: by the reliability index, which is not flat.
+//! Extreme probabilities of an event in a box of unknown inputs: by the reliability index, which is not flat.
 
-use super::design_point::{DesignPoint, DesignSearch, descend, design_points};
+use super::design_point::{DesignPoint, DesignSearch, design_points, search_design_point};
 
 /// First and last step of the search, in shares of the box.
 const FIRST_STEP: f64 = 0.25;
@@ -26,7 +26,7 @@ impl Default for BoxSearch {
 /// The end of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexExtreme {
-    /// Where in the unit box.
+    /// Place in the unit box.
     pub at: Vec<f64>,
     /// The design points there, nearest first.
     pub designs: Vec<DesignPoint>,
@@ -38,16 +38,16 @@ pub struct IndexExtreme {
 /// Both ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexRange {
-    /// Where the index is smallest, so that the event is likeliest.
+    /// Place of the smallest index, so of the likeliest event.
     pub smallest: IndexExtreme,
-    /// Where it is largest.
+    /// Place of the largest index.
     pub largest: IndexExtreme,
     /// Evaluations of the limit state.
     pub runs: usize,
 }
 
 /// The extremes of the reliability index over the unit box, of the `candidates` (at least one) and then by a pattern search along
-/// the axes from the best of them; an axis that `closes` has no ends, 0 and 1 are the same there. Nothing where a candidate has no
+/// the axes from the best of them; an axis that `closes` has no ends, 0 and 1 are the same there. Empty if a candidate has no
 /// design point.
 ///
 /// The probability itself is flat at zero over most of a box and shows no way; the index is smooth. Where the event has several
@@ -144,7 +144,7 @@ fn follow<E>(
     let at_origin = limit_state(&[vec![0.0; dimensions]])?[0];
     let sign = if at_origin <= 0.0 { -1.0 } else { 1.0 };
     for design in known {
-        if let Some(next) = descend(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
+        if let Some(next) = search_design_point(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
             found.push(DesignPoint { index: sign * next.index, ..next });
         }
     }

@@ -35,18 +35,18 @@ pub struct SampleFit {
     /// How the parameters were found.
     pub method: &'static str,
     /// How well it fits.
-    pub goodness: Goodness,
+    pub goodness: GoodnessOfFit,
 }
 
 /// The distance of a fitted distribution from its sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Goodness {
+pub struct GoodnessOfFit {
     /// Kolmogorov's and Smirnov's: the largest difference of the distribution functions.
     pub kolmogorov_smirnov: f64,
     /// Anderson's and Darling's A², which looks at the tails.
     pub anderson_darling: f64,
-    /// Whether A² exceeds what samples of the family itself exceed in 5 % of the cases when their parameters are fitted;
-    /// nothing for gamma, whose limit depends on its shape.
+    /// Whether A² exceeds what samples of the family itself exceed in 5 % of the cases when their parameters are fitted; `None` for gamma,
+    /// whose limit depends on its shape.
     pub is_rejected: Option<bool>,
 }
 
@@ -119,7 +119,7 @@ impl FittedFamily {
 
     /// D = sup |F_n - F| and A² = -n - Σ (2 i - 1) (ln F(x_i) + ln(1 - F(x_(n+1-i))))/n; what A² is held against is from R. B.
     /// D'Agostino and M. A. Stephens, "Goodness-of-fit techniques" (1986), tables 4.7, 4.14 and 4.17, 5 %, parameters fitted.
-    fn goodness(self, variable: &RandomVariable, values: &[f64]) -> Goodness {
+    fn goodness(self, variable: &RandomVariable, values: &[f64]) -> GoodnessOfFit {
         let n = values.len() as f64;
         let tails: Vec<Tails> =
             values.iter().map(|&x| Tails { below: variable.cdf(x), above: variable.survival(x) }).collect();
@@ -138,7 +138,7 @@ impl FittedFamily {
             Self::Gamma => None,
         };
         let is_rejected = limit.map(|(factor, limit)| anderson_darling * factor > limit);
-        Goodness { kolmogorov_smirnov: distance, anderson_darling, is_rejected }
+        GoodnessOfFit { kolmogorov_smirnov: distance, anderson_darling, is_rejected }
     }
 }
 

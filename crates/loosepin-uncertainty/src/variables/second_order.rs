@@ -31,13 +31,13 @@ impl SecondOrder {
         &self.variable
     }
 
-    /// Where it is looked at: its support where that has two ends, else between the quantiles at Φ(-3) and Φ(3), outside of
-    /// which it lies with a probability of 0.27 %.
+    /// Examined range: its support if that has two ends, else between the quantiles at Φ(-3) and Φ(3), outside of which it lies with a
+    /// probability of 0.27 %.
     pub fn range(&self) -> Interval {
         self.range
     }
 
-    /// Its quantile at `probability`; nothing where that lies outside of the range.
+    /// Its quantile at `probability`; `None` if that lies outside of the range.
     pub fn quantile_in_range(&self, probability: f64) -> Option<f64> {
         let value = self.variable.quantile(probability);
         (value >= self.range.lower() && value <= self.range.upper()).then_some(value)

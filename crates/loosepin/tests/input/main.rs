@@ -6,7 +6,7 @@ mod bad_files;
 mod diametral_clearance;
 mod every_key_is_read;
 mod fuzz_corpus;
-mod hardly_possible;
+mod implausible_numbers;
 mod import;
 mod model_file;
 mod mutated_files;

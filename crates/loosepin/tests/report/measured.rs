@@ -1,6 +1,6 @@
 //! Measured curves over a run, and tables that cannot be read.
 
-use loosepin::measured::{MeasuredTable, lay_over};
+use loosepin::measured::{MeasuredTable, compare_with_measured};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{simulation_page, simulation_text};
@@ -57,7 +57,7 @@ fn analytic_residuals_of_a_closed_form_are_the_error_put_into_it() {
     for transient_turns in [0.0, 2.0] {
         let mut record = ideal_run(transient_turns);
         let table = MeasuredTable::from_text("measured.csv", &table()).unwrap_or_else(|wrong| panic!("{wrong}"));
-        lay_over(&table, &mut record).unwrap_or_else(|wrong| panic!("{wrong}"));
+        compare_with_measured(&table, &mut record).unwrap_or_else(|wrong| panic!("{wrong}"));
         let curve = &record.measured[0];
         assert_eq!((curve.output.as_str(), curve.abscissa, curve.at_si.len()), ("slider", Abscissa::DriveAngle, 48));
         assert!((curve.largest_si - 3e-4).abs() < INTERPOLATION_M, "{}", curve.largest_si);
@@ -81,7 +81,7 @@ fn analytic_times_and_empty_cells() {
         text.push_str(&format!("{},, {slider}\n", 12.0 * f64::from(step) / 24.0));
     }
     let table = MeasuredTable::from_text("measured.csv", &text).unwrap_or_else(|wrong| panic!("{wrong}"));
-    lay_over(&table, &mut record).unwrap_or_else(|wrong| panic!("{wrong}"));
+    compare_with_measured(&table, &mut record).unwrap_or_else(|wrong| panic!("{wrong}"));
     let [speed, slider] = &record.measured[..] else { panic!("two columns") };
     assert_eq!((speed.at_si.len(), slider.at_si.len()), (0, 12));
     assert!((slider.rms_si - 1e-4).abs() < INTERPOLATION_M && slider.largest_si < 0.0, "{}", slider.rms_si);
@@ -166,7 +166,7 @@ fn columns_that_are_no_outputs_and_rows_outside_are_told() {
     );
     let table = MeasuredTable::from_text("m.csv", "angle [deg], slider [mm]\n10, 1\n400, 2\n").expect("a table");
     assert_eq!(
-        lay_over(&table, &mut ideal_run(0.0)).expect_err("beyond a turn").to_string(),
+        compare_with_measured(&table, &mut ideal_run(0.0)).expect_err("beyond a turn").to_string(),
         "m.csv:3:1: error[E1002]: angle 400 deg is outside the recorded range, 0 deg to 360 deg\n\
          hint: record more turns with --turns, or shorten the table"
     );

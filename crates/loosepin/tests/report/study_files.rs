@@ -7,7 +7,7 @@ use std::path::Path;
 
 use loosepin::diagnostics::Problem;
 use loosepin::result::json::Stored;
-use loosepin::results::{Claim, InputsHasher, LOCK_FILE, MARKER_FILE, Place, ResultKind};
+use loosepin::results::{Claim, Destination, InputsHasher, LOCK_FILE, MARKER_FILE, ResultKind};
 use loosepin::study::files::{
     BOUNDS_COLUMNS, BOUNDS_FILE, FilesError, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, bounds_csv,
     read_runs_parquet, read_summary, runs_parquet, write_study,
@@ -219,7 +219,7 @@ fn claim(folder: &Path) -> Claim {
         kind: ResultKind::Study,
         name: "worn pin".to_owned(),
         inputs: InputsHasher::new(ResultKind::Study).finish(),
-        place: Place::Folder(folder.to_owned()),
+        destination: Destination::Folder(folder.to_owned()),
         with_force: false,
     }
 }

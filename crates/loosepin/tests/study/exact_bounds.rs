@@ -34,7 +34,7 @@ fn check_all(case: &KnownCase, pairs: &[BoundPair], exact: &[(f64, f64)]) {
         let width = if high > low { high - low } else { low.abs().max(1.0) };
         let excess = (pair.upper.widened - pair.lower.widened - (high - low)) / width;
         let is_held = pair.lower.widened <= low + ROUND_OFF && pair.upper.widened >= high - ROUND_OFF;
-        let is_tight = excess <= case.most_excess;
+        let is_tight = excess <= case.max_excess;
         assert!(is_held && is_tight, "{}: [{low}, {high}], too wide by {excess}: {pair:#?}", case.name);
         for central in pair.central.into_iter().flatten() {
             let is_within = pair.lower.widened <= central && central <= pair.upper.widened;

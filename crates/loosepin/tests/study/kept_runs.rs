@@ -6,10 +6,10 @@ use std::time::SystemTime;
 
 use loosepin::files::{FolderLock, LockKind};
 use loosepin::model::Model;
-use loosepin::results::{Claim, InputsHasher, Place, ResultKind};
+use loosepin::results::{Claim, Destination, InputsHasher, ResultKind};
 use loosepin::store::{InputsKey, RunStore, StoreError, StoredRun};
 use loosepin::study::result::StudyResult;
-use loosepin::study::{Begun, Study, StudyError, begin_in_folder, conclude, store_identity};
+use loosepin::study::{ClaimOutcome, Study, StudyError, begin_in_folder, conclude, store_identity};
 use loosepin::templates::find_template;
 
 /// A study with the store of its runs in a folder.
@@ -29,7 +29,7 @@ impl Failing {
             kind: ResultKind::Study,
             name: study.name.clone(),
             inputs: InputsHasher::new(ResultKind::Study).add("study", template.study).finish(),
-            place: Place::Folder(folder.to_owned()),
+            destination: Destination::Folder(folder.to_owned()),
             with_force: false,
         };
         Self { study, claim }
@@ -42,7 +42,7 @@ impl Failing {
     /// Makes so many runs and fails.
     fn fail_after(&self, runs: u64) {
         let begun = begin_in_folder(&self.claim, |lock| self.store(lock));
-        let Ok(Begun::Open(folder, store)) = begun else { panic!("the folder is new") };
+        let Ok(ClaimOutcome::Open(folder, store)) = begun else { panic!("the folder is new") };
         for place in 0..runs {
             store.keep(0, place, StoredRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome: Ok(vec![1.0]) });
         }

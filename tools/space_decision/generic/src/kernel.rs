@@ -273,6 +273,6 @@ impl<'t, T: Real, G: Geometry<T>> Kernel<'t, T, G> {
         }
         self.gram.set(&self.jacobian, speeds, &self.mass, free);
         self.gram.solve(&mut self.multipliers);
-        self.gram.add_answer(&self.multipliers, &mut self.accelerations);
+        self.gram.add_correction(&self.multipliers, &mut self.accelerations);
     }
 }

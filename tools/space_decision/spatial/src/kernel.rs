@@ -388,7 +388,7 @@ impl<'t, T: Real> Kernel<'t, T> {
         }
         self.gram.set(&self.jacobian, speeds, &self.mass, free);
         self.gram.solve(&mut self.multipliers);
-        self.gram.add_answer(&self.multipliers, &mut self.accelerations);
+        self.gram.add_correction(&self.multipliers, &mut self.accelerations);
     }
 }
 

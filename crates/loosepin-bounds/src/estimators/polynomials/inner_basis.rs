@@ -37,7 +37,7 @@ use super::basis::Basis;
 use super::orthogonal::Axis;
 use super::preintegration::{Conditional, Rest};
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::on_vectors;
+use loosepin_math::with_vector_instructions;
 
 /// Highest degree of a polynomial.
 const MAX_DEGREE: usize = 12;
@@ -71,7 +71,7 @@ pub(crate) struct DesignMatrix {
     weights: Vec<f64>,
     /// The next degrees, two at most.
     higher: Vec<Arc<Self>>,
-    /// Nodes over all axes but one, worked out when they are needed.
+    /// Nodes over all axes but one, computed on first use.
     rest: Vec<OnceLock<Rest>>,
 }
 
@@ -85,7 +85,7 @@ pub(crate) struct CrossFit {
 }
 
 impl InnerBasis {
-    /// Polynomials on `points` of the unit cube, replicate by replicate; nothing where the runs are too few for any.
+    /// Polynomials on `points` of the unit cube, replicate by replicate; `None` if the runs are too few for any.
     pub fn new(axes: &[Axis], points: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let coordinates: Vec<Vec<f64>> = points
             .iter()
@@ -110,7 +110,7 @@ impl InnerBasis {
 }
 
 impl DesignMatrix {
-    /// Polynomials up to `degree` at `coordinates`, replicate by replicate; nothing where the runs are too few.
+    /// Polynomials up to `degree` at `coordinates`, replicate by replicate; `None` if the runs are too few.
     pub fn new(axes: &[Axis], degree: usize, coordinates: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let count = coordinates.len();
         let basis = Basis::try_new(axes, degree)?;
@@ -187,7 +187,7 @@ impl DesignMatrix {
         CrossFit { coefficients, residuals }
     }
 
-    /// By how much Σ_r g_r·c_r changes with the value of each run, c_r the coefficients that were fitted without replicate r: Σ_(r not of i)
+    /// Derivative of Σ_r g_r·c_r by the value of each run, c_r the coefficients that were fitted without replicate r: Σ_(r not of i)
     /// g_r·G_r⁻¹ φ_i, φ_i the terms at run i; `gradients`: g_r.
     pub fn sensitivities(&self, gradients: impl Iterator<Item = Vec<f64>>) -> Vec<f64> {
         let size = self.basis.terms.len();
@@ -229,7 +229,7 @@ impl DesignMatrix {
         let size = self.basis.terms.len();
         self.rows.chunks(size * self.per_replicate).zip(values.chunks(self.per_replicate)).map(move |(rows, values)| {
             let mut sums = vec![0.0; size];
-            on_vectors(
+            with_vector_instructions(
                 #[inline(always)]
                 || {
                     for (row, value) in rows.chunks(size).zip(values) {

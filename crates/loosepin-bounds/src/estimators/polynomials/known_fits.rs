@@ -4,10 +4,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::inner_basis::DesignMatrix;
 
-/// What a fit says of the polynomials of its degree.
+/// Quality of a fit with polynomials of its degree.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Assessment {
-    /// What they leave at most, at any run.
+    /// Largest residual at any run.
     pub largest_residual: f64,
     /// An error of the mean that degrees are compared by.
     pub error: f64,
@@ -15,23 +15,23 @@ pub(crate) struct Assessment {
 
 /// The fits of one sample, by their matrices; `S` is a sample with polynomials. A copy begins without.
 #[derive(Debug)]
-pub(crate) struct KnownFits<S>(Mutex<Vec<KnownFit<S>>>);
+pub(crate) struct FitCache<S>(Mutex<Vec<CachedFit<S>>>);
 
 #[derive(Debug)]
-struct KnownFit<S> {
+struct CachedFit<S> {
     design: Arc<DesignMatrix>,
     assessment: Assessment,
     /// The sample with these polynomials, where it is kept.
     sample: Option<Arc<S>>,
 }
 
-impl<S> KnownFits<S> {
-    /// What is known of the polynomials of `design`; else what `find` finds, which is then kept.
+impl<S> FitCache<S> {
+    /// The assessment of the polynomials of `design`; else that of `find`, which is then kept.
     pub fn assessment(&self, design: &Arc<DesignMatrix>, find: impl FnOnce() -> Assessment) -> Assessment {
         let known = self.list().iter().find(|own| Arc::ptr_eq(&own.design, design)).map(|own| own.assessment);
         known.unwrap_or_else(|| {
             let assessment = find();
-            self.list().push(KnownFit { design: design.clone(), assessment, sample: None });
+            self.list().push(CachedFit { design: design.clone(), assessment, sample: None });
             assessment
         })
     }
@@ -45,21 +45,21 @@ impl<S> KnownFits<S> {
     pub fn keep(&self, design: &Arc<DesignMatrix>, assessment: Assessment, sample: Arc<S>) {
         let mut list = self.list();
         list.retain(|own| !Arc::ptr_eq(&own.design, design));
-        list.push(KnownFit { design: design.clone(), assessment, sample: Some(sample) });
+        list.push(CachedFit { design: design.clone(), assessment, sample: Some(sample) });
     }
 
-    fn list(&self) -> MutexGuard<'_, Vec<KnownFit<S>>> {
+    fn list(&self) -> MutexGuard<'_, Vec<CachedFit<S>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl<S> Default for KnownFits<S> {
+impl<S> Default for FitCache<S> {
     fn default() -> Self {
         Self(Mutex::new(Vec::new()))
     }
 }
 
-impl<S> Clone for KnownFits<S> {
+impl<S> Clone for FitCache<S> {
     fn clone(&self) -> Self {
         Self::default()
     }

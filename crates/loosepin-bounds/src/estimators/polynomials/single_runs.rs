@@ -10,7 +10,7 @@
 //! whose terms are of degree d + 4 at most is nowhere larger than ε √K(t) (Cauchy and Schwarz).
 //!
 //! Polynomials that are contradicted by more than 1 % of the standard deviation are not used. Else what they leave at single runs is a residual
-//! like those of the sample. Either way the rare event enters the errors of mean and variance ([`super::super::unseen`]).
+//! like those of the sample. Either way the rare event enters the errors of mean and variance ([`super::super::unsampled_events`]).
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use super::orthogonal::Axis;
 use super::smooth::{ROUND_OFF, largest_magnitude};
 use crate::data::table::SampleTable;
 use crate::estimators::sample::Sample;
-use crate::estimators::unseen::Unseen;
+use crate::estimators::unsampled_events::UnsampledEvents;
 use loosepin_math::dense::dot;
 
 /// Errors between the outer points are this many times those at the outer points, at most.
@@ -39,11 +39,11 @@ pub(crate) type Weights = Vec<(usize, f64)>;
 /// One run.
 #[derive(Debug)]
 pub(crate) struct SingleRun {
-    /// Where it stands in the table.
+    /// Row in the table.
     pub row: usize,
     /// Coordinates t of its random inputs.
     pub coordinates: Vec<f64>,
-    /// Outer points that tell what to expect at its u.
+    /// Weights of the outer points that predict the value at its u.
     pub weights: Weights,
 }
 
@@ -55,10 +55,10 @@ pub(crate) struct SingleRuns {
     pub left_out: Vec<(usize, Weights)>,
 }
 
-/// What single runs show that the samples of a column do not.
+/// Events that single runs show and the samples of a column do not.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Contradiction {
-    pub unseen: Unseen,
+    pub unseen: UnsampledEvents,
     /// Whether the polynomials are good enough nevertheless: they leave this too.
     pub is_small: bool,
 }
@@ -92,14 +92,14 @@ impl SingleRuns {
         columns.par_iter().map(of_column).collect()
     }
 
-    fn of_column(&self, at: &AtRuns, samples: &[&Sample], value: impl Fn(usize) -> f64) -> Option<Unseen> {
+    fn of_column(&self, at: &AtRuns, samples: &[&Sample], value: impl Fn(usize) -> f64) -> Option<UnsampledEvents> {
         let smooth: Vec<_> = samples.iter().map(|sample| sample.smooth()).collect::<Option<_>>()?;
         let coefficients: Vec<Vec<f64>> = smooth.iter().map(|smooth| smooth.coefficients()).collect();
         let residual = smooth.iter().map(|smooth| smooth.largest_residual()).fold(0.0, f64::max);
         let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
         let residual = residual + ROUND_OFF * magnitude;
         let size = at.design.basis.terms.len();
-        let mut unseen: Option<Unseen> = None;
+        let mut unseen: Option<UnsampledEvents> = None;
         for (place, run) in self.runs.iter().enumerate() {
             let y = value(run.row);
             if !y.is_finite() {
@@ -117,8 +117,8 @@ impl SingleRuns {
             }
             let error = |(point, weights): &(usize, Weights)| (expected[*point] - weighted(weights, &expected)).abs();
             if jump.abs() > BETWEEN_POINTS * self.left_out.iter().map(error).fold(0.0, f64::max) + least {
-                let known = unseen.unwrap_or(Unseen { below: 0.0, above: 0.0 });
-                unseen = Some(Unseen { below: known.below.max(-jump), above: known.above.max(jump) });
+                let known = unseen.unwrap_or(UnsampledEvents { below: 0.0, above: 0.0 });
+                unseen = Some(UnsampledEvents { below: known.below.max(-jump), above: known.above.max(jump) });
             }
         }
         unseen

@@ -1,6 +1,6 @@
 use crate::Function;
 use crate::cases::exact::{STANDARD_NORMAL, paired, problem};
-use crate::plan::refinement::{Goal, Refinement, Standing};
+use crate::plan::refinement::{Goal, Refinement, RefinementStatus};
 use crate::{
     BoundPair, Bounds, DoubleLoop, Problem, Purpose, Request, Response, RunInputs, SampleTable, Sampling, Statistic,
     execute,
@@ -69,7 +69,7 @@ fn analytic_bounds_become_as_near_as_is_asked_and_hold() {
     let first = problem.sampling;
     let mut refinement = Refinement::try_new(problem, goals.clone()).unwrap();
     let table = run(&mut refinement, &wave(), usize::MAX);
-    assert_eq!(refinement.standing(), Standing::Reached, "{:#?}", refinement.history());
+    assert_eq!(refinement.status(), RefinementStatus::Reached, "{:#?}", refinement.history());
     let bounds = refinement.results(&table).unwrap();
     let (least, greatest) = extremes();
     let shifts = [libm::sqrt(std::f64::consts::FRAC_2_PI), MAGNITUDE_QUANTILE].map(|shift| SCATTER * shift);
@@ -92,7 +92,7 @@ fn analytic_a_goal_of_a_statistic_that_was_not_asked_for_is_not_reached() {
     let request = Request { column: 0, statistic: Statistic::StandardDeviation };
     let mut refinement = Refinement::try_new(problem, vec![Goal { request, most: 10.0 }]).unwrap();
     run(&mut refinement, &wave(), usize::MAX);
-    assert_eq!(refinement.standing(), Standing::Exhausted, "{:#?}", refinement.history());
+    assert_eq!(refinement.status(), RefinementStatus::Exhausted, "{:#?}", refinement.history());
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn analytic_bounds_miss_as_rarely_as_stated_wherever_they_end() {
         problem.compared_columns.clear();
         let mut refinement = Refinement::try_new(problem, goals).unwrap();
         let table = run(&mut refinement, &function, usize::MAX);
-        assert_eq!(refinement.standing(), Standing::Reached);
+        assert_eq!(refinement.status(), RefinementStatus::Reached);
         let pair = &refinement.results(&table).unwrap().pairs[0];
         misses += u32::from(pair.lower.widened > 0.1 + centre || pair.upper.widened < 1.3 + centre);
         runs += table.len();
@@ -174,7 +174,7 @@ fn goals_that_no_run_helps_are_given_up() {
     let (problem, goals) = small(&[(Statistic::Mean, 0.01)]);
     let mut refinement = Refinement::try_new(problem, goals).unwrap();
     let table = run(&mut refinement, &Function(|_: &[f64], _: &[f64]| f64::NAN), usize::MAX);
-    assert_eq!(refinement.standing(), Standing::Exhausted);
+    assert_eq!(refinement.status(), RefinementStatus::Exhausted);
     assert_eq!(refinement.history().len(), 1);
     assert!(refinement.history()[0].share.is_infinite());
     assert!(table.len() <= refinement.plan(&table).most_runs());
@@ -195,5 +195,5 @@ fn identity_without_goals_there_is_the_plan_alone() {
     let mut refinement = Refinement::try_new(problem, Vec::new()).unwrap();
     let refined = run(&mut refinement, &wave(), usize::MAX);
     assert_eq!(refined.inputs(), table.inputs());
-    assert_eq!((refinement.standing(), refinement.history().len()), (Standing::Growing, 0));
+    assert_eq!((refinement.status(), refinement.history().len()), (RefinementStatus::Growing, 0));
 }

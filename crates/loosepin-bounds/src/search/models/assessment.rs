@@ -11,7 +11,7 @@ pub(in crate::search) const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.
 /// taken the cautious way: rather noise than an extreme, rather few derivatives than many.
 const TOLERATED_MISFIT: f64 = 4.0;
 
-/// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
+/// Misfit by which every model with some noise must be worse than one with less before those with more noise are not tried.
 const HOPELESS_MISFIT: f64 = 50.0;
 
 /// The models that are worth it, held against the same values one after the other, from those of little to those of much noise.
@@ -29,13 +29,13 @@ pub(in crate::search) struct Assessment<'m> {
 }
 
 impl<'m> Assessment<'m> {
-    /// Of so many noise ratios, values with so many degrees of freedom; no variance lies below `floor`.
+    /// An empty assessment for `levels` noise ratios and values with `freedom` degrees of freedom; no variance lies below `floor`.
     pub fn new(levels: usize, freedom: f64, floor: f64) -> Self {
         let (least, least_of_level) = (f64::INFINITY, f64::INFINITY);
         Self { assessed: Vec::new(), freedom, floor, levels, level: 0, least, least_of_level }
     }
 
-    /// The noise ratio whose models come next; nothing where no others are worth it.
+    /// The noise ratio whose models come next; `None` if no others are worth it.
     pub fn next_level(&self) -> Option<usize> {
         (self.level < self.levels).then_some(self.level)
     }
@@ -115,7 +115,7 @@ pub(in crate::search) fn least_honest(assessed: &[Assessed<'_>], residual: &[f64
     least
 }
 
-/// Of the models that cannot be told apart the one to be taken.
+/// The most cautious of the models that are equally likely.
 pub(in crate::search) fn cautious(mut assessed: Vec<Assessed<'_>>) -> Option<Assessed<'_>> {
     let least = assessed.iter().fold(f64::INFINITY, |least, own| least.min(own.misfit));
     assessed.retain(|own| own.misfit <= least + TOLERATED_MISFIT);

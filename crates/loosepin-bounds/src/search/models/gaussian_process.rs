@@ -14,10 +14,10 @@ use std::sync::Arc;
 
 use crate::search::models::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::{FourRows, beside_one_another, dots_of_each, exponentials, on_vectors};
+use loosepin_math::{FourRows, exponentials, interleaved, pairwise_dots, with_vector_instructions};
 use loosepin_surrogate::{Factor, Whitened, matern_five_halves_of};
 
-/// To the factors of no more points than this others are appended: those of many take memory for as long as they are kept.
+/// Largest number of points to whose factors others are appended: those of many take memory for as long as they are kept.
 pub(in crate::search) const MAX_APPENDED_TO: usize = 128;
 
 /// Places that are predicted side by side: as many as there are numbers in two vectors.
@@ -48,7 +48,7 @@ pub(crate) struct ObservedPoints {
 }
 
 impl ObservedPoints {
-    /// What models on `points` share at `places`.
+    /// The terms that models on `points` share at `places`.
     pub fn new(places: Vec<Vec<f64>>, points: &[Vec<f64>], trend: Trend) -> Self {
         let distances = places.chunks(PLACES_AT_ONCE).map(|own| distances_of_each(own, points)).collect();
         let terms = places.chunks(PLACES_AT_ONCE).map(|own| terms_of_each(own, trend)).collect();
@@ -65,7 +65,7 @@ fn distances_of_each<const N: usize>(places: &[Vec<f64>], points: &[Vec<f64>]) -
 /// Terms of the polynomial at no more than N `places` side by side; those of places that are missing are zero.
 fn terms_of_each<const N: usize>(places: &[Vec<f64>], trend: Trend) -> Vec<[f64; N]> {
     let terms: Vec<Vec<f64>> = places.iter().map(|place| trend.terms(place)).collect();
-    beside_one_another(&terms.iter().map(Vec::as_slice).collect::<Vec<_>>())
+    interleaved(&terms.iter().map(Vec::as_slice).collect::<Vec<_>>())
 }
 
 /// Distances of points from each other.
@@ -76,13 +76,13 @@ pub(crate) struct Distances {
 }
 
 impl Distances {
-    /// Those of `points`.
+    /// The distances of `points`.
     pub fn new(points: &[Vec<f64>]) -> Self {
         let of_row = |row: usize| points[..=row].iter().map(move |other| distance(&points[row], other));
         Self { count: points.len(), triangle: (0..points.len()).flat_map(of_row).collect() }
     }
 
-    /// Those of a point from the ones before it, and from itself.
+    /// The distances of a point from the ones before it, and from itself.
     fn row(&self, row: usize) -> &[f64] {
         &self.triangle[row * (row + 1) / 2..(row + 1) * (row + 2) / 2]
     }
@@ -151,7 +151,7 @@ impl Kernel {
         let mut correlations = vec![0.0; distances.len()];
         exponentials(&negated, &mut correlations);
         // Every smoothness has a loop of its own, which vectors do.
-        on_vectors(
+        with_vector_instructions(
             #[inline(always)]
             || {
                 let each = correlations.iter_mut().zip(&negated).map(|(decay, negated)| (-negated, decay));
@@ -216,8 +216,8 @@ struct Prediction {
 }
 
 impl Model {
-    /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row);
-    /// nothing where V is singular to round-off. The points may have been appended to those of a factor that is `known`.
+    /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by
+    /// row); `None` if V is singular to round-off. The points may have been appended to those of a factor that is `known`.
     pub fn try_new(
         place: usize,
         points: &[Vec<f64>],
@@ -249,7 +249,7 @@ impl Model {
         for (first, entries) in (0..count).step_by(PLACES_AT_ONCE).zip(projection_diagonal.chunks_mut(PLACES_AT_ONCE)) {
             let of = |column: &Vec<f64>| from_fn(|row| column.get(first + row).copied().unwrap_or(0.0));
             let rows: Vec<[f64; PLACES_AT_ONCE]> = projected.iter().map(of).collect();
-            let taken = dots_of_each(&rows, &trend_covariance.multiply_each(&rows));
+            let taken = pairwise_dots(&rows, &trend_covariance.multiply_each(&rows));
             entries.iter_mut().zip(taken).for_each(|(entry, taken)| *entry -= taken);
         }
         Some(Self {
@@ -326,11 +326,11 @@ impl Model {
     pub fn nuggets_of_each<const N: usize>(&self, values: &[[f64; N]]) -> [f64; N] {
         let projected = self.whitened.whitening().multiply_transposed_each(&self.whitened_rest_of_each(values));
         let trace: f64 = self.projection_diagonal.iter().sum();
-        dots_of_each(&projected, &projected).map(|square| self.noise_ratio * square / trace)
+        pairwise_dots(&projected, &projected).map(|square| self.noise_ratio * square / trace)
     }
 
     /// tr τP: how many degrees of freedom [`Self::nugget`] has.
-    pub fn nugget_freedom(&self) -> f64 {
+    pub fn nugget_degrees_of_freedom(&self) -> f64 {
         self.noise_ratio * self.projection_diagonal.iter().sum::<f64>()
     }
 
@@ -346,7 +346,7 @@ impl Model {
         }
         let mut rest = self.whitened.whitening().multiply(values);
         let shares = self.trend_covariance.multiply(&self.whitened.products(&rest));
-        self.whitened.take_out(&mut rest, &shares);
+        self.whitened.subtract_trend(&mut rest, &shares);
         rest
     }
 
@@ -354,7 +354,7 @@ impl Model {
     pub fn whitened_rest_of_each<const N: usize>(&self, values: &[[f64; N]]) -> Vec<[f64; N]> {
         let mut rest = self.whitened.whitening().multiply_each(values);
         let shares = self.trend_covariance.multiply_each(&self.whitened.products_of_each(&rest));
-        self.whitened.take_out_of_each(&mut rest, &shares);
+        self.whitened.subtract_trends(&mut rest, &shares);
         rest
     }
 
@@ -394,11 +394,11 @@ impl Model {
     ) -> Vec<(f64, f64)> {
         let known = self.kernel.at_distances(distances_of_each::<N>(places, &self.points).as_flattened());
         let (own, rest) = self.whitened.at_places(known.as_chunks().0, &terms_of_each::<N>(places, self.trend));
-        let of_rest = dots_of_each(&rest, &self.trend_covariance.multiply_each(&rest));
-        let of_own = dots_of_each(&own, &own);
+        let of_rest = pairwise_dots(&rest, &self.trend_covariance.multiply_each(&rest));
+        let of_own = pairwise_dots(&own, &own);
         let [of_white, of_polynomial] = [(&own, white), (&rest, of_trend)].map(|(own, values)| {
             let values: Vec<[f64; N]> = values.iter().map(|value| [*value; N]).collect();
-            dots_of_each(own, &values)
+            pairwise_dots(own, &values)
         });
         let at = |place: usize| {
             let variance = 1.0 - of_own[place] + of_rest[place];
@@ -424,7 +424,7 @@ impl Model {
         let of_rest = self.trend_covariance.multiply(&rest);
         let of_trend: Vec<f64> = of_trend.iter().zip(&of_rest).map(|(own, rest)| own + share * rest).collect();
         let mut white: Vec<f64> = white.iter().zip(&correlations).map(|(own, known)| own - share * known).collect();
-        self.whitened.take_out(&mut white, &of_trend);
+        self.whitened.subtract_trend(&mut white, &of_trend);
         let weights = self.whitened.whitening().multiply_transposed(&white);
         let mut slopes = self.trend.slopes(place, &of_trend);
         let by_distance = self.kernel.slopes_at_distances(&distances);
@@ -462,8 +462,8 @@ impl Model {
         for ((distances, terms), first) in at_once.zip((0..places).step_by(PLACES_AT_ONCE)) {
             let known = self.kernel.at_distances(distances.as_flattened());
             let (own, own_rest) = self.whitened.at_places(known.as_chunks().0, terms);
-            let of_rest = dots_of_each(&own_rest, &self.trend_covariance.multiply_each(&own_rest));
-            let of_own = dots_of_each(&own, &own);
+            let of_rest = pairwise_dots(&own_rest, &self.trend_covariance.multiply_each(&own_rest));
+            let of_own = pairwise_dots(&own, &own);
             let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
             let own_places = (places - first).min(PLACES_AT_ONCE);
             deviations.extend(variances.take(own_places).map(|variance| variance.max(0.0).sqrt()));
@@ -473,8 +473,8 @@ impl Model {
                 rest.extend(own_rest.iter().map(four));
             }
         }
-        let correlations = FourRows::of_fours(places, count, correlations);
-        AtPlaces { correlations, rest: FourRows::of_fours(places, size, rest), deviations }
+        let correlations = FourRows::from_interleaved_rows(places, count, correlations);
+        AtPlaces { correlations, rest: FourRows::from_interleaved_rows(places, size, rest), deviations }
     }
 }
 

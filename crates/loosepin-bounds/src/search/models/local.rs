@@ -27,38 +27,38 @@ const MAX_SEEN: usize = 384;
 /// The models of one set of points, shared by all statistics that are known there.
 pub(crate) struct LocalSmoothers {
     axes: Axes,
-    parts: Vec<Part>,
+    parts: Vec<SmoothedRegion>,
     /// Candidates, then points, and by which part each is predicted; empty where there is one part alone.
     places: Vec<Vec<f64>>,
     owners: Vec<Owner>,
 }
 
 /// A part of the box with its smoother.
-struct Part {
+struct SmoothedRegion {
     region: Region,
     /// The points that its smoother sees.
     seen: Vec<usize>,
     smoother: Smoother,
 }
 
-impl Part {
+impl SmoothedRegion {
     /// Fits those of `values` that its smoother sees.
     fn fit(&self, values: &[f64], noise: &Noise) -> Fit<'_> {
         let seen: Vec<f64> = self.seen.iter().map(|&point| values[point]).collect();
-        self.smoother.fit(&seen, &noise.among(&self.seen))
+        self.smoother.fit(&seen, &noise.at_points(&self.seen))
     }
 
     /// [`Self::fit`] of each of several lists of values.
     fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<Fit<'_>> {
         let among = |&(values, noise): &(&[f64], &Noise)| -> (Vec<f64>, Noise) {
-            (self.seen.iter().map(|&point| values[point]).collect(), noise.among(&self.seen))
+            (self.seen.iter().map(|&point| values[point]).collect(), noise.at_points(&self.seen))
         };
         let seen: Vec<(Vec<f64>, Noise)> = all.iter().map(among).collect();
         self.smoother.fit_all(&seen.iter().map(|(values, noise)| (&values[..], noise)).collect::<Vec<_>>())
     }
 }
 
-/// By which part a place is predicted, and which of the places of its smoother it is.
+/// The part that predicts a place, and the index of the place in its smoother.
 #[derive(Debug, Clone, Copy)]
 struct Owner {
     part: usize,
@@ -73,7 +73,7 @@ pub(crate) struct LocalFits<'a> {
 }
 
 impl LocalSmoothers {
-    /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. `None` if there are
     /// too few `points` for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
         Self::with(points, candidates, axes, |_, points| {
@@ -92,7 +92,7 @@ impl LocalSmoothers {
             let (region, seen) = (Region::whole(points.first()?.len()), (0..points.len()).collect());
             let grid = grid(0, &points)?;
             let smoother = Smoother::new(grid, points, candidates, axes);
-            let parts = vec![Part { region, seen, smoother }];
+            let parts = vec![SmoothedRegion { region, seen, smoother }];
             return Some(Self { axes: axes.clone(), parts, places: Vec::new(), owners: Vec::new() });
         }
         let mut divided = Vec::new();
@@ -122,7 +122,7 @@ impl LocalSmoothers {
             let known: Vec<Vec<f64>> = seen.iter().map(|&point| points[point].clone()).collect();
             let grid = grid(part, &known)?;
             let smoother = Smoother::new(grid, known, &own_candidates[part], axes);
-            parts.push(Part { region, seen, smoother });
+            parts.push(SmoothedRegion { region, seen, smoother });
         }
         Some(Self { axes: axes.clone(), parts, places, owners })
     }
@@ -189,7 +189,7 @@ impl<'a> LocalFits<'a> {
         &self.fits
     }
 
-    /// The fit of all points together; nothing where they are divided.
+    /// The fit of all points together; `None` if they are divided.
     pub fn whole(&self) -> Option<&Fit<'a>> {
         match &self.fits[..] {
             [whole] => Some(whole),
@@ -197,7 +197,7 @@ impl<'a> LocalFits<'a> {
         }
     }
 
-    /// Whether all of [`Self::places`] lie in `region`, as far as that is known without a look at each.
+    /// Whether all of [`Self::places`] lie in `region`, as far as a test without a look at each shows.
     pub fn are_all_in(&self, region: &Region) -> bool {
         self.fits.iter().all(|fit| fit.are_all_in(region))
     }
@@ -256,7 +256,7 @@ impl<'a> LocalFits<'a> {
         let own = match &self.smoothers.parts[..] {
             [_] => 0,
             parts => {
-                let distance = |part: &Part| part.region.distance(&self.smoothers.axes, place);
+                let distance = |part: &SmoothedRegion| part.region.distance(&self.smoothers.axes, place);
                 (1..parts.len()).fold(
                     0,
                     |best, part| {
@@ -283,8 +283,8 @@ fn divide(points: &[Vec<f64>], own: Vec<usize>, region: Region, parts: &mut Vec<
     divide(points, above, upper, parts);
 }
 
-/// The axis of the longest side of `region` along which `own` points differ, and the middle between those in their middle; nothing
-/// where all lie in one place.
+/// The axis of the longest side of `region` along which `own` points differ, and the middle between those in their middle; `None`
+/// if all lie in one place.
 fn division(points: &[Vec<f64>], own: &[usize], region: &Region) -> Option<(usize, f64)> {
     let mut axes: Vec<usize> = (0..region.lower.len()).collect();
     let side = |axis: usize| region.upper[axis] - region.lower[axis];

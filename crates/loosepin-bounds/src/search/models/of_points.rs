@@ -10,7 +10,7 @@ use crate::search::models::local::LocalSmoothers;
 use crate::search::models::prediction::Allowance;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::models::target_model::{Forecast, TargetModel};
-use crate::search::search_box::{Axes, Place};
+use crate::search::search_box::{Axes, BoxPoint};
 use crate::search::target::Target;
 
 /// So many targets are modelled together.
@@ -41,7 +41,7 @@ const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
 /// over all of them.
 pub(crate) struct Search<'a> {
     pub(in crate::search) axes: &'a Axes,
-    pub(in crate::search) points: &'a [Place],
+    pub(in crate::search) points: &'a [BoxPoint],
     /// The points of each combination.
     pub(in crate::search) groups: Vec<Vec<usize>>,
     smoothers: BTreeMap<Vec<usize>, Option<LocalSmoothers>>,
@@ -52,9 +52,9 @@ pub(crate) struct Search<'a> {
 pub(crate) struct Branch<'a> {
     /// The points of the combination.
     pub points: Vec<usize>,
-    /// Those at which the target is defined.
+    /// Points at which the target is defined.
     pub(in crate::search) defined: Vec<usize>,
-    /// The model; nothing where the target is defined at too few points.
+    /// The model; `None` if the target is defined at too few points.
     pub(in crate::search) model: Option<TargetModel<'a>>,
 }
 
@@ -75,12 +75,12 @@ impl Branch<'_> {
         self.model.as_ref().is_some_and(TargetModel::is_rough)
     }
 
-    /// Predictions at the candidates of the search, in their order, then at other places; nothing without a model.
+    /// Predictions at the candidates of the search, in their order, then at other places; `None` without a model.
     pub fn at_candidates(&self, allowance: Allowance) -> Option<impl Iterator<Item = Forecast>> {
         self.model.as_ref().map(|model| model.at_places(allowance))
     }
 
-    /// Prediction at `place`; nothing without a model.
+    /// Prediction at `place`; `None` without a model.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Option<Forecast> {
         self.model.as_ref().map(|model| model.at(place, allowance))
     }
@@ -90,7 +90,7 @@ impl Branch<'_> {
 #[derive(Clone, Copy)]
 pub(in crate::search) struct Modelled<'m> {
     pub targets: &'m [(Target, Vec<Direction>)],
-    /// Those of each target: [`Search::branches_of_targets`].
+    /// Branches of each target: [`Search::branches_of_targets`].
     pub branches: &'m [Vec<Branch<'m>>],
 }
 
@@ -98,7 +98,7 @@ impl<'a> Search<'a> {
     /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
     pub fn new<'t>(
         axes: &'a Axes,
-        points: &'a [Place],
+        points: &'a [BoxPoint],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
@@ -109,7 +109,7 @@ impl<'a> Search<'a> {
     pub fn sharing<'t>(
         grids: &SharedGrids,
         axes: &'a Axes,
-        points: &'a [Place],
+        points: &'a [BoxPoint],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
@@ -150,7 +150,7 @@ impl<'a> Search<'a> {
         Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
     }
 
-    /// Whether there are so many targets that they are the poses of curves.
+    /// Whether the targets are numerous enough to be the poses of curves.
     pub fn is_of_curves(&self) -> bool {
         self.targets > MAX_LOCATED_TARGETS
     }
@@ -195,14 +195,14 @@ impl<'a> Search<'a> {
         targets.par_chunks(TARGETS_AT_ONCE).flat_map_iter(of).collect()
     }
 
-    /// The model of `target` on the points at which it is `defined`; nothing where these are too few.
+    /// The model of `target` on the points at which it is `defined`; `None` if these are too few.
     pub(in crate::search) fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
         Some(TargetModel::new(self.smoothers.get(defined)?.as_ref()?, target, defined))
     }
 
     /// The first `count` of `places` that keep their distances.
-    pub fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
-        let mut chosen: Vec<Place> = Vec::new();
+    pub fn new_places(&self, places: impl IntoIterator<Item = BoxPoint>, count: usize) -> Vec<BoxPoint> {
+        let mut chosen: Vec<BoxPoint> = Vec::new();
         for place in places {
             let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE)
                 && chosen.iter().all(|point| self.axes.distance(point, &place) > MIN_DISTANCE_IN_ROUND);

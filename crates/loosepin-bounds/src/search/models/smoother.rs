@@ -31,12 +31,12 @@ use crate::search::rough::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use crate::search::rough::suspected_kinks::{Likelihoods, SuspectedKinks};
 use crate::search::search_box::{Axes, Region};
 use loosepin_math::dense::dot;
-use loosepin_math::{beside_one_another, dots_of_each};
+use loosepin_math::{interleaved, pairwise_dots};
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const MIN_DEVIATION: f64 = 1e-12;
 
-/// Lists of values that are worked out side by side: as many as there are numbers in two vectors.
+/// Lists of values that are computed side by side: as many as there are numbers in two vectors.
 const LISTS_AT_ONCE: usize = 8;
 
 /// Round-off of a misfit, of the order of 1e-13, is far below this.
@@ -45,14 +45,14 @@ const ROUND_OFF_OF_MISFIT: f64 = 1e-6;
 /// The models of one set of points, shared by all statistics that are known there, with places at which predictions are wanted.
 pub(crate) struct Smoother {
     grid: Arc<Grid>,
-    /// Where predictions are wanted: candidates, then the points themselves.
+    /// Places of predictions: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
     seen_places: ObservedPoints,
     /// Whether every place lies in the unit box.
     are_inside: bool,
     axes: Axes,
-    /// Predictions of each model, worked out when they are first asked for.
+    /// Predictions of each model, computed on first use.
     at_places: Vec<OnceLock<AtPlaces>>,
 }
 
@@ -62,7 +62,7 @@ pub(crate) struct Fit<'a> {
     model: &'a Model,
     /// The whitened values, by which the mean is taken at any place.
     whitened: (Vec<f64>, Vec<f64>),
-    /// The process at all places, worked out when it is first asked for.
+    /// The process at all places, computed on first use.
     means: OnceLock<Vec<f64>>,
     centre: f64,
     deviation: f64,
@@ -79,7 +79,7 @@ impl Smoother {
     /// The models of `grid`, which is that of `points` of the unit box; predictions are wanted at `candidates` and at the points themselves.
     pub fn new(grid: Arc<Grid>, points: Vec<Vec<f64>>, candidates: &[Vec<f64>], axes: &Axes) -> Self {
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
-        let seen = places.iter().map(|place| axes.seen(place)).collect();
+        let seen = places.iter().map(|place| axes.embed(place)).collect();
         let seen_places = ObservedPoints::new(seen, &grid.seen, grid.trend);
         let whole = Region::whole(places[0].len());
         let are_inside = places.iter().all(|place| whole.holds(place));
@@ -87,7 +87,7 @@ impl Smoother {
         Self { grid, places, seen_places, are_inside, axes: axes.clone(), at_places }
     }
 
-    /// [`Self::new`] with a grid of its own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// [`Self::new`] with a grid of its own; models that pass beside the values take part where it `may_pass_beside`. `None` if there are
     /// too few points for any model.
     #[cfg(test)]
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
@@ -217,7 +217,7 @@ impl Smoother {
     fn assess_all(&self, all: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
         let residuals: Vec<Vec<[f64; LISTS_AT_ONCE]>> = all
             .chunks(LISTS_AT_ONCE)
-            .map(|some| beside_one_another(&some.iter().map(|own| &own.residual[..]).collect::<Vec<_>>()))
+            .map(|some| interleaved(&some.iter().map(|own| &own.residual[..]).collect::<Vec<_>>()))
             .collect();
         let mut assessments: Vec<Assessment<'_>> = all.iter().map(|own| own.assessment()).collect();
         for level in 0..self.grid.levels() {
@@ -231,7 +231,7 @@ impl Smoother {
                         continue;
                     }
                     let rest = model.whitened_rest_of_each(residuals);
-                    let squares = dots_of_each(&rest, &rest);
+                    let squares = pairwise_dots(&rest, &rest);
                     for (own, square) in some.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
                         own.take(model, square);
                     }
@@ -247,7 +247,7 @@ impl Smoother {
 fn find_means_of_each<const N: usize>(at: &AtPlaces, fits: &[&Fit<'_>]) {
     let white: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.0[..]).collect();
     let of_trend: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.1[..]).collect();
-    let means = at.means_of_each::<N>(&beside_one_another(&white), &beside_one_another(&of_trend));
+    let means = at.means_of_each::<N>(&interleaved(&white), &interleaved(&of_trend));
     for (list, fit) in fits.iter().enumerate() {
         fit.means.get_or_init(|| means.iter().map(|own| own[list]).collect());
     }
@@ -294,7 +294,7 @@ impl<'v> Prepared<'v> {
     }
 }
 
-/// What the rough part is worked out of when somebody asks for it.
+/// Inputs of the rough part, which is computed on request.
 struct Rough {
     residual: Vec<f64>,
     replicates: Vec<Vec<f64>>,
@@ -328,8 +328,7 @@ pub(crate) struct Kinked {
 }
 
 impl Fit<'_> {
-    /// That of a process with kinks everywhere to the same values, worked out when it is first asked for; nothing where they are known to be smooth,
-    /// or noisy.
+    /// The process with kinks everywhere fitted to the same values, computed on first use; `None` if they are known to be smooth, or noisy.
     pub fn with_kinks(&self) -> Option<&Kinked> {
         self.kinked.get_or_init(|| self.find_with_kinks()).as_ref()
     }
@@ -342,7 +341,7 @@ impl Fit<'_> {
         Some(Kinked { means, deviation: suspected.deviation(model), largest_miss: suspected.largest_miss() })
     }
 
-    /// What `kinked` of this fit expects at every one of [`Self::places`].
+    /// Predictions of `kinked`, fitted to the same values, at every one of [`Self::places`].
     pub fn kinked_at_places<'s>(&'s self, kinked: &'s Kinked) -> impl Iterator<Item = Prediction> + 's {
         let deviations = self.smoother.grid.with_kinks().map(|model| self.smoother.at_places(model).deviations());
         let of = |(mean, deviation): (&f64, &f64)| Prediction {
@@ -384,7 +383,7 @@ impl Fit<'_> {
         self.misfit
     }
 
-    /// Whether all of [`Fit::places`] lie in `region`, as far as that is known without a look at each.
+    /// Whether all of [`Fit::places`] lie in `region`, as far as a test without a look at each shows.
     pub fn are_all_in(&self, region: &Region) -> bool {
         self.smoother.are_inside && region.is_whole()
     }
@@ -433,7 +432,7 @@ impl Fit<'_> {
 
     /// Prediction of S at `place`, with what an allowance asks for.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
-        let seen = self.smoother.axes.seen(place);
+        let seen = self.smoother.axes.embed(place);
         let found = self.model.mean_and_deviation(&seen, (&self.whitened.0, &self.whitened.1));
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(&seen));
@@ -442,7 +441,7 @@ impl Fit<'_> {
 
     /// [`Self::at`] each of `places`.
     pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Prediction> {
-        let seen: Vec<Vec<f64>> = places.iter().map(|place| self.smoother.axes.seen(place)).collect();
+        let seen: Vec<Vec<f64>> = places.iter().map(|place| self.smoother.axes.embed(place)).collect();
         let found = self.model.means_and_deviations(&seen, (&self.whitened.0, &self.whitened.1));
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let of = |(seen, found): (&Vec<f64>, (f64, f64))| {
@@ -457,7 +456,7 @@ impl Fit<'_> {
         let axes = &self.smoother.axes;
         let many = sign * allowance.deviations() * self.deviation;
         let whitened = (&self.whitened.0[..], &self.whitened.1[..]);
-        let (moved, seen_slopes) = self.model.moved_and_slopes(&axes.seen(place), whitened, many);
+        let (moved, seen_slopes) = self.model.moved_and_slopes(&axes.embed(place), whitened, many);
         (self.centre + moved, axes.slopes(place, &seen_slopes))
     }
 }

@@ -15,11 +15,11 @@ const HALF_STEP: f64 = 1e-4;
 /// Prediction of a target at a place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Forecast {
-    /// Of the target.
+    /// Prediction of the target.
     Plain(Prediction),
     /// Of an index.
     Index(IndexForecast),
-    /// Of the indices of two events.
+    /// Predictions of the indices of two events.
     Either([IndexForecast; 2]),
 }
 
@@ -29,7 +29,7 @@ impl Forecast {
         self.moved(Allowance::NONE, 1.0)
     }
 
-    /// By how much it moves where its model, or that of each event, errs by one of its standard deviations.
+    /// Change of the target where its model, or that of each event, errs by one of its standard deviations.
     pub fn deviation(self) -> f64 {
         self.moved(Allowance::ONE, 1.0) - self.mean()
     }
@@ -49,11 +49,11 @@ impl Forecast {
 
 /// The model of a target on the points at which it is defined.
 pub(crate) enum TargetModel<'a> {
-    /// Of the target itself.
+    /// Fits of the target itself.
     Plain(LocalFits<'a>),
     /// Of an index.
     Index(IndexModel<'a>),
-    /// Of the indices of two events.
+    /// Models of the indices of two events.
     Either(Box<[IndexModel<'a>; 2]>),
 }
 
@@ -62,7 +62,7 @@ impl<'a> TargetModel<'a> {
     pub fn new(smoother: &'a LocalSmoothers, target: &Target, defined: &[usize]) -> Self {
         let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
         match &target.kind {
-            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.among(defined))),
+            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.at_points(defined))),
             TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
             TargetKind::Either([a, b]) => {
                 Self::Either(Box::new([a, b].map(|own| IndexModel::new(smoother, &among(own)))))
@@ -79,7 +79,7 @@ impl<'a> TargetModel<'a> {
                 return (Cow::Borrowed(&target.values), Cow::Borrowed(&target.noise));
             }
             let values = defined.iter().map(|&point| target.values[point]).collect();
-            (Cow::Owned(values), Cow::Owned(target.noise.among(defined)))
+            (Cow::Owned(values), Cow::Owned(target.noise.at_points(defined)))
         };
         let seen: Vec<(Cow<'_, [f64]>, Cow<'_, Noise>)> = plain.map(among).collect();
         let seen: Vec<(&[f64], &Noise)> = seen.iter().map(|(values, noise)| (&**values, &**noise)).collect();
@@ -100,7 +100,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// [`Self::at`] each of `places`, worked out side by side with the same bits.
+    /// [`Self::at`] for each of `places`, computed side by side with the same bits.
     pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Forecast> {
         match self {
             Self::Plain(fit) => fit.at_each(places, allowance).into_iter().map(Forecast::Plain).collect(),

@@ -8,11 +8,11 @@
 //! steeply as it does on this side, and as steeply again.
 
 use crate::data::direction::{Direction, extreme_among};
-use crate::search::search_box::{Axes, Place, Region};
+use crate::search::search_box::{Axes, BoxPoint, Region};
 use loosepin_math::dense::dot;
 
-/// Where slopes meet, only points so near to the extreme are its neighbours, in units of the box: a rounded extreme changes by a few resolutions of the
-/// search there, so that where it is taken for a kink little is conceded.
+/// Largest distance of the neighbours of an extreme between two slopes, in units of the box: a rounded extreme changes by a few resolutions
+/// of the search there, so that where it is taken for a kink the allowance is small.
 const MAX_DISTANCE: f64 = 1e-3;
 
 /// The largest fall/d² of the neighbours, over the largest one further away, from which slopes are taken to meet. It is 3 where a rounded
@@ -25,8 +25,8 @@ const FURTHER: f64 = 10.0;
 /// Fall/d² across an edge, over the largest one on this side of it, from which it is one. Around a rounded extreme it does not grow.
 const MIN_BREAK: f64 = 10.0;
 
-/// Of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more, up
-/// to the second, on the other.
+/// Share of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more,
+/// up to the second, on the other.
 const THIS_SIDE: f64 = 0.5;
 const OTHER_SIDE: f64 = 1.5;
 
@@ -54,11 +54,11 @@ struct Neighbour {
     fall: f64,
 }
 
-/// How far a target of these `values` may go beyond its extreme among `members` in `region`; nothing where the surroundings of the
+/// How far a target of these `values` may go beyond its extreme among `members` in `region`; `None` if the surroundings of the
 /// extreme are rounded or not known, or it lies at a vertex. Of an extreme on a face only the points on this face count.
 pub(crate) fn reach_of_break(
     axes: &Axes,
-    points: &[Place],
+    points: &[BoxPoint],
     values: &[f64],
     members: &[usize],
     direction: Direction,
@@ -136,7 +136,7 @@ impl Neighbour {
 mod tests {
     use super::{MARGIN, reach_of_break};
     use crate::data::direction::Direction;
-    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::search_box::{Axes, BoxPoint, Region};
 
     /// Reach beyond the greatest value of `function` at `centre`, 1e-4 to the sides of it, and further away.
     fn reach(function: impl Fn(f64, f64) -> f64, centre: [f64; 2], distances: [f64; 3]) -> Option<f64> {
@@ -150,7 +150,7 @@ mod tests {
             }
         }
         let values: Vec<f64> = points.iter().map(|&[x, y]| function(x - centre[0], y - centre[1])).collect();
-        let points: Vec<Place> = points.into_iter().map(|at| Place { combination: 0, at: at.to_vec() }).collect();
+        let points: Vec<BoxPoint> = points.into_iter().map(|at| BoxPoint { combination: 0, at: at.to_vec() }).collect();
         let members: Vec<usize> = (0..points.len()).collect();
         let (axes, region) = (Axes::open(2), Region::whole(2));
         let most = reach_of_break(&axes, &points, &values, &members, Direction::Maximum, &region);

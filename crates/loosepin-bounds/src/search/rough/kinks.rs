@@ -3,7 +3,7 @@
 use crate::data::direction::{Direction, extreme_among};
 use crate::search::models::of_points::{MIN_DISTANCE, Search};
 use crate::search::parts::Element;
-use crate::search::search_box::Place;
+use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
 
 /// Slopes that differ by less than this share belong to a straight line.
@@ -14,8 +14,8 @@ impl Search<'_> {
     /// takes the response for smooth sees no kink, and expects nothing there.
     ///
     /// On each side the three nearest points on the line must lie on a straight line nearly; that of a smooth response is bent.
-    pub fn kinks(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
-        let mut chosen: Vec<Place> = Vec::new();
+    pub fn kinks(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<BoxPoint> {
+        let mut chosen: Vec<BoxPoint> = Vec::new();
         if self.is_of_curves() {
             return chosen;
         }
@@ -50,10 +50,10 @@ impl Search<'_> {
         chosen
     }
 
-    /// Where the straight lines through the points beside `extreme` along `axis` meet, and their value there.
-    fn kink(&self, target: &Target, extreme: usize, axis: usize) -> Option<(Place, f64)> {
+    /// Intersection of the straight lines through the points beside `extreme` along `axis`, and the value there.
+    fn kink(&self, target: &Target, extreme: usize, axis: usize) -> Option<(BoxPoint, f64)> {
         let centre = &self.points[extreme];
-        let is_on_line = |point: &Place| {
+        let is_on_line = |point: &BoxPoint| {
             point.combination == centre.combination
                 && point
                     .at
@@ -84,6 +84,6 @@ impl Search<'_> {
         }
         let mut at = centre.at.clone();
         at[axis] = self.axes.inside(axis, at[axis] + offset, [0.0, 1.0]);
-        Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
+        Some((BoxPoint { combination: centre.combination, at }, at_left + falling * (offset - left)))
     }
 }

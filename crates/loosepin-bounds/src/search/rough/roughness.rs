@@ -15,9 +15,9 @@
 use crate::search::models::gaussian_process::Model;
 use crate::search::models::prediction::Roughness;
 use loosepin_math::dense::{Cholesky, gram, multiply};
-use loosepin_math::{FourRows, beside_one_another, exponentials};
+use loosepin_math::{FourRows, exponentials, interleaved};
 
-/// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
+/// Gain by chance of a further parameter in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
 pub(in crate::search) const GAIN_OF_A_PARAMETER: f64 = 2.0;
 
@@ -27,7 +27,7 @@ const MIN_POINTS_OF_A_PARAMETER: usize = 4;
 /// Normal deviations of a one-sided interval of 95 %.
 const ONE_SIDED: f64 = 1.645;
 
-/// Steps of the iteration, and halvings of each, after which it has come to its end.
+/// Steps of the iteration, and halvings of each, at most.
 const MAX_STEPS: usize = 50;
 const MAX_HALVINGS: usize = 8;
 const MIN_GAIN: f64 = 1e-9;
@@ -35,19 +35,19 @@ const MIN_GAIN: f64 = 1e-9;
 /// Standardised errors of predicting each estimate from the others may go up to this before a model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
 
-/// Replicates that are worked out side by side.
+/// Replicates that are computed side by side.
 const REPLICATES_AT_ONCE: usize = 8;
 
 /// How the errors of a model at the points are scattered.
 #[derive(Debug, Clone)]
 pub(in crate::search) struct Scatter {
-    /// Where their variance depends on u.
+    /// Slopes, if their variance depends on u.
     slopes: Option<Slopes>,
-    /// By how much the standard deviation is enlarged since the model predicts some estimate worse than it should.
+    /// Factor of the standard deviation where the model predicts some estimate worse than it should.
     pub distrust: f64,
     /// The same for what lies below a prediction, and above it.
     sided: [f64; 2],
-    /// What all this adds to -2 ln likelihood.
+    /// Penalty of all parameters in -2 ln likelihood.
     pub price: f64,
 }
 
@@ -72,19 +72,19 @@ struct Fitted {
     gain: f64,
 }
 
-/// What ln v(u) may depend on, for one set of points.
+/// Regressors of ln v(u) for one set of points.
 pub(in crate::search) struct Regressors {
     /// ū
     centre: Vec<f64>,
     /// 1, u - ū of each point, and the same for products with vectors.
     by_point: Vec<f64>,
     rows: FourRows,
-    /// (XᵀX)⁻¹; nothing where the points are too few or all alike.
+    /// (XᵀX)⁻¹; `None` if the points are too few or all alike.
     covariance: Option<Vec<f64>>,
 }
 
 impl Regressors {
-    /// Those of `seen` points.
+    /// The regressors of `seen` points.
     pub fn new(seen: &[Vec<f64>]) -> Self {
         let count = seen.len() as f64;
         let dimensions = seen.first().map_or(0, Vec::len);
@@ -113,7 +113,7 @@ pub(in crate::search) struct RoughPart {
 }
 
 impl Scatter {
-    /// That of `errors` with the same variance, in standard deviations, whose sum of squares has so many degrees of freedom.
+    /// Constant roughness of `errors`, in standard deviations, whose sum of squares has `freedom` degrees of freedom.
     pub fn even(errors: &[f64], freedom: f64) -> Self {
         Self::with(None, errors, freedom, 0.0)
     }
@@ -221,13 +221,13 @@ impl RoughPart {
     /// What `residual` has beside `model`, less what the replicates of the sampling noise have, which `replicates` differ by from their mean.
     pub fn new(model: &Model, residual: &[f64], replicates: &[Vec<f64>], scatter: Scatter) -> Self {
         let count = replicates.len() as f64;
-        let freedom = model.nugget_freedom().max(1.0);
+        let freedom = model.nugget_degrees_of_freedom().max(1.0);
         let of_noise = if count < 2.0 {
             0.0
         } else {
             let of_each = |own: &[Vec<f64>]| {
                 let own: Vec<&[f64]> = own.iter().map(Vec::as_slice).collect();
-                model.nuggets_of_each::<REPLICATES_AT_ONCE>(&beside_one_another(&own)).into_iter().take(own.len())
+                model.nuggets_of_each::<REPLICATES_AT_ONCE>(&interleaved(&own)).into_iter().take(own.len())
             };
             replicates.chunks(REPLICATES_AT_ONCE).flat_map(of_each).sum::<f64>() / (count * (count - 1.0))
         };

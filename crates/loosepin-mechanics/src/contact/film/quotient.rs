@@ -99,8 +99,8 @@ impl FilmQuotient<f64> {
     }
 }
 
-/// Where in the sums a motion is.
-struct Place<T> {
+/// The terms of the sums at a motion.
+struct SumTerms<T> {
     short: FilmForce<T>,
     /// (1 + X)/(1 + X + κΛ²).
     share: T,
@@ -110,7 +110,7 @@ struct Place<T> {
     along_eta: [T; DEGREE + 1],
 }
 
-impl<T: Real> Place<T> {
+impl<T: Real> SumTerms<T> {
     /// T_i T_j, i outermost.
     #[inline(always)]
     fn terms(&self) -> [T; TERMS] {
@@ -128,7 +128,7 @@ impl<T: Real> Place<T> {
 
 impl<T: Real> FilmQuotient<T> {
     #[inline(always)]
-    fn place(&self, motion: &FilmMotion<T>) -> Place<T> {
+    fn place(&self, motion: &FilmMotion<T>) -> SumTerms<T> {
         let (one, two) = (T::one(), T::from_f64(2.0));
         let short = self.short.force(motion);
         let to_direction = motion.ratio / short.size_n().max(T::from_f64(f64::MIN_POSITIVE));
@@ -138,7 +138,7 @@ impl<T: Real> FilmQuotient<T> {
         let share = |spread: f64| self.reach / (self.reach + T::from_f64(spread));
         let (last, first) = (share((1.0 - MAX_RATIO).sqrt()), share((1.0 + MAX_RATIO).sqrt()));
         let u = self.reach / (self.reach + room.sqrt());
-        Place {
+        SumTerms {
             short,
             share: room / (room + self.crossover),
             across,

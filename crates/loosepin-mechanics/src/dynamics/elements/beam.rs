@@ -25,7 +25,8 @@ impl<T: Real> Dynamics<'_, T> {
     fn add_beam(&mut self, index: usize) {
         let tree = &self.mechanism.real;
         let n = tree.free;
-        let (place, numbers, room) = (&tree.beams[index], &self.sample.real.beams[index], &mut self.beam_rooms[index]);
+        let (place, numbers, workspace) =
+            (&tree.beams[index], &self.sample.real.beams[index], &mut self.beam_workspaces[index]);
         let link = &tree.links[place.slot - 1];
         let pose = &self.kinematics.poses[place.slot];
         let (twist, bias) = (&self.kinematics.twists[place.slot], &self.kinematics.biases[place.slot]);
@@ -34,27 +35,27 @@ impl<T: Real> Dynamics<'_, T> {
         let axis = pose.turn(numbers.axis);
         let root_arm = pose.turn(numbers.root_m);
         let into_frame = |vector: Vec2<T>| vector.rotated(-axis.y, axis.x);
-        beam.inertia(&place.shapes, q, rates, twist.angular, &mut room.inertia);
-        room.inertia.add_to_shapes(&numbers.added_mass);
-        let Inertia { size, mass, bias: own_bias, .. } = &room.inertia;
+        beam.inertia(&place.shapes, q, rates, twist.angular, &mut workspace.inertia);
+        workspace.inertia.add_to_shapes(&numbers.added_mass);
+        let Inertia { size, mass, bias: own_bias, .. } = &workspace.inertia;
         let size = *size;
 
         // Accelerations of the frame without those of the free coordinates, and weight.
         let fall = into_frame(acceleration_at(bias, twist, root_arm) - self.sample.real.gravity_m_s2);
         let given = [fall.x, fall.y, bias.angular];
-        for (row, force) in room.forces.iter_mut().enumerate() {
+        for (row, force) in workspace.forces.iter_mut().enumerate() {
             let products = mass[row * size..row * size + 3].iter().zip(given);
             *force = products.fold(-own_bias[row], |sum, (mass, given)| (-*mass).mul_add(given, sum));
         }
         if numbers.damping.is_empty() {
-            beam.add_elastic(&place.shapes, q, rates, &mut room.forces[3..]);
+            beam.add_elastic(&place.shapes, q, rates, &mut workspace.forces[3..]);
             if place.is_damped {
                 self.beam_loss_w += beam.damping_loss_w(&place.shapes, rates);
             }
         } else {
-            beam.add_stiffness(&place.shapes, q, &mut room.forces[3..]);
+            beam.add_stiffness(&place.shapes, q, &mut workspace.forces[3..]);
             let rows = numbers.damping.chunks_exact(rates.len());
-            for ((row, force), rate) in rows.zip(&mut room.forces[3..]).zip(rates) {
+            for ((row, force), rate) in rows.zip(&mut workspace.forces[3..]).zip(rates) {
                 let drag = product(row, rates);
                 *force -= drag;
                 self.beam_loss_w = drag.mul_add(*rate, self.beam_loss_w);
@@ -63,14 +64,14 @@ impl<T: Real> Dynamics<'_, T> {
 
         let partials = self.kinematics.partials(place.slot);
         let turned_arm = root_arm.turned();
-        let on_root = Vec2::new(room.forces[0], room.forces[1]).rotated(axis.y, axis.x);
+        let on_root = Vec2::new(workspace.forces[0], workspace.forces[1]).rotated(axis.y, axis.x);
         for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
             let velocity = moved(*partial, turned_arm, dependence.turning);
             let force = &mut self.forces[dependence.coordinate];
-            let sum = turned_by(*force, room.forces[2], dependence.turning);
+            let sum = turned_by(*force, workspace.forces[2], dependence.turning);
             *force = on_root.x.mul_add(velocity.x, on_root.y.mul_add(velocity.y, sum));
             let own = into_frame(velocity);
-            for (row, carried) in room.carried[k * size..(k + 1) * size].iter_mut().enumerate() {
+            for (row, carried) in workspace.carried[k * size..(k + 1) * size].iter_mut().enumerate() {
                 let row = &mass[row * size..row * size + 3];
                 let moving = row[0].mul_add(own.x, row[1] * own.y);
                 *carried = turned_by(moving, row[2], dependence.turning);
@@ -83,12 +84,12 @@ impl<T: Real> Dynamics<'_, T> {
                 }
                 let to =
                     if high < n { &mut self.mass[high * n + low] } else { &mut self.driven_mass[(high - n) * n + low] };
-                let of_other = &room.carried[l * size..(l + 1) * size];
+                let of_other = &workspace.carried[l * size..(l + 1) * size];
                 let sum = of_other[0].mul_add(own.x, of_other[1].mul_add(own.y, *to));
                 *to = turned_by(sum, of_other[2], dependence.turning);
             }
             for (shape, coordinate) in place.coordinates.clone().enumerate() {
-                let coupling = room.carried[k * size + 3 + shape];
+                let coupling = workspace.carried[k * size + 3 + shape];
                 let (high, low) = (dependence.coordinate.max(coordinate), dependence.coordinate.min(coordinate));
                 if high < n {
                     self.mass[high * n + low] += coupling;
@@ -98,7 +99,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         for (shape, coordinate) in place.coordinates.clone().enumerate() {
-            self.forces[coordinate] += room.forces[3 + shape];
+            self.forces[coordinate] += workspace.forces[3 + shape];
             for (other, column) in place.coordinates.clone().take(shape + 1).enumerate() {
                 self.mass[coordinate * n + column] += mass[(3 + shape) * size + 3 + other];
             }
@@ -113,7 +114,7 @@ impl<T: Real> Dynamics<'_, T> {
         let change = self.acceleration(place.slot);
         let at_root = acceleration_at(&change, &self.kinematics.twists[place.slot], pose.turn(numbers.root_m));
         let fall = (at_root - self.sample.real.gravity_m_s2).rotated(-axis.y, axis.x);
-        let Inertia { size, mass, bias, .. } = &self.beam_rooms[index].inertia;
+        let Inertia { size, mass, bias, .. } = &self.beam_workspaces[index].inertia;
         let of_shapes = &self.accelerations[place.coordinates.clone()];
         let along = |row: usize| {
             let row_of = &mass[row * size..(row + 1) * size];

@@ -29,17 +29,17 @@ impl<T: Real> Dynamics<'_, T> {
         let mechanism = self.mechanism;
         let model = &mechanism.model;
         if let Some(inverse) = &mut self.inverse {
-            inverse.evaluate(model, &self.sample, self.time_s, &mut self.drive_room);
+            inverse.evaluate(model, &self.sample, self.time_s, &mut self.drive_workspace);
         }
         for (index, control) in model.controls.iter().enumerate() {
             let [actuated, measured] = self.control_places[index];
             let numbers = &self.sample.controls[index];
-            let motion = self.sample.references.law_motion(index, self.time_s, &mut self.drive_room);
+            let motion = self.sample.references.law_motion(index, self.time_s, &mut self.drive_workspace);
             let [coordinate, speed] = numbers.measured.motion(&measured, &self.kinematics);
             let error = motion[0] - coordinate;
             let mut effort = match (&control.feed_forward, &numbers.feed_forward, &self.inverse) {
-                (FeedForward::Course(course), Some(course_numbers), _) => {
-                    course_numbers.value(course, &[self.time_s, coordinate, speed], &mut self.function_room)
+                (FeedForward::TimeCourse(course), Some(course_numbers), _) => {
+                    course_numbers.value(course, &[self.time_s, coordinate, speed], &mut self.function_workspace)
                 }
                 (FeedForward::InverseDynamics, _, Some(inverse)) => inverse.effort(model, index),
                 _ => T::zero(),

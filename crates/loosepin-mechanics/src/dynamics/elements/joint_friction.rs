@@ -23,7 +23,7 @@ use loosepin_math::{Real, Vec2};
 /// Components of the force that a joint carries: at both its ends, or in both directions.
 const PARTS: usize = 2;
 
-/// Where the constraint force of a joint with friction comes from.
+/// Source of the constraint force of a joint with friction.
 #[derive(Debug, Clone)]
 enum Carrier {
     /// A joint of the tree: the balance of forces on the bodies beyond it, by slot.
@@ -72,7 +72,7 @@ pub(in crate::dynamics) struct JointFrictions<T> {
     entries: Vec<Entry<T>>,
     /// Generalised forces of the unit wrenches, a row over all coordinates for each joint.
     pushes: Vec<T>,
-    /// Their effect on accelerations and multipliers.
+    /// Effect of unit forces on accelerations and multipliers.
     answers: Vec<T>,
     multipliers: Vec<T>,
     /// B: parts of joint k by joint j.
@@ -82,12 +82,12 @@ pub(in crate::dynamics) struct JointFrictions<T> {
     defects: Vec<T>,
     /// Constraint rows for one forbidden motion.
     gradient: Vec<T>,
-    /// Deflections of bristles, m, by joint with friction: unknowns of a run. None where they have settled.
+    /// Deflections of bristles, m, by joint with friction: unknowns of a run. Empty if they have settled.
     pub bristles_m: Vec<Option<T>>,
 }
 
 impl<T: Real> JointFrictions<T> {
-    /// Room for `mechanism`; none without such joints.
+    /// Workspace for `mechanism`; `None` without such joints.
     pub fn new(mechanism: &Mechanism, sample: &Sample<T>) -> Option<Self> {
         let tree = &mechanism.real;
         let entries: Vec<Entry<T>> = sample

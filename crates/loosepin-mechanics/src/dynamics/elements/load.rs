@@ -3,7 +3,7 @@
 use crate::dynamics::elements::element_force::LoadForce;
 use crate::dynamics::equations::Dynamics;
 use crate::mechanism::{JointPlace, Pose, Twist};
-use crate::model::{Course, LoadPlace, Push};
+use crate::model::{LoadPlace, Push, TimeCourse};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -30,7 +30,7 @@ impl<T: Real> Dynamics<'_, T> {
         let load = &self.mechanism.model.loads[index];
         let slot = self.loads[index].slot;
         let [coordinate, rate] = match (&load.course, load.joint) {
-            (Some(Course::Function(_) | Course::Table(_)), Some(joint)) => {
+            (Some(TimeCourse::Function(_) | TimeCourse::Table(_)), Some(joint)) => {
                 let place = JointPlace::new(&self.mechanism.model, &self.mechanism.real, joint);
                 self.sample.loads[index].joint.motion(&place, &self.kinematics)
             }
@@ -39,27 +39,27 @@ impl<T: Real> Dynamics<'_, T> {
         let numbers = &self.sample.loads[index];
         let size = match (&numbers.course, &load.course) {
             (Some(numbers), Some(course)) => {
-                numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_room)
+                numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_workspace)
             }
             // It has no size.
             (None, _) | (_, None) => T::zero(),
         };
         let (pose, twist) = (&self.kinematics.poses[slot], &self.kinematics.twists[slot]);
         let Push { arm_m, force_n, torque_n_m } =
-            load.kind.push(&numbers.own, size, &Place { pose, twist, arm_m: numbers.arm_m });
+            load.kind.push(&numbers.own, size, &LoadAtState { pose, twist, arm_m: numbers.arm_m });
         LoadForce { slot, arm_m, force_n, torque_n_m }
     }
 }
 
-/// The place of a load at the state at hand.
-struct Place<'s, T> {
+/// The place of a load at the current state.
+struct LoadAtState<'s, T> {
     pose: &'s Pose<T>,
     twist: &'s Twist<T>,
     /// The point that it acts on, in the frame of the body, m.
     arm_m: Vec2<T>,
 }
 
-impl<T: Real> LoadPlace<T> for Place<'_, T> {
+impl<T: Real> LoadPlace<T> for LoadAtState<'_, T> {
     #[inline(always)]
     fn turned(&self, vector: Vec2<T>) -> Vec2<T> {
         self.pose.turn(vector)

@@ -4,7 +4,7 @@
 //! and tip, whose slope is s (cos θ, sin θ). With the constant mass matrix M of the elements the body adds Eᵀ M E to the mass matrix and
 //! Eᵀ (Q - M γ) to the forces, Q those of elasticity, damping and weight.
 
-use crate::dynamics::elements::nodal_room::{Column, NodalRoom};
+use crate::dynamics::elements::nodal_workspace::{Column, NodalWorkspace};
 use crate::dynamics::equations::Dynamics;
 use crate::mechanism::{Pose, Twist, acceleration_at, moved};
 use loosepin_flexible::{MassEntries, Nodal, even_shares};
@@ -14,7 +14,7 @@ impl<T: Real> Dynamics<'_, T> {
     /// Nodes and their rates at the state that is set. Out of line: few mechanisms have them.
     #[inline(never)]
     pub(in crate::dynamics) fn set_nodes(&mut self) {
-        for index in 0..self.nodal_rooms.len() {
+        for index in 0..self.nodal_workspaces.len() {
             let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
             let (coordinates, rates) = (&self.coordinates, &self.rates);
             let end = |slot: usize, arm_m: Vec2<T>, stretch: usize| {
@@ -25,14 +25,14 @@ impl<T: Real> Dynamics<'_, T> {
                 let node = Nodal { position: pose.position_m + arm, slope: axis * s };
                 (node, Nodal { position: twist.at(arm), slope: turning })
             };
-            let room = &mut self.nodal_rooms[index];
+            let workspace = &mut self.nodal_workspaces[index];
             let last = place.mesh.elements();
-            (room.nodes[0], room.rates[0]) = end(place.slot, numbers.root_m, place.root_stretch());
-            (room.nodes[last], room.rates[last]) = end(place.tip_slot, numbers.tip_m, place.tip_stretch());
+            (workspace.nodes[0], workspace.rates[0]) = end(place.slot, numbers.root_m, place.root_stretch());
+            (workspace.nodes[last], workspace.rates[last]) = end(place.tip_slot, numbers.tip_m, place.tip_stretch());
             for node in 1..last {
                 let first = place.node(node);
-                room.nodes[node] = nodal(&coordinates[first..first + 4]);
-                room.rates[node] = nodal(&rates[first..first + 4]);
+                workspace.nodes[node] = nodal(&coordinates[first..first + 4]);
+                workspace.rates[node] = nodal(&rates[first..first + 4]);
             }
         }
     }
@@ -44,7 +44,7 @@ impl<T: Real> Dynamics<'_, T> {
         let (place, numbers) = (&tree.nodal_beams[index], &self.sample.real.nodal_beams[index]);
         let mesh = &*place.mesh;
         let last = mesh.elements();
-        let NodalRoom { nodes, rates, forces, ends } = &mut self.nodal_rooms[index];
+        let NodalWorkspace { nodes, rates, forces, ends } = &mut self.nodal_workspaces[index];
         let mass = numbers.beam.mass(mesh);
 
         forces.fill(Nodal::zero());
@@ -152,10 +152,14 @@ impl<T: Real> Dynamics<'_, T> {
     /// Kinetic, potential and strain energy of the body `index` at the last state that was set, J.
     pub(in crate::dynamics) fn nodal_energy_j(&self, index: usize) -> [T; 3] {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
-        let (beam, room) = (&numbers.beam, &self.nodal_rooms[index]);
-        let centre = beam.centre_of_mass_m(&place.mesh, &room.nodes);
+        let (beam, workspace) = (&numbers.beam, &self.nodal_workspaces[index]);
+        let centre = beam.centre_of_mass_m(&place.mesh, &workspace.nodes);
         let height = self.sample.real.gravity_m_s2.dot(centre);
-        [beam.kinetic_j(&place.mesh, &room.rates), -(beam.mass_kg * height), beam.strain_j(&place.mesh, &room.nodes)]
+        [
+            beam.kinetic_j(&place.mesh, &workspace.rates),
+            -(beam.mass_kg * height),
+            beam.strain_j(&place.mesh, &workspace.nodes),
+        ]
     }
 }
 
@@ -164,7 +168,7 @@ impl Dynamics<'_, f64> {
     /// the last state that was set: Σ (M ė)_r, and Σ r × (M ė)_r + r' × (M ė)_r' over the nodes.
     pub fn nodal_momentum(&self, index: usize) -> (Vec2<f64>, f64) {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
-        let NodalRoom { nodes, rates, .. } = &self.nodal_rooms[index];
+        let NodalWorkspace { nodes, rates, .. } = &self.nodal_workspaces[index];
         let momenta = numbers.beam.momenta(&place.mesh, rates);
         let add = |(sum, turn): (Vec2<f64>, f64), (node, momentum): (&Nodal<f64>, &Nodal<f64>)| {
             let angular = node.position.cross(momentum.position) + node.slope.cross(momentum.slope);
@@ -176,7 +180,7 @@ impl Dynamics<'_, f64> {
     /// Largest angle of the sections at the nodes of the flexible body `index` in absolute nodal coordinates from the way from root to tip, up
     /// to π, rad, at the last state that was set.
     pub fn nodal_turn_rad(&self, index: usize) -> f64 {
-        let nodes = &self.nodal_rooms[index].nodes;
+        let nodes = &self.nodal_workspaces[index].nodes;
         let way_m = nodes[nodes.len() - 1].position - nodes[0].position;
         let turn_rad = |node: &Nodal<f64>| {
             let sizes = way_m.length() * node.slope.length();
@@ -189,7 +193,7 @@ impl Dynamics<'_, f64> {
     /// undeformed body does, at the last state that was set. Its angle is within π of that of the section at the root.
     pub fn nodal_secant(&self, index: usize) -> Pose<f64> {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
-        let (pose, nodes) = (&self.kinematics.poses[place.slot], &self.nodal_rooms[index].nodes);
+        let (pose, nodes) = (&self.kinematics.poses[place.slot], &self.nodal_workspaces[index].nodes);
         let way_m = nodes[nodes.len() - 1].position - nodes[0].position;
         let axis = pose.turn(numbers.axis);
         let turn_rad = 2.0 * arctangent(axis.cross(way_m) / (way_m.length() + axis.dot(way_m)));
@@ -203,7 +207,7 @@ impl Dynamics<'_, f64> {
     /// root to tip, in the ground's frame, m.
     pub fn nodal_axis_m(&self, index: usize, count: usize) -> Vec<Vec2<f64>> {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
-        let nodes = &self.nodal_rooms[index].nodes;
+        let nodes = &self.nodal_workspaces[index].nodes;
         even_shares(count).into_iter().map(|share| numbers.beam.point_m(&place.mesh, nodes, share)).collect()
     }
 }

@@ -75,9 +75,9 @@ pub struct ContactForce<T> {
     pub penetration_rate_m_s: T,
     /// Rate ż of the deflection of the bristles, m/s; zero without any.
     pub bristle_rate_m_s: T,
-    /// Sliding velocity v_T that friction goes by, m/s; zero where there is neither friction nor wear.
+    /// Sliding velocity v_T of the friction law, m/s; zero without friction and wear.
     pub sliding_m_s: T,
-    /// F_N |v_T| summed over the sectors of an elastic foundation, W; none of a contact at one point.
+    /// F_N |v_T| summed over the sectors of an elastic foundation, W; `None` for a contact at one point.
     pub spread_path_w: Option<T>,
     /// Normal force here over that of the contact's law, and on an elastic foundation the force itself, N: one but for the ends of a slot,
     /// which are stiffer, the inner flank of a circular slot, which is less stiff, and the edges of a guide, on which the block leans.
@@ -106,7 +106,7 @@ pub struct GapMotion<T> {
 }
 
 impl<T: Real> GapMotion<T> {
-    /// That of a contact which is not in a straight slot.
+    /// Motion of a contact which is not in a straight slot.
     #[inline(always)]
     pub(in crate::dynamics) fn without_slot(gap: [T; 3], penetration_acceleration_m_s2: T) -> Self {
         Self { gap, penetration_acceleration_m_s2, along: [T::zero(); 3] }

@@ -25,7 +25,7 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     /// The normal force acts at the pin's centre on both bodies.
     #[inline(never)]
     fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
-        let Place { normal, velocity_m_s, .. } = place(at.motion, self);
+        let PinInSlot { normal, velocity_m_s, .. } = place(at.motion, self);
         ContactMotion {
             normal,
             penetration_m: self.penetration_m(at),
@@ -37,7 +37,7 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     /// δ = |w| - c, m, computed so that it keeps its digits near zero.
     #[inline(never)]
     fn penetration_m(&self, Touch { motion, play, .. }: Touch<'_, T>) -> T {
-        let Place { off_m, length_m, .. } = place(motion, self);
+        let PinInSlot { off_m, length_m, .. } = place(motion, self);
         (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
     }
 
@@ -82,7 +82,7 @@ impl<T: Real> Parts<T> for SlotShape<T> {
         [spin_rate_rad_s2, _]: [T; 2],
     ) -> GapMotion<T> {
         let two = T::from_f64(2.0);
-        let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, self);
+        let PinInSlot { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, self);
         let (e, line, spin) = (motion.eccentricity_m, motion.directions[0], motion.spins_rad_s[0]);
         let seen_m_s2 = acceleration_m_s2
             .plus(e.turned(), -spin_rate_rad_s2)
@@ -98,8 +98,8 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     }
 }
 
-/// Where the pin is in its slot.
-struct Place<T> {
+/// Position and motion of the pin in its slot.
+struct PinInSlot<T> {
     /// w: from the nearest point of the slot's line between both ends to the pin, m.
     off_m: Vec2<T>,
     /// |w|, m.
@@ -113,7 +113,7 @@ struct Place<T> {
 }
 
 #[inline(always)]
-fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Place<T> {
+fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> PinInSlot<T> {
     let e = motion.eccentricity_m;
     let line = motion.directions[0];
     let along_m = line.dot(e);
@@ -123,7 +123,7 @@ fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Place<T> {
     let velocity_m_s = motion.eccentricity_rate_m_s.plus(e.turned(), -motion.spins_rad_s[0]);
     let is_at_face = along_m.abs().less_than(slot.half_length_m);
     let held_m_s = T::select(is_at_face, line.dot(velocity_m_s), T::zero());
-    Place {
+    PinInSlot {
         off_m,
         length_m,
         normal: off_m * (T::one() / length_m),
@@ -145,7 +145,7 @@ struct Stiffening<T> {
 /// ∂(q² (3 - 2 q))/∂φ = 48 q (1 - q) |n_x n_y|; φ grows against t where n_x n_y > 0, so that the pull goes along t there.
 #[inline(never)]
 fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffening<T> {
-    let Place { length_m, normal, .. } = place(motion, slot);
+    let PinInSlot { length_m, normal, .. } = place(motion, slot);
     let line = motion.directions[0];
     let (along, across) = (normal.dot(line), normal.dot(line.turned()));
     let q = (T::from_f64(4.0) * along * along).min(T::one());

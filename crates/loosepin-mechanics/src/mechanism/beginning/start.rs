@@ -3,7 +3,7 @@
 use crate::mechanism::beginning::initial::{StartEquations, conditions};
 use crate::mechanism::compile::Mechanism;
 use crate::mechanism::error::SampleError;
-use crate::mechanism::loops::constraints::Opening;
+use crate::mechanism::loops::constraints::LargestResidual;
 use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::sample::Sample;
 use crate::mechanism::tree::kinematics::Kinematics;
@@ -63,7 +63,7 @@ fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<Kin
             if worst <= tolerance {
                 break;
             }
-            let open = Opening::worst(model, tree, &residuals[..loops]);
+            let open = LargestResidual::worst(model, tree, &residuals[..loops]);
             return Err(SampleError::CannotClose { open, time_s: 0.0, at: None });
         }
         polished = worst <= tolerance;

@@ -1,6 +1,6 @@
 //! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
 
-use crate::mechanism::point_rows::KeptPoints;
+use crate::mechanism::point_rows::PointRowsAtState;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at, moved};
@@ -19,7 +19,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
         let keeps = cut.rows.keeps;
-        let residuals = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
+        let residuals = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
         out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
         if cut.rows.holds_angle {
             out[row + cut.rows.count() - 1] = turn(numbers, &poses).sin_cos().0;
@@ -48,7 +48,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
         let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
         let keeps = cut.rows.keeps;
-        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
         let turn_cosine = if cut.rows.holds_angle { turn(numbers, &poses).sin_cos().1 } else { T::zero() };
         for (side, sign) in [(0, -T::one()), (1, T::one())] {
             let slot = cut.slots[side];
@@ -100,7 +100,7 @@ pub fn gradient<T: Real>(
             let velocity = linear.plus(arms[side].turned(), spin) * sign;
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
             let keeps = cut.rows.keeps;
-            let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+            let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
             let rates = kept.rates(velocity, (side == 0).then_some(spin));
             out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
             if cut.rows.holds_angle {
@@ -147,7 +147,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
         let keeps = cut.rows.keeps;
-        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
         let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
         out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
         if cut.rows.holds_angle {
@@ -211,17 +211,17 @@ impl RowOwner {
 
 /// The constraint that is furthest from being met.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Opening {
+pub struct LargestResidual {
     /// Path of the joint or coupling.
     pub path: String,
-    /// How far it stays open, m or rad; not a number where lengths are so large that none holds it.
+    /// How far it stays open, m or rad; NaN if lengths are so large that none holds it.
     pub gap: f64,
     /// Dimension of the residual.
     pub dimension: Dimension,
 }
 
-impl Opening {
-    /// The worst of `residuals` of the constraint rows of `tree`; none where there are none.
+impl LargestResidual {
+    /// The worst of `residuals` of the constraint rows of `tree`; zero if there are none.
     pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
         let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
         let Some(row) = worst else {
@@ -234,7 +234,7 @@ impl Opening {
 
 /// Path of the joint or coupling that is furthest from being met, and how far as a share of `size_m` for lengths and in rad for angles: the
 /// worst of `residuals` of the constraint rows of `tree`; 0 where there are none.
-pub fn worst_for_its_size(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
+pub fn largest_relative_residual(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
     let mut units = Vec::with_capacity(residuals.len());
     for cut in &tree.cuts {
         units.extend((0..cut.rows.count()).map(|row| if cut.rows.is_angle(row) { 1.0 } else { size_m }));
@@ -248,7 +248,7 @@ pub fn worst_for_its_size(model: &Model, tree: &Tree, residuals: &[f64], size_m:
     worst.map_or_else(|| ("joint".to_owned(), 0.0), |row| (RowOwner::of(tree, row).path(model), gap(row)))
 }
 
-impl fmt::Display for Opening {
+impl fmt::Display for LargestResidual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = describe_path(&self.path);
         if self.gap.is_finite() {
@@ -261,12 +261,14 @@ impl fmt::Display for Opening {
 
 #[cfg(test)]
 mod tests {
-    use super::Opening;
+    use super::LargestResidual;
     use loosepin_text::units::Dimension;
 
     #[test]
     fn a_gap_that_no_number_holds_is_not_shown_as_one() {
-        let said = |gap: f64| Opening { path: "joint.guide".to_owned(), gap, dimension: Dimension::LENGTH }.to_string();
+        let said = |gap: f64| {
+            LargestResidual { path: "joint.guide".to_owned(), gap, dimension: Dimension::LENGTH }.to_string()
+        };
         assert_eq!(said(1.5e-3), "joint 'guide' stays 1.5 mm open");
         for gap in [f64::NAN, f64::INFINITY] {
             assert_eq!(said(gap), "the gap of joint 'guide' is too large for a number");

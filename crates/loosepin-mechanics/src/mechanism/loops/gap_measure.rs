@@ -15,7 +15,7 @@ pub enum GapMeasure {
 }
 
 impl GapMeasure {
-    /// That of the contacts of a joint with play.
+    /// The gap measure of the contacts of a joint with play.
     pub fn of(play: &PlayGeometry<f64>) -> Self {
         if play.foundation.is_some() {
             return Self::Penetration;
@@ -47,7 +47,7 @@ impl GapMeasure {
         }
     }
 
-    /// By how much the gap function changes when δ, near zero, changes by `tolerance_m`.
+    /// Change of the gap function for a change of δ, near zero, by `tolerance_m`.
     pub fn tolerance(self, tolerance_m: f64) -> f64 {
         match self {
             Self::Squares { clearance_m } => 2.0 * clearance_m * tolerance_m,

@@ -18,7 +18,7 @@ use crate::model::{Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
-/// By what share the distance of two gears may differ from what their pitch radii give: rounded numbers of a drawing.
+/// Largest relative difference of the distance of two gears from the sum of their pitch radii: rounded numbers of a drawing.
 const MAX_MISFIT: f64 = 0.01;
 
 impl<T: Real> ToothForce<T> {
@@ -42,14 +42,14 @@ impl<T: Real> ToothForce<T> {
             || joints[1].line_of_action(&places[1], kinematics).1,
             || centres_m(joints, places, kinematics),
         );
-        let is_rack = self.mesh.is_along_line() && side == 1;
+        let is_rack = self.mesh.is_rack() && side == 1;
         let on_second_wheel_n = if is_rack { across_n } else { along_n + across_n };
         // The joint holds its wheel against the teeth; the body that carries it gets the force itself.
         if (side == 1) == self.is_second[side] { -on_second_wheel_n } else { on_second_wheel_n }
     }
 }
 
-/// Where the second bodies of both joints are held, m.
+/// Positions of the second bodies of both joints at their holding points, m.
 fn centres_m<T: Real>(
     joints: &[JointGeometry<T>; 2],
     places: &CouplingPlace,

@@ -42,7 +42,7 @@ impl<T: Real> ControlGeometry<T> {
             limit: control.limit.map(number),
             feed_forward: match &control.feed_forward {
                 // What is fed forward is no table.
-                FeedForward::Course(course) => CourseNumbers::new(course, values).ok(),
+                FeedForward::TimeCourse(course) => CourseNumbers::new(course, values).ok(),
                 FeedForward::None | FeedForward::InverseDynamics => None,
             },
             actuated: JointGeometry::new(model, control.joint, &number),
@@ -85,7 +85,7 @@ impl KnownChain {
         Ok(Some(Self { tree, geometry }))
     }
 
-    /// The control of driven coordinate `k`, as an index of the model's list; none for a drive.
+    /// The control of driven coordinate `k`, as an index of the model's list; `None` for a drive.
     pub fn control_of(&self, model: &Model, k: usize) -> Option<usize> {
         self.tree.drives[k].0.checked_sub(model.drives.len())
     }

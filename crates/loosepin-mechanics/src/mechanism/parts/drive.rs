@@ -77,10 +77,10 @@ impl Drives<f64> {
 
     /// Position, velocity and acceleration of the motion of index `index`, whose law is `law`.
     pub fn law_at(&self, law: &DriveLaw, index: usize, time_s: f64) -> [f64; 3] {
-        self.motions[index].at(time_s, &mut vec![Dual::constant(Dual::constant(0.0)); law.room()])
+        self.motions[index].at(time_s, &mut vec![Dual::constant(Dual::constant(0.0)); law.workspace_length()])
     }
 
-    /// The constant speed of a drive, m/s or rad/s; none for any other motion.
+    /// The constant speed of a drive, m/s or rad/s; `None` for any other motion.
     pub fn constant_speed(&self, drive: DriveId) -> Option<f64> {
         self.motions[drive.0].constant_speed()
     }
@@ -105,21 +105,21 @@ impl Drives<f64> {
 }
 
 impl<T: Real> Drives<T> {
-    /// Position, velocity and acceleration of a drive at `time_s`, in the present piece; `room` holds [`room`] numbers.
+    /// Position, velocity and acceleration of a drive at `time_s`, in the present piece; `workspace` holds [`workspace_length`] numbers.
     #[inline(always)]
-    pub fn motion(&self, drive: DriveId, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
-        self.law_motion(drive.0, time_s, room)
+    pub fn motion(&self, drive: DriveId, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
+        self.law_motion(drive.0, time_s, workspace)
     }
 
     /// Position, velocity and acceleration of the motion of index `index`.
     #[inline(always)]
-    pub fn law_motion(&self, index: usize, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
-        self.motions[index].at(time_s, room)
+    pub fn law_motion(&self, index: usize, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
+        self.motions[index].at(time_s, workspace)
     }
 }
 
 /// Numbers that the functions of the drives and references of `model` need as room.
-pub fn room(model: &Model) -> usize {
-    let drives = model.drives.iter().map(|drive| drive.law.room());
-    drives.chain(model.controls.iter().map(|control| control.reference.room())).max().unwrap_or(0)
+pub fn workspace_length(model: &Model) -> usize {
+    let drives = model.drives.iter().map(|drive| drive.law.workspace_length());
+    drives.chain(model.controls.iter().map(|control| control.reference.workspace_length())).max().unwrap_or(0)
 }

@@ -3,7 +3,7 @@
 use crate::mechanism::loops::joint_geometry::JointGeometry;
 use crate::mechanism::parts::load_table::TableNumbers;
 use crate::mechanism::tree::points::point_m;
-use crate::model::{ActsOn, Course, Load, LoadTable, Model, PeriodProblem, Steady, Values};
+use crate::model::{ActsOn, Load, LoadTable, Model, PeriodProblem, Steady, TimeCourse, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 
 /// Numbers of a load.
@@ -57,39 +57,41 @@ impl<T: Real> CourseNumbers<T> {
     ///
     /// # Errors
     /// The points of a table do not fit its period.
-    pub fn new(course: &Course, values: &Values) -> Result<Self, PeriodProblem> {
+    pub fn new(course: &TimeCourse, values: &Values) -> Result<Self, PeriodProblem> {
         let number = |id| T::from_f64(values[id]);
         Ok(match course {
-            Course::Constant(id) => Self::Constant(number(*id)),
-            Course::Harmonic { mean, amplitude, frequency, phase_rad } => Self::Harmonic {
+            TimeCourse::Constant(id) => Self::Constant(number(*id)),
+            TimeCourse::Harmonic { mean, amplitude, frequency, phase_rad } => Self::Harmonic {
                 mean: number(*mean),
                 amplitude: number(*amplitude),
                 angular_frequency_rad_s: number(*frequency) * T::from_f64(std::f64::consts::TAU),
                 phase_rad: number(*phase_rad),
             },
-            Course::Function(function) => Self::Function(function.parameters.iter().map(|id| number(*id)).collect()),
-            Course::Table(table) => Self::Table(TableNumbers::broadcast(&TableNumbers::new(table, values)?)),
+            TimeCourse::Function(function) => {
+                Self::Function(function.parameters.iter().map(|id| number(*id)).collect())
+            }
+            TimeCourse::Table(table) => Self::Table(TableNumbers::broadcast(&TableNumbers::new(table, values)?)),
         })
     }
 
-    /// The value at the time `variables[0]`, of a function or a table at all `variables`; `room` is as [`crate::model::Function::value`]
+    /// The value at the time `variables[0]`, of a function or a table at all `variables`; `workspace` is as [`crate::model::Function::value`]
     /// needs it.
     #[inline(always)]
-    pub fn value(&self, course: &Course, variables: &[T], room: &mut [T]) -> T {
+    pub fn value(&self, course: &TimeCourse, variables: &[T], workspace: &mut [T]) -> T {
         match (self, course) {
             (Self::Constant(value), _) => *value,
             (Self::Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad }, _) => {
                 let (sine, _) = angular_frequency_rad_s.mul_add(variables[0], *phase_rad).sin_cos();
                 amplitude.mul_add(sine, *mean)
             }
-            (Self::Function(parameters), Course::Function(function)) => function.value(
+            (Self::Function(parameters), TimeCourse::Function(function)) => function.value(
                 parameters,
                 variables,
                 #[inline(always)]
                 |number| number,
-                room,
+                workspace,
             ),
-            (Self::Table(numbers), Course::Table(table)) => numbers.value(variables[table.variable]),
+            (Self::Table(numbers), TimeCourse::Table(table)) => numbers.value(variables[table.variable]),
             // Numbers are laid out for their own course.
             (Self::Function(_) | Self::Table(_), _) => T::zero(),
         }
@@ -133,7 +135,7 @@ impl LoadGeometry<f64> {
 /// Start and rate of what the table of `load` is over, where that goes evenly with the time: the time itself, or the coordinate of a
 /// joint that is driven at constant speed.
 fn clock(model: &Model, load: &Load, values: &Values) -> Option<[f64; 2]> {
-    let Some(Course::Table(LoadTable { variable, .. })) = &load.course else { return None };
+    let Some(TimeCourse::Table(LoadTable { variable, .. })) = &load.course else { return None };
     match variable {
         0 => Some([0.0, 1.0]),
         1 => {

@@ -1,6 +1,6 @@
 //! The rows by which a cut joint keeps its two points together: a file for each form of them, and the list of them here.
 //!
-//! Nothing else knows a form of [`Keeps`] by its name: residuals, Jacobian and biases of the constraints, the force that the joint
+//! Nothing else knows a form of [`PointConstraint`] by its name: residuals, Jacobian and biases of the constraints, the force that the joint
 //! carries, and what a displacement by play changes go through this module.
 
 mod coincident;
@@ -9,7 +9,7 @@ mod on_circle;
 mod on_line;
 
 use crate::mechanism::tree::cut_geometry::CutGeometry;
-use crate::model::Keeps;
+use crate::model::PointConstraint;
 use coincident::Coincident;
 use form::PointRows;
 use loosepin_math::{Real, Vec2};
@@ -20,15 +20,15 @@ use on_line::OnLine;
 macro_rules! point_rows {
     ($($keeps:ident => $form:ident),* $(,)?) => {
         /// The rows of a cut joint at a state.
-        pub enum KeptPoints<T> {
-            $(#[doc = concat!("Of [`Keeps::", stringify!($keeps), "`].")] $keeps($form<T>),)*
+        pub enum PointRowsAtState<T> {
+            $(#[doc = concat!("Of [`PointConstraint::", stringify!($keeps), "`].")] $keeps($form<T>),)*
         }
 
-        impl<T: Real> KeptPoints<T> {
+        impl<T: Real> PointRowsAtState<T> {
             /// At a state: the angle of the first point's body, rad, and the way from the first point to the second, m, in the ground's frame.
             #[inline(always)]
-            pub fn at(keeps: Keeps, numbers: &CutGeometry<T>, first_angle_rad: T, gap_m: Vec2<T>) -> Self {
-                match keeps { $(Keeps::$keeps => Self::$keeps($form::at(numbers, first_angle_rad, gap_m)),)* }
+            pub fn at(keeps: PointConstraint, numbers: &CutGeometry<T>, first_angle_rad: T, gap_m: Vec2<T>) -> Self {
+                match keeps { $(PointConstraint::$keeps => Self::$keeps($form::at(numbers, first_angle_rad, gap_m)),)* }
             }
 
             /// Φ, m; the second entry is zero for a form with one row, here and below.
@@ -63,12 +63,12 @@ macro_rules! point_rows {
 
         /// Displaces the second body of a cut joint from where it is in `centred`, the same numbers without a displacement.
         pub(super) fn displace<T: Real>(
-            keeps: Keeps,
+            keeps: PointConstraint,
             numbers: &mut CutGeometry<T>,
             displacement: Vec2<T>,
             centred: &CutGeometry<T>,
         ) {
-            match keeps { $(Keeps::$keeps => $form::displace(numbers, displacement, centred),)* }
+            match keeps { $(PointConstraint::$keeps => $form::displace(numbers, displacement, centred),)* }
         }
     };
 }

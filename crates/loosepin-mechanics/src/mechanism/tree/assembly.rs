@@ -2,7 +2,7 @@
 
 use crate::mechanism::beginning::initial::StartEquations;
 use crate::mechanism::error::MechanismError;
-use crate::mechanism::loops::constraints::Opening;
+use crate::mechanism::loops::constraints::LargestResidual;
 use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
@@ -100,7 +100,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
             if let Some(error) = equations.contradiction(&residuals) {
                 return Err(error);
             }
-            let open = Opening::worst(model, tree, &residuals[..tree.constraint_rows()]);
+            let open = LargestResidual::worst(model, tree, &residuals[..tree.constraint_rows()]);
             if !model.initial.is_empty() {
                 return Err(MechanismError::CannotCloseAsGiven { open });
             }

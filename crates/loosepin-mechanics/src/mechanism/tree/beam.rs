@@ -5,7 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use crate::model::{ActsOn, BodyId, Lump, Model, PointId, Values};
+use crate::model::{ActsOn, BodyId, LumpedMass, Model, PointId, Values};
 use loosepin_flexible::{Basis, Shapes, Station, even_shares};
 use std::ops::Range;
 use std::sync::Arc;
@@ -88,7 +88,7 @@ impl TreeBeam {
     }
 
     /// Lumps of the body that the section at a place carries.
-    pub fn lumps_at<'m>(&self, model: &'m Model, place: BeamPlace) -> Vec<&'m Lump> {
+    pub fn lumps_at<'m>(&self, model: &'m Model, place: BeamPlace) -> Vec<&'m LumpedMass> {
         let lumps = model.bodies[self.body.0].beam.iter().flat_map(|beam| &beam.lumps);
         lumps.filter(|lump| self.places[lump.point] == place).collect()
     }
@@ -118,7 +118,7 @@ pub(in crate::mechanism) struct Sections {
     pub(in crate::mechanism) shapes: Shapes,
 }
 
-/// The sections of the flexible `body`, from its `from` or, `is_reversed`, from its `to`; nothing for a rigid body.
+/// The sections of the flexible `body`, from its `from` or, `is_reversed`, from its `to`; `None` for a rigid body.
 pub(in crate::mechanism) fn sections_of(
     model: &Model,
     body: BodyId,
@@ -161,7 +161,7 @@ pub(in crate::mechanism) fn sections_of(
     Some(Sections { places, basis, shapes })
 }
 
-/// Place of a point of a flexible body along its axis from `from`, as a share of the length; not a number where the body is rigid.
+/// Place of a point of a flexible body along its axis from `from`, as a share of the length; NaN if the body is rigid.
 pub(in crate::mechanism) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
     let body = &model.bodies[point.body.0];
     let Some(beam) = &body.beam else { return f64::NAN };

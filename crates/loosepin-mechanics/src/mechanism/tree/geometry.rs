@@ -7,8 +7,8 @@ use crate::mechanism::tree::beam::{BeamPlace, TreeBeam};
 use crate::mechanism::tree::cut_geometry::{CutGeometry, line_angles_rad};
 use crate::mechanism::tree::points::{direction, numbered_point_m};
 use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
-use crate::model::{BodyId, JointId, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
-use loosepin_flexible::{Beam, HeldBeam, Lump};
+use crate::model::{BodyId, JointId, LumpedMass as BeamLump, Model, PlayId, PointId, QuantityId, Values};
+use loosepin_flexible::{Beam, HeldBeam, LumpedMass};
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
@@ -99,7 +99,7 @@ pub struct BeamGeometry<T> {
     /// Damping matrix over all shapes of a beam with damping and lumps or condensed shapes, row by row; empty where it follows from
     /// [`Beam::damping_ratio`] alone.
     pub damping: Vec<T>,
-    /// What condensed shapes add to the mass matrix of the shapes, row by row; empty where none may be condensed.
+    /// Contribution of condensed shapes to the mass matrix of the shapes, row by row; empty if none may be condensed.
     pub added_mass: Vec<T>,
     /// Which shapes are condensed; absent where none may be.
     pub condensed: Option<Condensed>,
@@ -241,7 +241,7 @@ impl<T: Real> Geometry<T> {
     pub fn held_beam(&self, tree: &Tree, index: usize) -> HeldBeam {
         let (place, numbers) = (&tree.beams[index], &self.beams[index]);
         let axis = numbers.axis;
-        let lumps: Vec<Lump<'_>> = tree
+        let lumps: Vec<LumpedMass<'_>> = tree
             .links
             .iter()
             .zip(&self.links)
@@ -251,7 +251,7 @@ impl<T: Real> Geometry<T> {
                     _ => return None,
                 };
                 let arm = (of_link.centre_of_mass_m - numbers.axis_point_m(place, at)).rotated(-axis.y, axis.x);
-                Some(Lump {
+                Some(LumpedMass {
                     station: place.station(at),
                     arm_m: Vec2::new(arm.x.to_f64(), arm.y.to_f64()),
                     mass_kg: of_link.mass_kg.to_f64(),

@@ -9,7 +9,7 @@ pub(in crate::mechanism) mod cut_geometry;
 pub(in crate::mechanism) mod geometry;
 pub(in crate::mechanism) mod kinematics;
 pub(in crate::mechanism) mod mobility;
+pub(in crate::mechanism) mod motion_branches;
 pub(in crate::mechanism) mod nodal_beam;
 pub(in crate::mechanism) mod points;
 pub(in crate::mechanism) mod spanning_tree;
-pub(in crate::mechanism) mod ways_on;

@@ -3,7 +3,7 @@
 use crate::mechanism::tree::beam::{BeamPlace, Sections, TreeBeam, sections_of};
 use crate::mechanism::tree::nodal_beam::TreeNodalBeam;
 use crate::model::{
-    Beam, Body, BodyId, DriveId, Formulation, Hanging, IdealRows, JointId, Model, PlayId, PointId, Values,
+    Beam, Body, BodyId, DriveId, Formulation, IdealRows, JointId, Model, PlayId, PointId, TreeAttachment, Values,
 };
 use loosepin_flexible::{Frame, Mesh, Station};
 use loosepin_math::Envelope;
@@ -71,7 +71,7 @@ pub enum Attachment {
 }
 
 impl Attachment {
-    /// The joint by which a body hangs on its parent, and its direction along the tree; none for a body that hangs on nothing.
+    /// The joint by which a body hangs on its parent, and its direction along the tree; `None` for a body that hangs on nothing.
     pub fn joint(&self) -> Option<(JointId, bool)> {
         match *self {
             Self::Free { .. } | Self::Section { .. } | Self::Node { .. } => None,
@@ -141,7 +141,7 @@ pub struct Cut {
     pub rows: IdealRows,
 }
 
-/// Where a joint is in a tree.
+/// Place of a joint in a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JointPlace {
     /// Slots of bearing and journal, or of guide and slider.
@@ -178,11 +178,11 @@ pub struct Tree {
     pub cuts: Vec<Cut>,
     /// Places of the ideal couplings, in file order.
     pub couplings: Vec<CouplingPlace>,
-    /// Their indices in the model.
+    /// Indices of the couplings in the model.
     pub coupling_indices: Vec<usize>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
-    /// Flexible bodies; none in a tree of rigid ones.
+    /// Flexible bodies; empty in a tree of rigid ones.
     pub beams: Vec<TreeBeam>,
     /// Flexible bodies in absolute nodal coordinates.
     pub nodal_beams: Vec<TreeNodalBeam>,
@@ -257,14 +257,15 @@ impl Tree {
         };
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
-            (None, kind) if kind.hanging() == Hanging::Fixed => 1,
+            (None, kind) if kind.tree_attachment() == TreeAttachment::Fixed => 1,
             // A beam cannot hang by a point inside.
             (None, _) => 2 + usize::from(is_inside(joint)),
         });
 
         let mut groups = Groups::new(model.bodies.len());
         let mut in_tree = vec![false; model.joints.len()];
-        for &joint in order.iter().filter(|joint| model.joints[joint.0].kind.hanging() != Hanging::Never) {
+        for &joint in order.iter().filter(|joint| model.joints[joint.0].kind.tree_attachment() != TreeAttachment::Never)
+        {
             if groups.join(model.joints[joint.0].kind.bodies()) {
                 in_tree[joint.0] = true;
             } else if drive_of(joint).is_some() {
@@ -349,7 +350,7 @@ impl Tree {
         self.cuts.iter().map(|cut| cut.rows.count()).sum()
     }
 
-    /// Where the mass matrix of the free coordinates may have entries other than zero: between coordinates that move the same body.
+    /// The possibly non-zero entries of the mass matrix of the free coordinates: between coordinates that move the same body.
     pub fn mass_envelope(&self) -> Envelope {
         let mut first: Vec<usize> = (0..self.free).collect();
         for link in &self.links {
@@ -407,12 +408,12 @@ impl Tree {
                     Some(_) => driven_from + self.drives.len(),
                     None => self.free,
                 };
-                let attachment = match (kind.hanging(), drive) {
-                    (Hanging::Never, _) => continue,
-                    (Hanging::Fixed, _) => Attachment::Rigid { joint, forward },
-                    (Hanging::Sliding, _) => Attachment::Prismatic { coordinate, joint, forward },
-                    (Hanging::Turning, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
-                    (Hanging::Turning, None) => Attachment::Revolute { coordinate, joint, forward },
+                let attachment = match (kind.tree_attachment(), drive) {
+                    (TreeAttachment::Never, _) => continue,
+                    (TreeAttachment::Fixed, _) => Attachment::Rigid { joint, forward },
+                    (TreeAttachment::Sliding, _) => Attachment::Prismatic { coordinate, joint, forward },
+                    (TreeAttachment::Turning, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
+                    (TreeAttachment::Turning, None) => Attachment::Revolute { coordinate, joint, forward },
                 };
                 if !matches!(attachment, Attachment::Rigid { .. }) {
                     match drive {
@@ -460,7 +461,7 @@ impl Tree {
         self.slot_of_body[body.0] = self.links.len();
     }
 
-    /// Where `body`, the link pushed last, is flexible: adds its sections, seen from the point at which it hangs on its parent.
+    /// Adds the sections of `body`, the link pushed last, if it is flexible, seen from the point at which it hangs on its parent.
     fn push_sections(&mut self, (model, values): (&Model, &Values), body: BodyId, hangs_at: Option<PointId>) {
         let Some(beam) = &model.bodies[body.0].beam else { return };
         let slot = self.links.len();
@@ -561,7 +562,7 @@ impl Tree {
     }
 
     /// The first flexible body whose frame does not fit how it hangs: a tangent frame touches the beam at its `from`.
-    pub fn beam_that_hangs_wrongly(&self, model: &Model) -> Option<BodyId> {
+    pub fn misattached_beam(&self, model: &Model) -> Option<BodyId> {
         let is_wrong = |beam: &&TreeBeam| {
             let is_tangent = model.bodies[beam.body.0].beam.as_ref().is_some_and(|beam| beam.frame == Frame::Tangent);
             is_tangent && (beam.is_reversed || self.floating_roots.contains(&beam.body))

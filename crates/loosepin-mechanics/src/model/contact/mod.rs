@@ -14,7 +14,7 @@ pub use lubrication::Lubrication;
 pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
-use super::part_reader::Later;
+use super::part_reader::DeferredQuantity;
 use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
 use crate::model::parts::friction::{Friction, FrictionTable, SlidingVelocity};
 use crate::model::values::quantity::{QuantityId, Values};
@@ -43,7 +43,7 @@ pub struct Contact {
     pub friction: Option<Friction>,
     /// Film of oil, if any.
     pub film: Option<Lubrication>,
-    /// It stands for none: joints have play and name no contact, so that the model is complete for its motion only.
+    /// A missing contact: joints have play and name no contact, so that the model is complete for its motion only.
     pub is_missing: bool,
 }
 
@@ -87,7 +87,7 @@ impl Contact {
         }
     }
 
-    /// Whether its friction goes by the literal reading of the sliding velocity.
+    /// Whether its friction uses the literal reading of the sliding velocity.
     pub fn is_literal(&self) -> bool {
         self.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal)
     }
@@ -106,7 +106,7 @@ record! {
     include law: LawTable<'t>;
     /// smallest impact speed that the force law uses
     // What it is if omitted is our choice.
-    optional minimum_impact_speed: Later<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
+    optional minimum_impact_speed: DeferredQuantity<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
     /// density, to detect impacts that are too fast for the law
     optional density: Entry<'t> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
     /// friction; none if omitted

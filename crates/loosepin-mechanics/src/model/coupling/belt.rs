@@ -29,7 +29,7 @@ impl KindOfCoupling for Belt {
         let joints = reader.two_joints(table, [&own.first, &own.second], [Some(Dimension::ANGLE); 2])?;
         let are_opposed = own.run.map(|IsCrossed(is_crossed)| is_crossed);
         let wheels = Wheels::read((entry, &own.wheels, &own.offset), joints, are_opposed, reader)?;
-        Some(Coupled::ideally(joints, Self { wheels }))
+        Some(Coupled::without_play(joints, Self { wheels }))
     }
 
     fn quantities(&self) -> Vec<QuantityId> {

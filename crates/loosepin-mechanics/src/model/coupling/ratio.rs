@@ -31,7 +31,7 @@ impl KindOfCoupling for Ratio {
         let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
         let ratio = reader.quantity_of(&own.ratio?, to.over(from), Rule::Finite)?;
         let offset = offset(&own.offset, table, joints[1], reader)?;
-        Some(Coupled::ideally(joints, Self { ratio, offset }))
+        Some(Coupled::without_play(joints, Self { ratio, offset }))
     }
 
     fn quantities(&self) -> Vec<QuantityId> {

@@ -14,7 +14,7 @@ use loosepin_text::units::{Dimension as D, Rule};
 pub struct Teeth {
     /// Pressure angle α at the pitch circles, rad, in [0, 45 deg).
     pub pressure_angle_rad: QuantityId,
-    /// Pitch radii on the first and on the second joint, m; none of a rack.
+    /// Pitch radii on the first and on the second joint, m; `None` for a rack.
     pub radii_m: [Option<QuantityId>; 2],
     /// How they mesh.
     pub mesh: Mesh,
@@ -38,11 +38,11 @@ pub enum Mesh {
 
 impl Mesh {
     /// Whether the second one moves along a line: along it the coupling acts already.
-    pub fn is_along_line(self) -> bool {
+    pub fn is_rack(self) -> bool {
         matches!(self, Self::Rack { .. })
     }
 
-    /// How far the centres of the wheels must be apart, m; none where the model does not say where the teeth are.
+    /// How far the centres of the wheels must be apart, m; `None` if the model does not say where the teeth are.
     pub fn distance_m(self, [first_m, second_m]: [f64; 2]) -> Option<f64> {
         match self {
             Self::External => Some(first_m + second_m),

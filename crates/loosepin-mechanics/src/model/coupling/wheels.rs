@@ -46,12 +46,12 @@ impl Wheels {
         Some(Self { sizes, is_reversed, offset_rad: offset(at_offset, &own.table, joints[1], reader)? })
     }
 
-    /// What shapes the coordinate of the second by that of the first.
+    /// Quantities that define the coordinate of the second by that of the first.
     pub(super) fn quantities(&self) -> Vec<QuantityId> {
         self.sizes.into_iter().chain([self.offset_rad]).collect()
     }
 
-    /// Their ratio and offset.
+    /// Ratio and offset of the wheels.
     pub(super) fn proportion<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
         let [first, second] = self.sizes;
         let ratio = signed(number(first) / number(second), self.is_reversed);

@@ -48,7 +48,7 @@ impl KindOfDrive for ConstantSpeed {
 
 impl<T: Real> MotionLaw<T> for ConstantSpeedMotion<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         [self.start + self.speed * time_s, self.speed, T::zero()]
     }
 

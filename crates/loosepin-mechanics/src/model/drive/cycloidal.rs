@@ -3,7 +3,7 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::part_reader::Later;
+use crate::model::part_reader::DeferredQuantity;
 use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
@@ -14,9 +14,9 @@ use loosepin_text::units::{Dimension, Dimension as D, Rule};
 /// from + (to - from) (τ - sin(2π τ)/2π) with τ = (t - dwell)/duration cut to [0, 1].
 #[derive(Debug, Clone)]
 pub struct Cycloidal {
-    /// Where it rests before, rad or m.
+    /// Position before the motion, rad or m.
     pub from: QuantityId,
-    /// Where it rests afterwards, rad or m.
+    /// Position after the motion, rad or m.
     pub to: QuantityId,
     /// Duration of the rise, s, > 0.
     pub duration_s: QuantityId,
@@ -27,7 +27,7 @@ pub struct Cycloidal {
 /// Numbers of from + rise (τ - sin(2π τ)/2π), τ = (t - dwell)/duration cut to [0, 1].
 #[derive(Debug, Clone)]
 pub struct CycloidalMotion<T> {
-    /// Where it rests before, m or rad.
+    /// Position before the motion, m or rad.
     from: T,
     /// How far it rises, m or rad.
     rise: T,
@@ -71,7 +71,7 @@ impl KindOfDrive for Cycloidal {
 
 impl<T: Real> MotionLaw<T> for CycloidalMotion<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         let share = ((time_s - self.dwell_s) / self.duration_s).max(T::zero()).min(T::one());
         let turn = T::from_f64(std::f64::consts::TAU);
         let (sine, cosine) = (turn * share).sin_cos();
@@ -111,5 +111,5 @@ record! {
     /// duration of the rise
     required duration: Option<Entry<'t>> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
     /// duration of the dwell before the rise
-    optional dwell: Later<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", or "0 s" called "none";
+    optional dwell: DeferredQuantity<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", or "0 s" called "none";
 }

@@ -46,21 +46,21 @@ impl KindOfDrive for Expression {
         "by an expression over time".to_owned()
     }
 
-    fn room(&self) -> usize {
+    fn workspace_length(&self) -> usize {
         self.function.steps()
     }
 }
 
 impl<T: Real> MotionLaw<T> for ExpressionMotion<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
         let time = Dual { value: Dual::variable(time_s), derivative: Dual::constant(T::one()) };
         let found = self.function.value(
             &self.parameters,
             &[time],
             #[inline(always)]
             |number| Dual::constant(Dual::constant(number)),
-            room,
+            workspace,
         );
         [found.value.value, found.value.derivative, found.derivative.derivative]
     }

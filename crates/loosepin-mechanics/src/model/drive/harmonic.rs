@@ -3,7 +3,7 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::part_reader::Later;
+use crate::model::part_reader::DeferredQuantity;
 use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
@@ -69,7 +69,7 @@ impl KindOfDrive for Harmonic {
 
 impl<T: Real> MotionLaw<T> for HarmonicMotion<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         let (sine, cosine) = self.angular_frequency_rad_s.mul_add(time_s, self.phase_rad).sin_cos();
         let speed = self.amplitude * self.angular_frequency_rad_s;
         [self.amplitude.mul_add(sine, self.mean), speed * cosine, -(speed * self.angular_frequency_rad_s * sine)]
@@ -104,5 +104,5 @@ record! {
     /// oscillations per second
     required frequency: Option<Entry<'t>> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
     /// phase at time zero; at 0 the motion passes its mean upwards
-    optional phase: Later<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
+    optional phase: DeferredQuantity<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
 }

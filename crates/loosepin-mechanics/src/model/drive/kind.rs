@@ -1,4 +1,4 @@
-//! What every motion of a drive says of itself, and the terms in which it says it.
+//! The interface of a motion of a drive, and its terms.
 
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion};
@@ -54,7 +54,7 @@ pub trait KindOfDrive: Sized {
     }
 
     /// Numbers that [`MotionLaw::at`] needs as room.
-    fn room(&self) -> usize {
+    fn workspace_length(&self) -> usize {
         0
     }
 }
@@ -64,30 +64,30 @@ pub trait MotionTable: KindOfDrive {
     /// Keys of its table.
     const KEYS: &'static Keys;
 
-    /// Reads it from its table, for a coordinate of `dimension`; nothing after a diagnostic.
+    /// Reads it from its table, for a coordinate of `dimension`; `None` after a diagnostic.
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>>;
 }
 
-/// What a table says.
+/// Content of a table.
 #[derive(Debug, Clone)]
 pub enum Written<K> {
     /// This motion.
     Motion(K),
-    /// None: the coordinate stays what it is.
+    /// No motion: the coordinate keeps its value.
     Standstill(QuantityId),
 }
 
 /// The numbers of a motion: what the equations of motion evaluate.
 pub trait MotionLaw<T: Real> {
-    /// Position, velocity and acceleration at `time_s`; `room` holds [`KindOfDrive::room`] numbers.
-    fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3];
+    /// Position, velocity and acceleration at `time_s`; `workspace` holds [`KindOfDrive::workspace_length`] numbers.
+    fn at(&self, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3];
 
     /// The speed, m/s or rad/s, of a motion that has the same for ever.
     fn constant_speed(&self) -> Option<T> {
         None
     }
 
-    /// How fast it changes, 1/s: its velocity over `scale`, and what its acceleration and its frequency say about it. None where that takes a
+    /// How fast it changes, 1/s: its velocity over `scale`, and what its acceleration and its frequency say about it. `None` if that takes a
     /// look at the motion.
     fn pace_1_s(&self, scale: T) -> Option<T> {
         let _ = scale;
@@ -107,7 +107,7 @@ pub struct Steady {
 /// The period of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Period {
-    /// By how often it goes by in a second, 1/s.
+    /// Frequency, 1/s.
     Frequency(QuantityId),
     /// From a time to another one, s.
     Between([QuantityId; 2]),

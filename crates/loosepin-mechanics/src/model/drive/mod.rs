@@ -53,7 +53,7 @@ macro_rules! drive_laws {
         pub(super) static MOTION_KINDS: &[(&str, &Keys)] = &[$(($kind::WORD, $kind::KEYS)),*];
 
         impl DriveLaw {
-            /// Reads the motion of the kind `word` from its table; nothing after a diagnostic, or where there is no such kind.
+            /// Reads the motion of the kind `word` from its table; `None` after a diagnostic, or if there is no such kind.
             pub(super) fn read(
                 word: &str,
                 table: &Table<'_>,
@@ -108,8 +108,8 @@ macro_rules! drive_laws {
         impl<T: Real> DriveMotion<T> {
             /// See [`MotionLaw::at`].
             #[inline(always)]
-            pub fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
-                match self { $(Self::$kind(motion) => motion.at(time_s, room),)* }
+            pub fn at(&self, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
+                match self { $(Self::$kind(motion) => motion.at(time_s, workspace),)* }
             }
 
             /// See [`MotionLaw::constant_speed`].
@@ -123,7 +123,7 @@ macro_rules! drive_laws {
             }
         }
 
-        /// `ask!(self, kind => expression)` for the motion at hand.
+        /// `ask!(self, kind => expression)` for the current motion.
         macro_rules! ask {
             ($own:expr, $name:ident => $answer:expr) => {
                 match $own { $(DriveLaw::$kind($name) => $answer,)* }
@@ -192,9 +192,9 @@ impl DriveLaw {
         ask!(self, kind => kind.pieces(number))
     }
 
-    /// See [`KindOfDrive::room`].
-    pub fn room(&self) -> usize {
-        ask!(self, kind => kind.room())
+    /// See [`KindOfDrive::workspace_length`].
+    pub fn workspace_length(&self) -> usize {
+        ask!(self, kind => kind.workspace_length())
     }
 }
 

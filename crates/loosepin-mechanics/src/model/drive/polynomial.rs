@@ -50,7 +50,7 @@ impl KindOfDrive for Polynomial {
 
 impl<T: Real> MotionLaw<T> for PolynomialMotion<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         polynomial_at(self.origin_s, &self.coefficients, time_s)
     }
 }

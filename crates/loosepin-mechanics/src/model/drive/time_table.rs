@@ -16,7 +16,7 @@ use loosepin_text::{choices, record};
 pub struct TimeTable {
     /// Times, s, increasing, and coordinates, rad or m; at least three.
     pub points: Vec<[QuantityId; 2]>,
-    /// Whether it goes on with the same course, from where it ended; else it rests before and after.
+    /// Whether the motion is periodic, from its end; else it rests before and after.
     pub is_periodic: bool,
 }
 
@@ -58,7 +58,7 @@ impl KindOfDrive for TimeTable {
 
 impl<T: Real> MotionLaw<T> for TablePiece<T> {
     #[inline(always)]
-    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+    fn at(&self, time_s: T, _workspace: &mut [TimeDual<T>]) -> [T; 3] {
         polynomial_at(self.origin_s, &self.coefficients, time_s)
     }
 }
@@ -75,7 +75,7 @@ impl MotionTable for TimeTable {
 }
 
 choices!(
-    /// Whether the motion goes on with the same course.
+    /// Whether the motion is periodic.
     struct IsPeriodic(bool): "clamped" => false, "periodic" => true
 );
 

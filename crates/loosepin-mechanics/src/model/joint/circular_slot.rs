@@ -1,7 +1,7 @@
 //! A pin runs and turns in a slot along a circle; with a clearance it has play.
 
 use super::clearance::CircularSlotClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
+use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{ContactId, PointId};
 use crate::model::values::quantity::QuantityId;
@@ -30,8 +30,8 @@ impl KindOfJoint for CircularSlot {
     // Neither the turn of the bodies nor a position along a line.
     const COORDINATE: Option<Dimension> = None;
     // In the tree it would have two coordinates; cut, it is one constraint.
-    const HANGING: Hanging = Hanging::Never;
-    const ROWS: IdealRows = IdealRows { keeps: Keeps::Circle, holds_angle: false };
+    const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Never;
+    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Circle, holds_angle: false };
     const AT_BEAM: AtBeam = AtBeam::Refused("circular slot joint");
     const CONTACT_PLACES: &'static [&'static str] = &["outer flank", "inner flank"];
 
@@ -72,7 +72,7 @@ impl KindOfJoint for CircularSlot {
     }
 
     fn why_not_driven(&self, _is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
-        Some(NotDriven::never("is a circular slot"))
+        Some(NotDriven::because("is a circular slot"))
     }
 
     fn words(&self, names: &dyn Names) -> String {

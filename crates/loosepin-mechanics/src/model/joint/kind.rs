@@ -1,4 +1,4 @@
-//! What every kind of joint says of itself, and the terms in which it says it.
+//! The interface of a kind of joint, and its terms.
 
 use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
@@ -17,10 +17,10 @@ pub trait KindOfJoint: Sized {
     const WORD: &'static str;
     /// Keys of its table.
     const KEYS: &'static Keys;
-    /// Dimension of its coordinate: an angle, or a position along a line; none where it has none.
+    /// Dimension of its coordinate: an angle, or a position along a line; `None` if it has none.
     const COORDINATE: Option<Dimension>;
     /// How a body hangs on another by it.
-    const HANGING: Hanging;
+    const TREE_ATTACHMENT: TreeAttachment;
     /// The constraints that it is where it closes a loop.
     const ROWS: IdealRows;
     /// What it is to a flexible body.
@@ -29,12 +29,12 @@ pub trait KindOfJoint: Sized {
     const CONTACT_PLACES: &'static [&'static str] = &[];
     /// Key of its clearance, in errors and hints.
     const CLEARANCE_KEY: &'static str = "clearance";
-    /// Key of the size on which its friction acts where it is ideal; none where it has no friction.
+    /// Key of the size on which its friction acts where it is ideal; `None` if it has no friction.
     const FRICTION_SIZE: Option<&'static str> = None;
     /// Whether it may wear.
     const WEARS: bool = false;
 
-    /// Reads it from its table; nothing after a diagnostic.
+    /// Reads it from its table; `None` after a diagnostic.
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self>;
 
     /// The two points that it connects; the first body is the one that holds: bearing, guide, slot.
@@ -56,13 +56,13 @@ pub trait KindOfJoint: Sized {
         None
     }
 
-    /// Why it cannot be driven; nothing where it can. `is_zero` tells whether a clearance is zero for good.
+    /// Why it cannot be driven; `None` if it can. `is_zero` tells whether a clearance is zero for good.
     fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven>;
 
     /// What it connects, in words.
     fn words(&self, names: &dyn Names) -> String;
 
-    /// What its play is, in words; nothing where it states none.
+    /// What its play is, in words; `None` if it states none.
     fn play_words(&self, names: &dyn Names) -> Option<String> {
         let _ = names;
         None
@@ -71,29 +71,29 @@ pub trait KindOfJoint: Sized {
 
 /// How a body hangs on another by a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hanging {
-    /// It turns about the point.
+pub enum TreeAttachment {
+    /// The body turns about the point.
     Turning,
-    /// It slides along the line.
+    /// The body slides along the line.
     Sliding,
-    /// It does not move.
+    /// The body is fixed.
     Fixed,
-    /// It never does: the joint is always cut, since it costs fewer constraints than it would have coordinates.
+    /// The joint is never in the tree: it is always cut, since it costs fewer constraints than it would have coordinates.
     Never,
 }
 
 /// The scalar constraints of an ideal joint: first those of its points, then one if the bodies do not turn against each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IdealRows {
-    /// What they keep together.
-    pub keeps: Keeps,
+    /// Constraint between its points.
+    pub keeps: PointConstraint,
     /// Whether the last row keeps the bodies from turning against each other.
     pub holds_angle: bool,
 }
 
-/// What the first rows of an ideal joint keep together. How is in `mechanism/point_rows`, a file for each.
+/// Constraint by the first rows of an ideal joint. How is in `mechanism/point_rows`, a file for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Keeps {
+pub enum PointConstraint {
     /// Two rows: the points coincide.
     Points,
     /// One row: the second point stays on the line.
@@ -102,7 +102,7 @@ pub enum Keeps {
     Circle,
 }
 
-impl Keeps {
+impl PointConstraint {
     /// Number of its rows.
     #[inline(always)]
     pub const fn count(self) -> usize {
@@ -123,7 +123,7 @@ impl IdealRows {
     /// Whether the first row keeps a point on a straight line.
     #[inline(always)]
     pub const fn is_on_line(self) -> bool {
-        matches!(self.keeps, Keeps::Line)
+        matches!(self.keeps, PointConstraint::Line)
     }
 
     /// Whether row `row` of them is an angle; the others are lengths.
@@ -132,14 +132,14 @@ impl IdealRows {
     }
 }
 
-/// What a joint is to a flexible body at one of its points.
+/// Role of a joint for a flexible body at one of its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtBeam {
-    /// It holds the point, and the section turns freely unless the joint is driven.
+    /// The joint holds the point, and the section turns freely unless the joint is driven.
     Point,
-    /// It holds the section there: a couple acts.
+    /// The joint holds the section there: a couple acts.
     Section,
-    /// It cannot hold one: its name in words.
+    /// The joint cannot hold one: its name in words.
     Refused(&'static str),
 }
 
@@ -159,7 +159,7 @@ pub struct JointPlay {
     pub clearance_m: QuantityId,
     /// The contact.
     pub contact: ContactId,
-    /// The radius that it is part of, m: the clearance is smaller, and in practice far smaller. None where it is part of none.
+    /// The radius that it is part of, m: the clearance is smaller, and in practice far smaller. `None` if it is part of none.
     pub radius_m: Option<QuantityId>,
 }
 
@@ -235,13 +235,13 @@ impl PlayParts<'_> {
 pub struct NotDriven {
     /// "has play".
     pub why: &'static str,
-    /// What to do instead.
+    /// Alternative for the user.
     pub hint: &'static str,
 }
 
 impl NotDriven {
-    /// Of a kind that no drive moves.
-    pub const fn never(why: &'static str) -> Self {
+    /// Reason for a kind that no drive moves.
+    pub const fn because(why: &'static str) -> Self {
         Self { why, hint: "drive a revolute or prismatic joint" }
     }
 }

@@ -1,7 +1,7 @@
 //! A slider moves along a line of its guide and does not turn against it; with a clearance it has play.
 
 use super::clearance::GuideClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
+use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
@@ -32,8 +32,8 @@ impl KindOfJoint for Prismatic {
     const WORD: &'static str = PrismaticTable::WORD;
     const KEYS: &'static Keys = &PrismaticTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::LENGTH);
-    const HANGING: Hanging = Hanging::Sliding;
-    const ROWS: IdealRows = IdealRows { keeps: Keeps::Line, holds_angle: true };
+    const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Sliding;
+    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Line, holds_angle: true };
     const AT_BEAM: AtBeam = AtBeam::Refused("prismatic joint");
     const CONTACT_PLACES: &'static [&'static str] = &CORNERS;
 

@@ -1,7 +1,7 @@
 //! A pin (journal) turns in a hole (bearing); with a radial clearance it has play.
 
 use super::clearance::Clearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
+use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
@@ -29,8 +29,8 @@ impl KindOfJoint for Revolute {
     const WORD: &'static str = RevoluteTable::WORD;
     const KEYS: &'static Keys = &RevoluteTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::ANGLE);
-    const HANGING: Hanging = Hanging::Turning;
-    const ROWS: IdealRows = IdealRows { keeps: Keeps::Points, holds_angle: false };
+    const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Turning;
+    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Points, holds_angle: false };
     const AT_BEAM: AtBeam = AtBeam::Point;
     const CLEARANCE_KEY: &'static str = RADIAL;
 
@@ -150,7 +150,7 @@ record! {
 }
 
 impl RevoluteTable<'_> {
-    /// Where its clearance stands.
+    /// Span of its clearance.
     fn clearance_span(&self) -> Span {
         span_of(
             if self.radial_clearance.is_some() { &self.radial_clearance } else { &self.diametral_clearance },

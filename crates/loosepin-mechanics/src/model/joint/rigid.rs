@@ -1,6 +1,6 @@
 //! Two points coincide and the bodies do not turn against each other.
 
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven};
+use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PointConstraint, TreeAttachment};
 use super::reading::JointReader;
 use crate::model::ids::PointId;
 use crate::model::values::quantity::QuantityId;
@@ -24,8 +24,8 @@ impl KindOfJoint for Rigid {
     const WORD: &'static str = RigidTable::WORD;
     const KEYS: &'static Keys = &RigidTable::KEYS;
     const COORDINATE: Option<Dimension> = None;
-    const HANGING: Hanging = Hanging::Fixed;
-    const ROWS: IdealRows = IdealRows { keeps: Keeps::Points, holds_angle: true };
+    const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Fixed;
+    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Points, holds_angle: true };
     const AT_BEAM: AtBeam = AtBeam::Section;
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
@@ -42,7 +42,7 @@ impl KindOfJoint for Rigid {
     }
 
     fn why_not_driven(&self, _is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
-        Some(NotDriven::never("is rigid"))
+        Some(NotDriven::because("is rigid"))
     }
 
     fn words(&self, names: &dyn Names) -> String {

@@ -1,7 +1,7 @@
 //! A pin slides and turns in a straight slot with round ends; with a clearance it has play.
 
 use super::clearance::SlotClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
+use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::values::quantity::QuantityId;
@@ -30,8 +30,8 @@ impl KindOfJoint for Slot {
     const KEYS: &'static Keys = &SlotTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::LENGTH);
     // In the tree it would have two coordinates; cut, it is one constraint.
-    const HANGING: Hanging = Hanging::Never;
-    const ROWS: IdealRows = IdealRows { keeps: Keeps::Line, holds_angle: false };
+    const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Never;
+    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Line, holds_angle: false };
     const AT_BEAM: AtBeam = AtBeam::Refused("slot joint");
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
@@ -59,7 +59,7 @@ impl KindOfJoint for Slot {
     }
 
     fn why_not_driven(&self, _is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
-        Some(NotDriven::never("is a slot"))
+        Some(NotDriven::because("is a slot"))
     }
 
     fn words(&self, names: &dyn Names) -> String {

@@ -6,7 +6,7 @@ use crate::model::values::quantity::QuantityId;
 
 /// How something changes with time.
 #[derive(Debug, Clone)]
-pub enum Course {
+pub enum TimeCourse {
     /// Not at all.
     Constant(QuantityId),
     /// mean + amplitude sin(2π frequency t + phase).

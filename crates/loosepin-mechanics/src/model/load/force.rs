@@ -1,10 +1,10 @@
 //! A force on a point of a body.
 
-use super::course::Course;
+use super::course::TimeCourse;
 use super::kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
 use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::PointId;
-use crate::model::part_reader::{Later, PartReader};
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::parts::table_curve::POINTS;
 use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
@@ -31,7 +31,7 @@ impl KindOfLoad for ForceLoad {
         harmonic: |reader, entry| {
             let HarmonicForce { mean, amplitude, at: Oscillation { frequency, phase, .. }, .. } =
                 HarmonicForce::read(reader, entry)?;
-            Some(Course::Harmonic { mean, amplitude, frequency, phase_rad: phase })
+            Some(TimeCourse::Harmonic { mean, amplitude, frequency, phase_rad: phase })
         },
     });
 
@@ -108,5 +108,5 @@ record! {
     /// with points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area
     optional area: Entry<'t> = quantity(Dimension::AREA, Rule::Positive), "\"50 cm^2\"";
     /// with area: the pressure on its other side
-    optional back_pressure: Later<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"", or "0 Pa";
+    optional back_pressure: DeferredQuantity<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"", or "0 Pa";
 }

@@ -8,7 +8,7 @@ mod kind;
 mod size;
 mod torque;
 
-pub use course::Course;
+pub use course::TimeCourse;
 pub use force::ForceLoad;
 pub use kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
 pub(super) use size::{ARGUMENTS, PointsOfLoad};
@@ -113,7 +113,7 @@ pub struct Load {
     /// Its kind, with the point or body that it acts on.
     pub kind: LoadKind,
     /// Its size, where it has one that is constant or changes with time or with the motion of a joint.
-    pub course: Option<Course>,
+    pub course: Option<TimeCourse>,
     /// The joint whose coordinate and rate its size is over.
     pub joint: Option<JointId>,
 }

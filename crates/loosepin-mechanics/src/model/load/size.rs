@@ -1,7 +1,7 @@
 //! How the size of a load is written: constant, over time or the motion of a joint, or by points.
 
-use super::course::Course;
-use crate::model::part_reader::{Later, PartReader};
+use super::course::TimeCourse;
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::parts::table_curve::{CSV, TableCurve};
 use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, Table, choice, optional, quantity};
@@ -16,7 +16,7 @@ pub struct SizeKeys {
     /// Its dimension.
     pub dimension: Dimension,
     /// Reads the table of a size that goes up and down; `None` after a diagnostic.
-    pub harmonic: fn(&mut dyn PartReader, &Entry<'_>) -> Option<Course>,
+    pub harmonic: fn(&mut dyn PartReader, &Entry<'_>) -> Option<TimeCourse>,
 }
 
 /// The size of a load as it stands in a table.
@@ -29,10 +29,10 @@ pub struct SizeTable<'t> {
     pub joint: Option<Entry<'t>>,
     /// Points in place of the size.
     pub points: Option<Entry<'t>>,
-    /// What else goes with points.
+    /// Further keys of loads on points.
     pub(in crate::model) rest: PointsOfLoad<'t>,
     /// Area and back pressure, of a kind whose points may be pressures.
-    pub pressures: Option<(Option<Entry<'t>>, Later<'t>)>,
+    pub pressures: Option<(Option<Entry<'t>>, DeferredQuantity<'t>)>,
 }
 
 record! {

@@ -1,6 +1,6 @@
 //! A torque on a body.
 
-use super::course::Course;
+use super::course::TimeCourse;
 use super::kind::{ActsOn, KindOfLoad, LoadPlace, Push};
 use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::BodyId;
@@ -29,7 +29,7 @@ impl KindOfLoad for TorqueLoad {
         harmonic: |reader, entry| {
             let HarmonicTorque { mean, amplitude, at: Oscillation { frequency, phase, .. }, .. } =
                 HarmonicTorque::read(reader, entry)?;
-            Some(Course::Harmonic { mean, amplitude, frequency, phase_rad: phase })
+            Some(TimeCourse::Harmonic { mean, amplitude, frequency, phase_rad: phase })
         },
     });
 

@@ -1,4 +1,4 @@
-//! What every kind of output says of itself, and the terms in which it says it.
+//! The interface of a kind of output, and its terms.
 
 use super::position::{Position, Relative};
 use super::reader::OutputReader;
@@ -27,13 +27,13 @@ pub trait KindOfOutput: Sized {
     /// The number that is read at an instant; [`NoReading`] where there is none.
     type Reading: KindOfReading;
 
-    /// Reads it from its table, in which `measure` stands; nothing after a diagnostic.
+    /// Reads it from its table, whose key is `measure`; `None` after a diagnostic.
     fn read(measure: &'static str, table: &Table<'_>, reader: &mut dyn OutputReader) -> Option<Self>;
 
     /// Dimension of its columns.
     fn dimension(&self) -> Dimension;
 
-    /// What a run tells of it.
+    /// The part of a run that it records.
     fn recorded(&self) -> Recorded<Self::Reading>;
 
     /// The point that drawings mark for it.
@@ -41,7 +41,7 @@ pub trait KindOfOutput: Sized {
         None
     }
 
-    /// The flexible body whose stress is to be worked out for it.
+    /// The flexible body whose stress is computed for it.
     fn stressed_body(&self) -> Option<BodyId> {
         None
     }
@@ -51,7 +51,8 @@ pub trait KindOfOutput: Sized {
 pub trait KindOfReading: Copy + PartialEq + Debug {
     /// Whether it is a number of the lanes; else it is looked at in plain states alone.
     const IS_ON_LANES: bool = true;
-    /// Whether it is what a drive or control must do: `motion` shows it along the ideal motion too, where no positions of points are at hand.
+    /// Whether it is an effort of a drive or control: `motion` shows it along the ideal motion too, where no positions of points are
+    /// available.
     const IS_EFFORT: bool = false;
 
     /// The quantity in words, for example `x of slider.pin`.
@@ -93,7 +94,7 @@ pub struct Measure {
     pub beside: &'static [&'static str],
 }
 
-/// What a run tells of an output.
+/// The recorded part of a run for an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Recorded<R> {
     /// A number at each instant: one column.

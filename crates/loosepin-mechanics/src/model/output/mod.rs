@@ -32,7 +32,7 @@ use loosepin_math::Real;
 use loosepin_text::document::{Key, Keys, Table, count_of, joined};
 use loosepin_text::units::{Dimension, ReadableUnit};
 
-/// Makes the enum of all kinds and that of what is read at an instant, and hands every question on to the kind.
+/// Makes the enum of all kinds and that of their readings at an instant, and forwards every call to the kind.
 macro_rules! output_kinds {
     ($($(#[$doc:meta])* $kind:ident),* $(,)?) => {
         /// The quantity that an output measures, of any kind.
@@ -47,7 +47,7 @@ macro_rules! output_kinds {
         const COMPONENTS_OF_KINDS: &[&[&str]] = &[$(<$kind as KindOfOutput>::COMPONENTS),*];
 
         impl OutputKind {
-            /// Reads an output of the kind that has the key `measure`; nothing after a diagnostic.
+            /// Reads an output of the kind with the key `measure`; `None` after a diagnostic.
             pub(super) fn read(
                 measure: &'static str,
                 table: &Table<'_>,

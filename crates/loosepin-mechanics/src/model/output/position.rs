@@ -16,12 +16,12 @@ pub enum Position {
     Angle(Relative<BodyId>),
 }
 
-/// Something that moves, and what it is seen from: `relative_to` in files.
+/// A moving object and its observer: `relative_to` in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Relative<T> {
-    /// What moves.
+    /// The observed object.
     pub of: T,
-    /// Where the observer sits; at the origin of the ground if absent.
+    /// The observer; the origin of the ground if absent.
     pub to: Option<T>,
 }
 
@@ -91,7 +91,7 @@ pub(super) fn relative_body(
     Some(Relative { of, to: Some(to) })
 }
 
-/// Reports what is seen from the body that it belongs to.
+/// Reports an observer that is on the same body as the observed object.
 fn refuse_same_body(reader: &mut dyn OutputReader, beside: &Entry<'_>, of: BodyId, to: BodyId) -> Option<()> {
     if of != to {
         return Some(());

@@ -3,7 +3,7 @@
 use crate::model::values::quantity::QuantityId;
 use loosepin_flexible::{Frame, Rule};
 
-/// What makes a body flexible. Its mass, its inertia and its centre of mass follow from it.
+/// The flexible properties of a body. Its mass, its inertia and its centre of mass follow from it.
 #[derive(Debug, Clone)]
 pub struct Beam {
     /// Indices of its ends in [`crate::model::Body::points`]: `from`, then `to`.
@@ -11,7 +11,7 @@ pub struct Beam {
     /// Mass ρAL without lumps, kg, > 0.
     pub mass_kg: QuantityId,
     /// Masses that it carries.
-    pub lumps: Vec<Lump>,
+    pub lumps: Vec<LumpedMass>,
     /// Length L between them, m, > 0.
     pub length_m: QuantityId,
     /// Area A of the section, m², > 0.
@@ -48,7 +48,7 @@ pub struct Beam {
 
 /// A mass at a point of a flexible body, which moves and turns with the section there.
 #[derive(Debug, Clone)]
-pub struct Lump {
+pub struct LumpedMass {
     /// Name in the file.
     pub name: String,
     /// Index in [`crate::model::Body::points`] of its centre of mass.

@@ -2,7 +2,7 @@
 
 use crate::model::drive::DriveLaw;
 use crate::model::ids::JointId;
-use crate::model::load::Course;
+use crate::model::load::TimeCourse;
 use crate::model::values::quantity::QuantityId;
 
 /// A PID controller with its actuator. With the error e = reference - coordinate of the measured joint, the actuator acts in
@@ -39,7 +39,7 @@ pub enum FeedForward {
     /// Nothing.
     None,
     /// A course over time, coordinate and rate of the measured joint, N m or N.
-    Course(Course),
+    TimeCourse(TimeCourse),
     /// The torque or force that inertia and weight need along the references, without play.
     InverseDynamics,
 }

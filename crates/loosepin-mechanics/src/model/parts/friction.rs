@@ -3,7 +3,7 @@
 use crate::contact::{FRICTION_KEYS, FRICTION_LAWS, FrictionDescription};
 use crate::model::joint::JointReader;
 use crate::model::values::quantity::QuantityId;
-use loosepin_text::document::{Choice, Entry, Keys, Table, Usual, choice};
+use loosepin_text::document::{Choice, DefaultValue, Entry, Keys, Table, choice};
 use loosepin_text::{choices, record};
 
 /// Friction between the parts of a joint.
@@ -92,7 +92,7 @@ impl Friction {
             }
         }
         let numbers = law.numbers.iter().map(|number| match (table.get(number.name()), number.usual) {
-            (None, Some(usual)) => QuantityId::usual(reader, table, number.name(), usual),
+            (None, Some(usual)) => QuantityId::default_value(reader, table, number.name(), usual),
             _ => {
                 let key = number.name();
                 reader.document().demand(table, key).then(|| reader.quantity(table, key)).flatten()

@@ -65,12 +65,12 @@ pub struct Model {
     pub initial_offsets: Vec<InitialOffset>,
     /// The part of the motion that is run and recorded.
     pub cycle: Cycle,
-    /// For how long wear is stated; none where no joint wears.
+    /// For how long wear is stated; `None` if no joint wears.
     pub wear: Option<WearLife>,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
-    /// What runs need and the file does not say: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and the
-    /// numbers that stand for it are not to be used.
+    /// Entries that runs need and the file lacks: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and
+    /// the numbers that stand for it are not to be used.
     pub missing_for_runs: Vec<Diagnostic>,
     /// Warnings: entries that are allowed and yet look like an oversight.
     pub warnings: Vec<Diagnostic>,
@@ -135,8 +135,8 @@ impl Model {
         &self.tables
     }
 
-    /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,
-    /// `joint.gudgeon.radial_clearance`. The place of the table above it where it is not written.
+    /// Place of an entry of the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`, `joint.gudgeon.radial_clearance`. The
+    /// place of the table above it where it is not written.
     pub fn place(&self, path: &str) -> Option<Place> {
         let written = self.quantities.id(path).and_then(|id| self.quantities[id].span);
         if let Some(span) = written.or_else(|| self.places.get(path).copied()) {
@@ -159,7 +159,7 @@ pub struct Body {
     pub centre_of_mass_m: Option<[QuantityId; 2]>,
     /// Named points in the body frame.
     pub points: Vec<Point>,
-    /// What makes it flexible; its mass, inertia and centre of mass are then those of the straight beam with its lumps.
+    /// Flexible properties; its mass, inertia and centre of mass are then those of the straight beam with its lumps.
     pub beam: Option<Beam>,
 }
 

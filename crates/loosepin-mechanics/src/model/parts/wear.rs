@@ -1,6 +1,6 @@
 //! Wear of joints by Archard's law.
 
-use crate::model::part_reader::{Later, PartReader};
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, choice, count, optional, quantity};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
@@ -9,7 +9,7 @@ use loosepin_text::{choices, record};
 /// Wear of a revolute joint: dV = k F_N |v_T| dt on each surface.
 #[derive(Debug, Clone)]
 pub struct JointWear {
-    /// Wear coefficients k_i of the bearing and k_j of the journal, m²/N, >= 0; none where the surface does not wear.
+    /// Wear coefficients k_i of the bearing and k_j of the journal, m²/N, >= 0; `None` if the surface does not wear.
     pub coefficients_m2_n: [Option<QuantityId>; 2],
     /// Length L_b of the bearing, m.
     pub bearing_length_m: QuantityId,
@@ -21,7 +21,7 @@ pub struct JointWear {
     pub foundation: FoundationChoice,
 }
 
-/// Where the stiffness of an elastic foundation comes from.
+/// Source of the stiffness of an elastic foundation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FoundationChoice {
     /// The line law of Liu and others 2006 with the materials of the contact.
@@ -55,10 +55,10 @@ pub struct WearLife {
 /// Shape of a wearing joint over its life.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WearGeometry {
-    /// That of the unworn joint.
+    /// Geometry of the unworn joint.
     Fixed,
     /// Worn, by jumps over many cycles.
-    Worn(Jumps),
+    Worn(CycleJumps),
 }
 
 /// Jumps over the cycles of a life, at most.
@@ -66,7 +66,7 @@ pub const MAX_JUMPS: usize = 4096;
 
 /// Jumps over cycles by Heun's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Jumps {
+pub enum CycleJumps {
     /// This many of equal length.
     Equal(usize),
     /// As long as this error of a jump in the depth of a sector allows, m.
@@ -126,7 +126,7 @@ impl WearMeasure {
         }
     }
 
-    /// Their words, in the same order.
+    /// Names of the measures, in the same order.
     pub const WORDS: [&'static str; 7] = {
         let (mut words, mut measure) = ([""; 7], 0);
         while measure < Self::ALL.len() {
@@ -220,7 +220,7 @@ record! {
     /// with geometry = "worn": number of equal jumps over the cycles; chosen from the tolerance if omitted
     optional jumps: Option<usize> = count(1, MAX_JUMPS as u64), "16";
     /// largest error of one jump in the depth of any sector
-    optional tolerance: Later<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
+    optional tolerance: DeferredQuantity<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
     /// the output whose largest deviation from the ideal motion ends the life of the mechanism
     optional limit_of: Entry<'t> = Kind::Reference("output"), "\"slider\"";
     /// largest deviation of this output, in either direction

@@ -3,7 +3,7 @@
 use loosepin_text::units::Dimension;
 
 /// The usual range of a number.
-pub(super) struct Usual {
+pub(super) struct UsualRange {
     /// Ends of paths that name it.
     pub keys: &'static [&'static str],
     /// Dimension of its value.
@@ -19,8 +19,8 @@ pub(super) struct Usual {
 }
 
 /// The usual ranges.
-pub(super) static USUAL: &[Usual] = &[
-    Usual {
+pub(super) static USUAL_RANGES: &[UsualRange] = &[
+    UsualRange {
         keys: &[".youngs_modulus", ".bearing_youngs_modulus", ".journal_youngs_modulus"],
         dimension: Dimension::PRESSURE,
         range: [1e9, 1.3e12],
@@ -28,7 +28,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[("MPa", "GPa"), ("N/mm^2", "GPa"), ("kPa", "GPa"), ("Pa", "GPa"), ("GPa", "MPa"), ("bar", "GPa")],
         factors: &[1e-3, 1e3],
     },
-    Usual {
+    UsualRange {
         keys: &[".poisson_ratio", ".bearing_poisson_ratio", ".journal_poisson_ratio"],
         dimension: Dimension::NUMBER,
         range: [0.1, 0.49],
@@ -36,7 +36,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[],
         factors: &[10.0],
     },
-    Usual {
+    UsualRange {
         keys: &[".density"],
         dimension: Dimension::DENSITY,
         range: [100.0, 23_000.0],
@@ -50,7 +50,7 @@ pub(super) static USUAL: &[Usual] = &[
         ],
         factors: &[],
     },
-    Usual {
+    UsualRange {
         keys: &[".thermal_expansion"],
         dimension: Dimension::THERMAL_EXPANSION,
         range: [1e-7, 4e-4],
@@ -58,7 +58,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[],
         factors: &[1e-6],
     },
-    Usual {
+    UsualRange {
         keys: &["temperature_rise"],
         dimension: Dimension::TEMPERATURE,
         range: [0.0, 1500.0],
@@ -66,7 +66,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[],
         factors: &[],
     },
-    Usual {
+    UsualRange {
         keys: &[".viscosity"],
         dimension: Dimension::VISCOSITY,
         range: [1e-5, 10.0],
@@ -74,7 +74,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[("Pa s", "mPa s"), ("mPa s", "Pa s"), ("Pa s", "cP")],
         factors: &[],
     },
-    Usual {
+    UsualRange {
         keys: &[".coefficient", ".static_coefficient"],
         dimension: Dimension::NUMBER,
         range: [0.0, 2.0],
@@ -82,7 +82,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[],
         factors: &[0.01],
     },
-    Usual {
+    UsualRange {
         keys: &[".speed"],
         dimension: Dimension::ANGULAR_VELOCITY,
         range: [0.0, 2000.0],
@@ -90,7 +90,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[("rad/s", "rpm"), ("rad/s", "deg/s"), ("Hz", "rpm"), ("rev/s", "rpm"), ("rpm", "deg/s")],
         factors: &[],
     },
-    Usual {
+    UsualRange {
         keys: &[".speed"],
         dimension: Dimension::VELOCITY,
         range: [0.0, 100.0],
@@ -98,7 +98,7 @@ pub(super) static USUAL: &[Usual] = &[
         units: &[("m/s", "mm/s")],
         factors: &[],
     },
-    Usual {
+    UsualRange {
         keys: &["gravity"],
         dimension: Dimension::ACCELERATION,
         range: [0.1, 100.0],
@@ -108,7 +108,7 @@ pub(super) static USUAL: &[Usual] = &[
     },
 ];
 
-impl Usual {
+impl UsualRange {
     /// Whether it is the range of the number at `path`.
     pub fn is_of(&self, path: &str, dimension: Dimension) -> bool {
         self.dimension == dimension && self.keys.iter().any(|key| path.ends_with(key))

@@ -1,7 +1,7 @@
 //! Bodies and their points.
 
 use super::reader::ModelReader;
-use super::warm::Warmth;
+use super::warm::ThermalTable;
 use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::topology::{Body, Point};
@@ -19,7 +19,7 @@ record! {
     pub(super) struct GroundTable for PartReader;
     /// named points in the frame of the body
     optional points: Entry<'t> = POINTS, "{ o = [\"0 mm\", \"0 mm\"] }";
-    include warmth: Warmth<'t>;
+    include warmth: ThermalTable<'t>;
 }
 
 record! {
@@ -35,7 +35,7 @@ record! {
     optional points: Entry<'t> = POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }";
     /// a beam that bends and stretches, under [body.NAME.beam]
     optional beam: Entry<'t> = Kind::Table(&BeamTable::KEYS), "";
-    include warmth: Warmth<'t>;
+    include warmth: ThermalTable<'t>;
 }
 
 /// What a rigid body needs to be run.

@@ -118,7 +118,7 @@ impl ModelReader {
         Some(joint)
     }
 
-    /// What is wrong where something needs the coordinate of a joint that has none.
+    /// The problem of an entry that needs the coordinate of a joint without one.
     pub(super) fn does_not_move(&self, entry: String, joint: JointId) -> ModelProblem {
         let Joint { name, kind, .. } = &self.joints[joint.0];
         let why = kind.why_not_driven(&|_| false).map_or("has no coordinate", |refused| refused.why);
@@ -141,10 +141,10 @@ impl ModelReader {
             return Some(FeedForward::InverseDynamics);
         }
         let variables = self.variables(Some(measured));
-        Some(FeedForward::Course(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
+        Some(FeedForward::TimeCourse(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
     }
 
-    /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.
+    /// Initial state of controlled joints if none is given: on their references, and as fast.
     pub fn initial_of_controls(&self) -> Vec<InitialValue> {
         let both = self.controls.iter().enumerate().flat_map(|(index, control)| {
             let of = InitialOf::joint(control.measured, self.coordinate_of(control.measured));

@@ -4,8 +4,8 @@ use super::function::Changing;
 use super::reader::ModelReader;
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{BodyId, JointId};
-use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable};
-use crate::model::part_reader::{Later, PartReader};
+use crate::model::load::{ARGUMENTS, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable, TimeCourse};
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::parts::load_table::{LoadTable, Piston};
 use crate::model::problem::ModelProblem;
 use crate::model::values::function::{TIME, Variable};
@@ -47,10 +47,10 @@ impl ModelReader {
     }
 
     /// The size of a load, constant, over time or the motion of a joint, or by points.
-    fn size(&mut self, load: &str, own: &SizeTable<'_>, keys: &SizeKeys, joint: Option<JointId>) -> Option<Course> {
+    fn size(&mut self, load: &str, own: &SizeTable<'_>, keys: &SizeKeys, joint: Option<JointId>) -> Option<TimeCourse> {
         let variables = self.variables(joint);
         if let Some(given) = key_of_points(own) {
-            return self.load_table((load, own), given, keys, &variables).map(Course::Table);
+            return self.load_table((load, own), given, keys, &variables).map(TimeCourse::Table);
         }
         let of_pressures: &[&'static str] = if own.pressures.is_some() { &["area", "back_pressure"] } else { &[] };
         for only in ["of", "period", "curve"].iter().chain(of_pressures) {
@@ -60,13 +60,13 @@ impl ModelReader {
         if entry.is_table() {
             return (keys.harmonic)(self, entry);
         }
-        self.changing(entry, keys.dimension, Rule::Finite, &variables).map(Course::from)
+        self.changing(entry, keys.dimension, Rule::Finite, &variables).map(TimeCourse::from)
     }
 
     /// Reports a joint that the size of a load does not read.
-    fn refuse_unread_joint(&mut self, own: &SizeTable<'_>, course: &Course, keys: &SizeKeys) -> Option<()> {
-        let is_of_time = matches!(course, Course::Table(LoadTable { variable: 0, .. }));
-        if (is_of_time || matches!(course, Course::Constant(_) | Course::Harmonic { .. }))
+    fn refuse_unread_joint(&mut self, own: &SizeTable<'_>, course: &TimeCourse, keys: &SizeKeys) -> Option<()> {
+        let is_of_time = matches!(course, TimeCourse::Table(LoadTable { variable: 0, .. }));
+        if (is_of_time || matches!(course, TimeCourse::Constant(_) | TimeCourse::Harmonic { .. }))
             && let Some(found) = &own.joint
         {
             let entry = own.table.path.describe();
@@ -121,10 +121,14 @@ impl ModelReader {
         Some(read)
     }
 
-    /// The piston of a force whose table is of pressures, by its area and back pressure; none where it is of forces.
-    fn piston(&mut self, table: &Table<'_>, (area, back): &(Option<Entry<'_>>, Later<'_>)) -> Option<Option<Piston>> {
+    /// The piston of a force whose table is of pressures, by its area and back pressure; `None` if it is of forces.
+    fn piston(
+        &mut self,
+        table: &Table<'_>,
+        (area, back): &(Option<Entry<'_>>, DeferredQuantity<'_>),
+    ) -> Option<Option<Piston>> {
         let Some(area) = area else {
-            if matches!(back, Later::Written(_)) {
+            if matches!(back, DeferredQuantity::Written(_)) {
                 self.report_missing(table, "back_pressure", vec!["area"]);
                 return None;
             }
@@ -155,7 +159,7 @@ fn key_of_points(own: &SizeTable<'_>) -> Option<&'static str> {
     own.points.as_ref().map(|_| "points").or(csv)
 }
 
-impl From<Changing> for Course {
+impl From<Changing> for TimeCourse {
     fn from(value: Changing) -> Self {
         match value {
             Changing::Constant(id) => Self::Constant(id),

@@ -148,7 +148,7 @@ impl Model {
 
 /// The model with warnings of numbers that are hardly possible.
 fn with_warnings(mut model: Model) -> Model {
-    let found = model.hardly_possible();
+    let found = model.implausible_numbers();
     model.warnings.extend(found);
     model
 }

@@ -1,4 +1,4 @@
-//! A model in the making: what was read so far, and how its quantities, points and names are read.
+//! A model being read: its parts so far, and the reader of quantities, points and names.
 
 use super::parameters::Parameters;
 use crate::model::contact::Contact;
@@ -19,7 +19,7 @@ use loosepin_text::document::{Entry, EntryPath, Keys, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Op, Rule, parse_expression, run};
 
 /// Names of the file with the things that they stand for; absent where they were reported already.
-pub(super) type NamesOf<T> = Vec<(String, Option<T>)>;
+pub(super) type NameTable<T> = Vec<(String, Option<T>)>;
 
 /// A model in the making.
 pub(super) struct ModelReader {
@@ -44,16 +44,16 @@ pub(super) struct ModelReader {
     pub uses_life: bool,
     /// Shares by which bodies are longer than their drawings.
     pub elongations: HashMap<BodyId, QuantityId>,
-    pub contact_names: NamesOf<ContactId>,
+    pub contact_names: NameTable<ContactId>,
     pub contacts: Vec<Contact>,
-    pub joint_names: NamesOf<JointId>,
+    pub joint_names: NameTable<JointId>,
     pub joints: Vec<Joint>,
     pub couplings: Vec<Coupling>,
     pub springs: Vec<Spring>,
     pub loads: Vec<Load>,
-    pub drive_names: NamesOf<DriveId>,
+    pub drive_names: NameTable<DriveId>,
     pub drives: Vec<Drive>,
-    pub control_names: NamesOf<ControlId>,
+    pub control_names: NameTable<ControlId>,
     pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
     pub tables: Vec<Arc<Source>>,
@@ -322,7 +322,7 @@ impl ModelReader {
         entry: &Entry<'_>,
         what: &'static str,
         name: &str,
-        names: fn(&ModelReader) -> &NamesOf<T>,
+        names: fn(&ModelReader) -> &NameTable<T>,
     ) -> Option<T> {
         let list = names(self);
         if let Some((_, meaning)) = list.iter().find(|(known, _)| known == name) {

@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::ids::PointId;
-use crate::model::part_reader::{Later, PartReader};
+use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::parts::spring::{Elasticity, Spring, SpringKind};
 use crate::model::parts::table_curve::{CSV, POINTS, TableCurve};
 use crate::model::problem::ModelProblem;
@@ -34,7 +34,7 @@ record! {
     /// damping force per speed of extension, along the spring; none if omitted
     optional damping: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"5 N s/m\"";
     /// tension at the free length, below zero for compression
-    optional preload: Later<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"", or "0 N" called "none";
+    optional preload: DeferredQuantity<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"", or "0 N" called "none";
     /// pairs of a length and the tension at that length, instead of stiffness and free length; the lengths increase, and the curve
     /// continues straight beyond both ends
     optional points: Entry<'t> = POINTS, "[[\"30 mm\", \"-4 N\"], [\"40 mm\", \"0 N\"], [\"55 mm\", \"12 N\"]]";
@@ -58,7 +58,7 @@ record! {
     /// damping torque per angular velocity; none if omitted
     optional damping: Entry<'t> = quantity(D::TORSIONAL_DAMPING, Rule::NonNegative), "\"0.01 N m s/rad\"";
     /// torque at the free angle that turns the second body backwards
-    optional preload: Later<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"", or "0 N m" called "none";
+    optional preload: DeferredQuantity<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"", or "0 N m" called "none";
     /// pairs of an angle and the torque at that angle, instead of stiffness and free angle; the angles increase, and the curve continues
     /// straight beyond both ends
     optional points: Entry<'t> =
@@ -75,7 +75,7 @@ struct Pull<'e, 't> {
     table: &'e Table<'t>,
     /// Stiffness, and free length or angle.
     linear: [&'e Option<Entry<'t>>; 2],
-    preload: &'e Later<'t>,
+    preload: &'e DeferredQuantity<'t>,
     points: &'e Option<Entry<'t>>,
     rest: &'e FileAndCurve<'t>,
     columns: [Column; 2],

@@ -15,7 +15,7 @@ const LARGE_1_M: f64 = 1e300;
 
 record! {
     /// thermal expansion of a part
-    pub(super) struct Warmth for PartReader;
+    pub(super) struct ThermalTable for PartReader;
     /// coefficient of thermal expansion, for all lengths of the part; needs temperature_rise, here or at the top level
     optional thermal_expansion: Entry<'t> = quantity(Dimension::THERMAL_EXPANSION, Rule::Finite), "\"11.7e-6 1/K\"";
     /// temperature of the part above the temperature of its drawing; the value at the top level if omitted
@@ -24,7 +24,7 @@ record! {
 
 impl ModelReader {
     /// The elongation ε = α ΔT of a body that states α; ΔT is its own `temperature_rise`, or that of the model.
-    pub(super) fn elongation(&mut self, own: &Warmth<'_>) -> Option<QuantityId> {
+    pub(super) fn elongation(&mut self, own: &ThermalTable<'_>) -> Option<QuantityId> {
         const EXPANSION: &str = "thermal_expansion";
         const RISE: &str = "temperature_rise";
         let has_own_rise = own.temperature_rise.is_some();
@@ -53,7 +53,7 @@ impl ModelReader {
         self.thermally_scaled(length, elongation, 1)
     }
 
-    /// What grows with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
+    /// Quantities that scale with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
     pub(super) fn thermally_scaled(
         &mut self,
         own: QuantityId,

@@ -5,7 +5,7 @@ use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::wear::{
-    ActsBack, FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
+    ActsBack, CycleJumps, FoundationChoice, JointWear, JointWearTable, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
     WearLife, WearMeasure, WearPressure,
 };
 use crate::model::problem::ModelProblem;
@@ -86,7 +86,7 @@ impl ModelReader {
         Some(self.derived(path, Dimension::WEAR_COEFFICIENT, Rule::NonNegative, ops, &[archard, hardness]))
     }
 
-    /// For how long wear is stated. Nothing where no joint wears.
+    /// For how long wear is stated. `None` if no joint wears.
     pub(super) fn read_life(&mut self, entry: &Option<Entry<'_>>, outputs: &[Output]) -> Option<WearLife> {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
         let life = match entry {
@@ -97,7 +97,7 @@ impl ModelReader {
                 life
             }
             None if wears => {
-                let table = Table::left_out(EntryPath::default().join("wear"), &LifeTable::KEYS);
+                let table = Table::omitted(EntryPath::default().join("wear"), &LifeTable::KEYS);
                 LifeTable::of(self, table)?
             }
             None => return None,
@@ -123,7 +123,7 @@ impl ModelReader {
         Some(WearGeometry::Fixed)
     }
 
-    /// Reports joints that wear with the unworn shape and do not go with it; nothing where one does not.
+    /// Reports joints that wear with the unworn shape and do not go with it; `None` if one does not.
     fn fixed_joints(&mut self) -> Option<()> {
         let mut is_sound = true;
         for (name, contact, pressure, _) in self.wearing_joints() {
@@ -176,9 +176,9 @@ impl ModelReader {
         let jumps = match life.jumps {
             Some(count) => {
                 self.refuse_beside(table, "tolerance", "jumps");
-                Jumps::Equal(count?)
+                CycleJumps::Equal(count?)
             }
-            None => Jumps::Controlled(tolerance?),
+            None => CycleJumps::Controlled(tolerance?),
         };
         Some(WearGeometry::Worn(jumps))
     }

@@ -60,7 +60,7 @@ impl Function {
         self.steps.len()
     }
 
-    /// Its value at `variables`, with `parameters` in its own order, seen through `number`; `room` holds at least
+    /// Its value at `variables`, with `parameters` in its own order, seen through `number`; `workspace` holds at least
     /// [`Function::steps`] numbers.
     #[inline(always)]
     pub fn value<T: Copy, N: Real>(
@@ -68,19 +68,19 @@ impl Function {
         parameters: &[T],
         variables: &[N],
         number: impl Fn(T) -> N,
-        room: &mut [N],
+        workspace: &mut [N],
     ) -> N {
         for (index, step) in self.steps.iter().enumerate() {
-            room[index] = match *step {
+            workspace[index] = match *step {
                 Step::Number(value) => N::from_f64(value),
                 Step::Parameter(place) => number(parameters[place]),
                 Step::Variable(place) => variables[place],
-                Step::One(op, a) => of_one(op, room[a]),
-                Step::Two(op, a, b) => of_two(op, room[a], room[b]),
-                Step::Power(a, halves) => half_power(room[a], halves),
+                Step::One(op, a) => of_one(op, workspace[a]),
+                Step::Two(op, a, b) => of_two(op, workspace[a], workspace[b]),
+                Step::Power(a, halves) => half_power(workspace[a], halves),
             };
         }
-        room[self.steps.len() - 1]
+        workspace[self.steps.len() - 1]
     }
 
     /// From the operations of an expression, whose last result is its value. The largest slots are the variables.
@@ -88,7 +88,7 @@ impl Function {
         let mut function = Self { steps: Vec::new(), parameters: Vec::new(), dimension };
         let mut stack: Vec<usize> = Vec::new();
         for op in ops {
-            let second = if op.takes_two() { stack.pop() } else { None };
+            let second = if op.is_binary() { stack.pop() } else { None };
             let first = if matches!(op, Op::Number(_) | Op::Load(_)) { None } else { stack.pop() };
             let result = function.operation(*op, first.unwrap_or(0), second, variables)?;
             stack.push(result);
@@ -140,7 +140,7 @@ impl Function {
             Op::ArcSine | Op::ArcCosine | Op::ArcTangent | Op::ArcTangent2 | Op::Store(_) => {
                 return Err(Beyond::Inverse);
             }
-            _ if op.takes_two() => Step::Two(op, a, b),
+            _ if op.is_binary() => Step::Two(op, a, b),
             _ => Step::One(op, a),
         };
         Ok(self.push(step))
@@ -248,8 +248,8 @@ mod tests {
         assert_eq!(swing.parameters, [QuantityId(4)]);
         let (t, amplitude): (f64, f64) = (0.83, 1.7);
         let time = Dual { value: Dual::variable(t), derivative: Dual::constant(1.0) };
-        let mut room = vec![Dual::constant(Dual::constant(f64::NAN)); swing.steps()];
-        let found = swing.value(&[amplitude], &[time], |a| Dual::constant(Dual::constant(a)), &mut room);
+        let mut workspace = vec![Dual::constant(Dual::constant(f64::NAN)); swing.steps()];
+        let found = swing.value(&[amplitude], &[time], |a| Dual::constant(Dual::constant(a)), &mut workspace);
         let (sine, cosine) = (2.7 * t + 0.3).sin_cos();
         let expected = [
             amplitude * sine - 0.4 * t.powf(1.5),
@@ -279,8 +279,8 @@ mod tests {
     fn jet(text: &str, time_s: f64, parameter: f64) -> [f64; 3] {
         let function = function(text).expect("a line");
         let time = Dual { value: Dual::variable(time_s), derivative: Dual::constant(1.0) };
-        let mut room = vec![Dual::constant(Dual::constant(f64::NAN)); function.steps()];
-        let found = function.value(&[parameter], &[time], |a: f64| Dual::constant(Dual::constant(a)), &mut room);
+        let mut workspace = vec![Dual::constant(Dual::constant(f64::NAN)); function.steps()];
+        let found = function.value(&[parameter], &[time], |a: f64| Dual::constant(Dual::constant(a)), &mut workspace);
         [found.value.value, found.value.derivative, found.derivative.derivative]
     }
 

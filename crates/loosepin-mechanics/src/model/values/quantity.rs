@@ -21,7 +21,7 @@ pub(in crate::model) const UNREAD: QuantityId = QuantityId(0);
 /// One number of the model.
 #[derive(Debug, Clone)]
 pub struct Quantity {
-    /// Where it stands in the file, for example `joint.gudgeon.radial_clearance`.
+    /// Path in the file, for example `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// Dimension of its value, which is in the SI unit of it.
     pub dimension: Dimension,
@@ -110,7 +110,7 @@ impl QuantityError {
     }
 }
 
-/// Which of two values is not below the other, told apart.
+/// Message for two values in the wrong order, with enough digits to differ.
 fn out_of_order([path, limit_path]: [&str; 2], values_si: [f64; 2], dimension: Dimension) -> String {
     let [value, limit] = format_apart(values_si, dimension);
     format!("{} {value}; must be below {} {limit}", describe_path(path), describe_path(limit_path))
@@ -207,7 +207,7 @@ impl QuantityTable {
     }
 
     /// The clearance that is stated where `id` is that of warm parts; else `id`.
-    pub fn stated(&self, id: QuantityId) -> QuantityId {
+    pub fn stated_clearance(&self, id: QuantityId) -> QuantityId {
         self.stated.get(&id).copied().unwrap_or(id)
     }
 
@@ -222,7 +222,7 @@ impl QuantityTable {
     }
 
     /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.
-    pub fn stands_alone(&self, id: QuantityId) -> bool {
+    pub fn is_independent(&self, id: QuantityId) -> bool {
         let is_used = |quantity: &Quantity| matches!(&quantity.origin, Origin::Expression { depends_on } if depends_on.contains(&id));
         !self.quantities.iter().any(is_used)
             && !self.orders.iter().any(|order| order.smaller == id || order.larger == id)

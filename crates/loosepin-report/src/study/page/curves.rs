@@ -8,7 +8,7 @@ use crate::charts::figure::name_of;
 use crate::charts::zone_figure::zone_figure;
 use crate::medium::script_data::round_to_digits;
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::{Tag, read_the_same};
+use crate::numbers::tag::{Tag, same_wording};
 use crate::study::answer::requirement_words;
 use crate::study::output_summary::main_bound;
 use crate::words::few_samples::too_few_samples;
@@ -19,7 +19,7 @@ use loosepin_result::study::{
 };
 use loosepin_text::units::SiUnit;
 
-/// What the first screen draws below the answer.
+/// The chart below the answer on the first screen.
 pub(super) struct FirstChart {
     pub markup: Markup,
     /// Probability boxes in it.
@@ -53,7 +53,7 @@ pub struct KnownValue {
     pub values: Witness,
 }
 
-/// What the page offers to be known, in its order; empty where it offers nothing.
+/// Inputs whose value can be chosen on the page, in its order; empty if there are none.
 pub fn known_values(result: &StudyResult) -> Vec<KnownValue> {
     let writer = NumberWriter::for_page(&result.display_units);
     let curve = first_curve(result).and_then(|index| result.curves.get(index));
@@ -98,7 +98,9 @@ fn curve_name(curve: &DeviationCurve) -> String {
 
 /// Which share of mechanisms a band at one angle holds, in words.
 fn share_inside(curve: &DeviationCurve, writer: &NumberWriter) -> String {
-    writer.about(&Tag::Given("probability")).percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest)
+    writer
+        .with_tag(&Tag::Given("probability"))
+        .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest)
 }
 
 fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Chart {
@@ -117,7 +119,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         let (lower, upper) = range(&each.band);
         let label = format!(
             "{} for the whole cycle",
-            writer.about(&Tag::Given("probability")).percent(each.share, Rounding::Nearest)
+            writer.with_tag(&Tag::Given("probability")).percent(each.share, Rounding::Nearest)
         );
         add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
     }
@@ -136,11 +138,11 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     }
     let (worst_angle, worst) = worst_pose(curve);
     let subject = output_words(&curve.output, &result.outputs);
-    let centre = writer.about(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
+    let centre = writer.with_tag(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
     let worst_words = if worst.is_finite() {
         let [angle, reach] = ["mixed reach angle", "mixed reach"].map(|part| Tag::curve(curve, part));
-        let angle = writer.about(&angle).rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest);
-        let reach = writer.about(&reach).rounded(worst, &curve.unit, 2, Rounding::Up);
+        let angle = writer.with_tag(&angle).rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest);
+        let reach = writer.with_tag(&reach).rounded(worst, &curve.unit, 2, Rounding::Up);
         format!("is largest at {angle}, {reach} from zero")
     } else {
         let reason = too_few_samples(result, &curve.probabilities, writer);
@@ -168,13 +170,13 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
             ". The orange band " (worst_words) "."
             @if worst.is_finite() {
                 " It includes its numerical error, which differs from angle to angle: up to "
-                (writer.about(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
+                (writer.with_tag(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
             }
             @if let Some((bound, _)) = main_bound(&result.bounds).filter(|(bound, _)| bound.output == curve.output && bound.of == curve.of) {
-                " The limit over the whole cycle has its own, " (writer.about(&Tag::bound(bound, "upper error")).error(bound.upper.error.total_si(), &bound.unit)) "."
+                " The limit over the whole cycle has its own, " (writer.with_tag(&Tag::bound(bound, "upper error")).error(bound.upper.error.total_si(), &bound.unit)) "."
             }
             @if let Some(confidence) = curve.confidence {
-                " Sampling errors hold with " (writer.about(&Tag::curve(curve, "confidence")).percent(confidence, Rounding::Down)) " confidence at each angle by itself."
+                " Sampling errors hold with " (writer.with_tag(&Tag::curve(curve, "confidence")).percent(confidence, Rounding::Down)) " confidence at each angle by itself."
             }
             @for each in &curve.simultaneous {
                 " " (simultaneous_words(curve, each, writer))
@@ -196,18 +198,18 @@ fn is_periodic(result: &StudyResult, curve: &DeviationCurve) -> bool {
     result.cycle.recorded_turns == 1.0 && (result.cycle.transient_turns >= 1.0 || curve.of == Deviation::Dimensional)
 }
 
-/// Whether several intervals share what is known of an input.
+/// Whether an input has several intervals with masses.
 fn has_evidence(result: &StudyResult) -> bool {
     result.inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. }))
 }
 
 /// Sentence on the band for whole curves.
 fn simultaneous_words(curve: &DeviationCurve, each: &SimultaneousCurve, writer: &NumberWriter) -> String {
-    let share = writer.about(&Tag::Given("probability")).percent(each.share, Rounding::Nearest);
+    let share = writer.with_tag(&Tag::Given("probability")).percent(each.share, Rounding::Nearest);
     if each.band.lower_si.is_empty() {
         return format!("The runs give no band in which {share} of mechanisms stay for the whole cycle.");
     }
-    let factor = writer.about(&Tag::curve(curve, &format!("factor of the band of {}", each.share))).rounded(
+    let factor = writer.with_tag(&Tag::curve(curve, &format!("factor of the band of {}", each.share))).rounded(
         each.factor,
         &SiUnit::NONE,
         3,
@@ -290,12 +292,12 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         .iter()
         .map(|limit_si| Mark {
             at: round_to_digits(writer.scaled(*limit_si, &pbox.unit), 6),
-            label: writer.about(&Tag::Given("limit")).value_trimmed(*limit_si, &pbox.unit),
+            label: writer.with_tag(&Tag::Given("limit")).value_trimmed(*limit_si, &pbox.unit),
         })
         .collect();
     let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(result, pbox, limit_si, writer)).unwrap_or_default();
     let [from_tag, to_tag] = ["median lower", "median upper"].map(|part| Tag::distribution(pbox, part));
-    let (of_from, of_to) = (writer.about(&from_tag), writer.about(&to_tag));
+    let (of_from, of_to) = (writer.with_tag(&from_tag), writer.with_tag(&to_tag));
     let median = match median_range(&pbox.value_si, &pbox.lower, &pbox.upper) {
         [Some(from), Some(to)] => format!(
             "The median lies between {} and {}.",
@@ -318,7 +320,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         height: 320,
         caption: html! {
             strong { (capitalised(&response)) ". " } (median) " " (limit_words)
-            " Sampling error of the shares: at most " (writer.about(&Tag::distribution(pbox, "error")).percent(pbox.numerical_error, Rounding::Up)) "."
+            " Sampling error of the shares: at most " (writer.with_tag(&Tag::distribution(pbox, "error")).percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
         ..Chart::over(box_name(result, index), &x_label, &pbox.value_si, &pbox.unit, writer)
@@ -349,11 +351,11 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
     let read_off =
         || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), ", sampling error not included");
     let ([least, most], error) = bounded.unwrap_or_else(read_off);
-    let limit = writer.about(&Tag::Given("limit")).value_trimmed(limit_si, &pbox.unit);
+    let limit = writer.with_tag(&Tag::Given("limit")).value_trimmed(limit_si, &pbox.unit);
     let [lower, upper] = ["share below lower", "share below upper"].map(|part| Tag::distribution(pbox, part));
     let [least, most] =
-        [writer.about(&lower).percent(least, Rounding::Down), writer.about(&upper).percent(most, Rounding::Up)];
-    if read_the_same(&least, &most) {
+        [writer.with_tag(&lower).percent(least, Rounding::Down), writer.with_tag(&upper).percent(most, Rounding::Up)];
+    if same_wording(&least, &most) {
         return format!("Below {limit}: {least} of mechanisms{error}.");
     }
     format!("Below {limit}: between {least} and {most} of mechanisms{error}.")

@@ -16,14 +16,14 @@ use crate::medium::article_page::{blocks, page_section};
 use crate::medium::page::{Page, Section};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::study::answer::{Answer, answer, requirement_words, verdict_headline};
+use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
 use crate::study::repeat_section::study_repeat_section;
 use crate::study::sections::{
     accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, degrees_section,
     percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
 };
 use crate::words::wording::{
-    counted, deviation_words, has_unknown, output_unit, place_words, unknown_words, verdict_words,
+    UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
@@ -69,7 +69,7 @@ pub fn study_page(result: &StudyResult) -> String {
         title: result.name.clone(),
         kicker: "Accuracy study",
         subtitle: html! {
-            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")))) " · study "
+            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.with_tag(&Tag::Count("runs")))) " · study "
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
@@ -97,7 +97,7 @@ fn short_hash(hash: &str) -> String {
     hash.chars().take(8).collect()
 }
 
-fn answer_markup(answer: &Answer) -> Markup {
+fn answer_markup(answer: &StudyAnswer) -> Markup {
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {
@@ -123,17 +123,17 @@ fn verdict_class(verdict: Verdict) -> &'static str {
 
 fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::Section> {
     let of_unknown = match has_unknown(&result.inputs) {
-        true => format!(", for all values of the {}", unknown_words(&result.inputs)),
+        true => format!(", for all values of the {}", UNKNOWN_INPUTS),
         false => String::new(),
     };
     let row = |requirement: &RequirementOutcome| -> Vec<Cell> {
         let tag = |part: &str| Tag::requirement(requirement, part);
         let RequirementOutcome { output, of, at, probability: [lower, upper], verdict, .. } = requirement;
         let limits = requirement_words(result, requirement, &output_unit(result, output), writer);
-        let asked = writer.about(&Tag::Given("required share"));
-        let share = Text::from(writer.about(&tag("share")).percent_range(*lower, *upper));
+        let asked = writer.with_tag(&Tag::Given("required share"));
+        let share = Text::from(writer.with_tag(&tag("share")).percent_range(*lower, *upper));
         let promised = requirement.promised.map_or_else(Text::default, |least| {
-            let least = writer.about(&tag("promised")).percent(least, Rounding::Down);
+            let least = writer.with_tag(&tag("promised")).percent(least, Rounding::Down);
             Text::from(" ").quiet(format!("promised: at least {least}"))
         });
         let word = verdict_words(*verdict);
@@ -142,7 +142,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::
             format!("{output}, {} {limits}, {}", deviation_words(*of), place_words(*at, writer)).into(),
             format!("≥ {}", asked.percent(requirement.probability_at_least, Rounding::Nearest)).into(),
             share.then(promised).into(),
-            writer.about(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
+            writer.with_tag(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
             Cell::Drawn { html, text: word.to_owned() },
         ]
     };

@@ -16,9 +16,9 @@ use loosepin_text::units::SiUnit;
 
 pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup {
     let share = |part: &str, value: f64| {
-        writer.about(&Tag::whole("energy residual", part)).rounded(value, &SiUnit::NONE, 2, Rounding::Up)
+        writer.with_tag(&Tag::whole("energy residual", part)).rounded(value, &SiUnit::NONE, 2, Rounding::Up)
     };
-    let of_runs = |share: f64| writer.about(&Tag::Given("probability")).percent(share, Rounding::Nearest);
+    let of_runs = |share: f64| writer.with_tag(&Tag::Given("probability")).percent(share, Rounding::Nearest);
     let alternative = format!(
         "Histogram of the energy residuals of the runs; half lie below {}, the largest is {}.",
         share("median", energy.median),
@@ -55,7 +55,7 @@ pub(super) fn method_section(result: &StudyResult, writer: &NumberWriter) -> Sec
     section.push(Content::Table(Table::new(columns.into(), rows)));
     if !result.correlations.is_empty() {
         let one = |correlation: &CorrelationDescription| {
-            let number = |value: f64| writer.about(&Tag::Given("correlation")).shortest(value, &SiUnit::NONE);
+            let number = |value: f64| writer.with_tag(&Tag::Given("correlation")).shortest(value, &SiUnit::NONE);
             let kind = match correlation.linear {
                 Some(linear) => format!("linear {}", number(linear)),
                 None => format!("rank {}", number(correlation.rank)),
@@ -111,10 +111,10 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
     let cycle = &result.cycle;
     let speed = cycle.drive_speed_rad_s.map_or_else(String::new, |speed_rad_s| {
         let given = Tag::Given("speed of the drive");
-        format!(" at {}", writer.about(&given).value_shortest(speed_rad_s, &SiUnit::ANGULAR_VELOCITY))
+        format!(" at {}", writer.with_tag(&given).value_shortest(speed_rad_s, &SiUnit::ANGULAR_VELOCITY))
     });
     let turns = |number: f64| turns(number, cycle.drive_speed_rad_s, writer);
-    let tolerance = writer.about(&Tag::Given("tolerance")).value_shortest(cycle.tolerance_m, &SiUnit::LENGTH);
+    let tolerance = writer.with_tag(&Tag::Given("tolerance")).value_shortest(cycle.tolerance_m, &SiUnit::LENGTH);
     let (start_up, recorded) = (turns(cycle.transient_turns), turns(cycle.recorded_turns));
     let known = [
         ("Cycle", format!("{}{speed}; {start_up} of start-up, then {recorded} recorded", cycle.drive)),
@@ -122,7 +122,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
         ("Integration", format!("{}, tolerance {tolerance}", cycle.method)),
         ("Reading of an interval", readings.join("; ")),
         ("Guarantee of the bounds", guarantees.join(", or ")),
-        ("Seed", count(result.seed, &writer.about(&Tag::Given("seed")))),
+        ("Seed", count(result.seed, &writer.with_tag(&Tag::Given("seed")))),
     ];
     let known = known.into_iter().filter(|(_, words)| !words.is_empty());
     let mut facts: Vec<Fact> = known.map(|(name, words)| Fact::new(name, [words])).collect();
@@ -134,7 +134,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
 /// All runs as a sum of those for each purpose.
 fn runs_words(result: &StudyResult, writer: &NumberWriter) -> String {
     let counts = &result.counts;
-    let number = |tag: Tag, value: u64| count(value, &writer.about(&tag));
+    let number = |tag: Tag, value: u64| count(value, &writer.with_tag(&tag));
     let (what, plus) = match is_by_surrogate(result) {
         true => (", to train a surrogate and to check it".to_owned(), "; "),
         false => (format!(" = {}", double_loop_words(result, " × ", writer)), " + "),

@@ -1,5 +1,5 @@
-//! What if the unknown values were known: the band at each value that was run, for the choice below the first chart: a slider over one
-//! interval, a map of two; and before it a choice among the members of lists, whose values are never mixed.
+//! What if the unknown values were known: the band at each tested value, for the choice below the first chart: a slider over one interval,
+//! a map of two; and before it a choice among the members of lists, whose values are never mixed.
 
 use maud::{Markup, html};
 use serde::Serialize;
@@ -103,7 +103,7 @@ pub(super) fn what_if(
         div.what-if data-what-if=(chart) hidden {
             p { strong { "What if " (listed(&names)) " were known?" } }
             p.quiet {
-                "Choose one of " (writer.about(&Tag::Count("values that are offered")).count(record.points.len() as u64)) " values that were run: the inner band is that value's, counted from its runs. The outer \
+                "Choose one of " (writer.with_tag(&Tag::Count("values that are offered")).count(record.points.len() as u64)) " values that were run: the inner band is that value's, counted from its runs. The outer \
                  band stays: it holds for all of them."
                 @if record.inputs.len() > MAPPED {
                     " The map shows the first two ranges; the line below it names all values."

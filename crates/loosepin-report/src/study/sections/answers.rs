@@ -21,9 +21,9 @@ pub(crate) fn answers_section(result: &StudyResult, writer: &NumberWriter) -> Op
 fn sentence(answer: &QuestionAnswer, parts: &[AnswerPart], writer: &NumberWriter) -> String {
     let word = |part: &AnswerPart| match part {
         AnswerPart::Words(words) => words.clone(),
-        AnswerPart::Count { of, count } => writer.about(&Tag::whole(&answer.question, of)).count(*count),
+        AnswerPart::Count { of, count } => writer.with_tag(&Tag::whole(&answer.question, of)).count(*count),
         AnswerPart::Quantity { of, value_si, unit } => {
-            writer.about(&Tag::whole(&answer.question, of)).rounded(*value_si, unit, DIGITS, Rounding::Nearest)
+            writer.with_tag(&Tag::whole(&answer.question, of)).rounded(*value_si, unit, DIGITS, Rounding::Nearest)
         }
     };
     parts.iter().map(word).collect()

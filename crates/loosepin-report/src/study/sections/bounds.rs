@@ -4,8 +4,8 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::bound::{bound_error, bound_value, error_parts};
 use crate::words::wording::{
-    MASSES_ADD, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit, reading_beside,
-    response_words, statistic_words, unknown_words,
+    MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
+    reading_beside, response_words, statistic_words,
 };
 use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
@@ -32,7 +32,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         return Some(section);
     }
     let over = match has_unknown(&result.inputs) {
-        true => format!(" for all values of the {}", unknown_words(&result.inputs)),
+        true => format!(" for all values of the {}", UNKNOWN_INPUTS),
         false => String::new(),
     };
     let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));
@@ -51,7 +51,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         section.push_on(Medium::Page, Content::Note(Text::from(more).code("bounds.csv").plain(".")));
     }
     if left_of_table > 0 {
-        let more = count(left_of_table as u64, &writer.about(&Tag::Count("bounds that the terminal leaves out")));
+        let more = count(left_of_table as u64, &writer.with_tag(&Tag::Count("bounds that the terminal leaves out")));
         section.push_on(Medium::Terminal, Content::Note(format!("{more} more in bounds.csv").into()));
     }
     Some(section)
@@ -78,7 +78,7 @@ fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) ->
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
     let witness =
-        |part: &str, end: &BoundEnd| writer.about(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
+        |part: &str, end: &BoundEnd| writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
     // On a page a remark stands below the number.
     let below = |number: Text, remark: String| number.on(Medium::Page, Text::from(" ").quiet(remark));
     let upper_witness = witness("upper witness", &bound.upper);

@@ -1,7 +1,7 @@
 //! Bounds in columns: by degree of possibility, where an input is a fuzzy number; by percentile, where a statistic is itself random.
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::{Tag, among_cut, among_percentile};
+use crate::numbers::tag::{Tag, degree_group, percentile_group};
 use crate::words::bound::bound_value;
 use crate::words::wording::{deviation_words, further, head, output_unit, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
@@ -15,9 +15,11 @@ const MAX_STATISTICS: usize = 20;
 pub(crate) fn degrees_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     const DEGREES_MEAN: &str = "A fuzzy number gives each value a degree of possibility. At each degree every statistic lies between its two \
          bounds. A higher degree allows fewer values, so its bounds are closer.";
-    let degree = |alpha: f64| writer.about(&Tag::Given("degree")).shortest(alpha, &SiUnit::NONE);
-    let of_cut =
-        result.cuts.iter().map(|cut| (format!("Degree {}", degree(cut.alpha)), among_cut(cut.alpha), &cut.bounds[..]));
+    let degree = |alpha: f64| writer.with_tag(&Tag::Given("degree")).shortest(alpha, &SiUnit::NONE);
+    let of_cut = result
+        .cuts
+        .iter()
+        .map(|cut| (format!("Degree {}", degree(cut.alpha)), degree_group(cut.alpha), &cut.bounds[..]));
     section("degrees", "Bounds by degree of possibility", DEGREES_MEAN, of_cut.collect(), result, writer)
 }
 
@@ -26,9 +28,9 @@ pub(crate) fn percentiles_section(result: &StudyResult, writer: &NumberWriter) -
     const PERCENTILES_MEAN: &str = "The parameters of some distributions have distributions themselves, so each statistic is random. It stays below a \
          percentile with the probability of that percentile. If other inputs are unknown, each percentile has two bounds. Numerical errors are \
          included. All other numbers on this page hold for all values of such a parameter in its range.";
-    let percent = |share: f64| writer.about(&Tag::Given("percentile")).percent(share, Rounding::Nearest);
+    let percent = |share: f64| writer.with_tag(&Tag::Given("percentile")).percent(share, Rounding::Nearest);
     let of_percentile = result.percentiles.iter().map(|each| {
-        (format!("{} percentile", percent(each.percentile)), among_percentile(each.percentile), &each.bounds[..])
+        (format!("{} percentile", percent(each.percentile)), percentile_group(each.percentile), &each.bounds[..])
     });
     section("percentiles", "Percentiles of the statistics", PERCENTILES_MEAN, of_percentile.collect(), result, writer)
 }
@@ -56,7 +58,7 @@ fn section(
             statistic_words(bound.statistic, &output_unit(result, &bound.output), writer)
         );
         let between = |(_, among, bounds): &Bounds<'_>| -> Cell {
-            let of_column = writer.about(among);
+            let of_column = writer.with_tag(among);
             let ends = bounds.get(*place).map(|bound| {
                 let lower = bound_value(&bound.lower, bound, Rounding::Down, &of_column);
                 format!("{lower} to {}", bound_value(&bound.upper, bound, Rounding::Up, &of_column))

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::charts::still_figures::percent_of;
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
-use crate::numbers::tag::{Tag, read_the_same};
+use crate::numbers::tag::{Tag, same_wording};
 use crate::words::wording::{counted, listed, response_words};
 use loosepin_result::study::{Contributors, ResponsePoint, ShareRange, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
@@ -22,7 +22,7 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
         let heading = format!(
             "Sensitivity: how much narrower the {} band ({} wide) becomes without one input",
             band_probability(writer),
-            writer.about(&tag).value(one.band_width_si, &one.unit)
+            writer.with_tag(&tag).value(one.band_width_si, &one.unit)
         );
         section.push_on(Medium::Terminal, Content::Heading(heading.into()));
         section.push(Content::Table(table(result, one, writer)));
@@ -48,10 +48,10 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
         vec![
             listed(&input.paths.iter().map(name).collect::<Vec<String>>()).into(),
             "tolerance".into(),
-            bar("probability", [input.band_share; 2], &writer.about(&tag("band", &input.paths))),
-            share(&input.first, &writer.about(&tag("first", &input.paths))).into(),
-            share(&input.total, &writer.about(&tag("total", &input.paths))).into(),
-            known(input.quasi_static_share, &writer.about(&tag("quasi-static", &input.paths))).into(),
+            bar("probability", [input.band_share; 2], &writer.with_tag(&tag("band", &input.paths))),
+            share(&input.first, &writer.with_tag(&tag("first", &input.paths))).into(),
+            share(&input.total, &writer.with_tag(&tag("total", &input.paths))).into(),
+            known(input.quasi_static_share, &writer.with_tag(&tag("quasi-static", &input.paths))).into(),
         ]
     });
     let epistemic = one.epistemic.iter().map(|input| {
@@ -59,10 +59,10 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
         vec![
             name(&input.path).into(),
             "measurement".into(),
-            bar("mixed", input.band_share, &writer.about(&tag("band"))),
+            bar("mixed", input.band_share, &writer.with_tag(&tag("band"))),
             Cell::Nothing,
             Cell::Nothing,
-            known(input.quasi_static_share, &writer.about(&tag("quasi-static"))).into(),
+            known(input.quasi_static_share, &writer.with_tag(&tag("quasi-static"))).into(),
         ]
     });
     let columns = vec![
@@ -86,16 +86,16 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
     let mut caption = format!(
         "The band is {} wide{}. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
          the largest. It is computed from the existing runs, with an error of {}.",
-        writer.about(&Tag::contributors(one, "band width", "")).value(one.band_width_si, &one.unit),
+        writer.with_tag(&Tag::contributors(one, "band width", "")).value(one.band_width_si, &one.unit),
         if one.at == ResponsePoint::Whole { " on average over the poses" } else { "" },
-        writer.about(&Tag::contributors(one, "error", "")).percent(error, Rounding::Up)
+        writer.with_tag(&Tag::contributors(one, "error", "")).percent(error, Rounding::Up)
     );
     if !one.points.is_empty() {
         caption.push_str(&format!(
             " Sobol' indices are shares of the variance, at {} of the unknown inputs, errors included (confidence {}). For a random \
              input, the band is assumed to shrink with the square root of the variance.",
-            counted(one.points.len() as u64, "value", &writer.about(&Tag::Count("values with Sobol' indices"))),
-            writer.about(&Tag::Given("confidence")).percent(one.confidence, Rounding::Nearest)
+            counted(one.points.len() as u64, "value", &writer.with_tag(&Tag::Count("values with Sobol' indices"))),
+            writer.with_tag(&Tag::Given("confidence")).percent(one.confidence, Rounding::Nearest)
         ));
     }
     caption.push_str(
@@ -118,19 +118,19 @@ fn known(share: Option<f64>, writer: &NumberWriter) -> Option<String> {
 /// The share of mechanisms that the bands hold which sensitivities are about.
 fn band_probability(writer: &NumberWriter) -> String {
     const BAND_PROBABILITY: f64 = 0.95;
-    writer.about(&Tag::Given("probability")).percent(BAND_PROBABILITY, Rounding::Nearest)
+    writer.with_tag(&Tag::Given("probability")).percent(BAND_PROBABILITY, Rounding::Nearest)
 }
 
 /// A share of the band, or its range, where it is known.
 fn band_share(share: [f64; 2], writer: &NumberWriter) -> Option<String> {
     let text = |part: &str, share: f64| {
         let tag = writer.tag().map(|tag| tag.part(part));
-        writer.about_maybe(tag.as_ref()).percent((100.0 * share).round() / 100.0, Rounding::Nearest)
+        writer.with_optional_tag(tag.as_ref()).percent((100.0 * share).round() / 100.0, Rounding::Nearest)
     };
     let (least, most) = (text("least", share[0]), text("most", share[1]));
     match share {
         [least, _] if !least.is_finite() => None,
-        _ if read_the_same(&least, &most) => Some(most),
+        _ if same_wording(&least, &most) => Some(most),
         _ => Some(format!("{least} to {most}")),
     }
 }

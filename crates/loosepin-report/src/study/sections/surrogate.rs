@@ -63,11 +63,11 @@ fn bounds_table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWri
         Column::numbers("± surrogate"),
     ];
     let row = |bound: &&BoundRecord| {
-        let among = Tag::Among("surrogate".to_owned());
+        let among = Tag::Group("surrogate".to_owned());
         vec![
             statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
             direct_bound(result, bound).map(|direct| range_words(direct, writer)).into(),
-            range_words(bound, &writer.about(&among)).into(),
+            range_words(bound, &writer.with_tag(&among)).into(),
             surrogate_error(bound, writer).into(),
         ]
     };
@@ -144,11 +144,11 @@ fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
     }
 }
 
-/// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
+/// "-0.55 mm to 0.55 mm", with the digits that distinguish the bands of `comparison`.
 fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let digits = band_digits(comparison);
     let rounded = |part: &str, value_si: f64, rounding| {
-        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
+        writer.with_tag(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
     };
     format!("{} to {}", rounded("lower", band.lower_si, Rounding::Down), rounded("upper", band.upper_si, Rounding::Up))
 }

@@ -7,8 +7,8 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::treatment_sentences;
 use crate::words::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists, head, place_words,
-    promise_word, response_words, share_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, UNKNOWN_INPUTS, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists,
+    head, place_words, promise_word, response_words, share_words, treatment_words,
 };
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
@@ -59,7 +59,7 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
     let promised = comparison.promised_coverage;
     let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
     let share_from = ((least - 0.5 * (1.0 - least)).max(0.0) * 20.0).floor() / 20.0;
-    let promise = writer.about(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
+    let promise = writer.with_tag(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
     // Records of older versions do not hold the errors of bands of direct runs.
     let has_errors = has_errors(comparison);
     let error = has_errors.then(|| Column::numbers("± error"));
@@ -74,7 +74,7 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
     let row = |band: &TreatmentBand| {
         let error: Option<Cell> = has_errors.then(|| band_error(band, comparison, writer).into());
         let tag = Tag::band(comparison, band, "width");
-        let width = writer.about(&tag);
+        let width = writer.with_tag(&tag);
         let cells = [treatment_words(band.treatment).into(), band_bar(band, comparison, from, to, writer)];
         let further = [
             width.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest).into(),
@@ -84,11 +84,11 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
         cells.into_iter().chain(error).chain(further).collect()
     };
     let given = Tag::Given("axis");
-    let axis = writer.about(&given);
+    let axis = writer.with_tag(&given);
     let caption = format!(
         "Bars: the bands on a common scale. Dots: the share inside at each tested value of the {}, from {} to {}. Vertical line: the \
          promised {promise}.",
-        unknown_words(&result.inputs),
+        UNKNOWN_INPUTS,
         axis.percent(share_from, Rounding::Nearest),
         axis.percent(1.0, Rounding::Nearest)
     );
@@ -128,7 +128,7 @@ fn colour(treatment: Treatment) -> &'static str {
 fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, to: f64, writer: &NumberWriter) -> Cell {
     let rounded = |part: &str, value_si: f64, rounding| {
         let digits = band_digits(comparison);
-        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
+        writer.with_tag(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
     };
     let lower = rounded("lower", band.lower_si, Rounding::Down);
     let upper = rounded("upper", band.upper_si, Rounding::Up);

@@ -1,4 +1,4 @@
-//! Where all positions lie that the play allows, and first and second derivatives of the outputs over them, on intervals.
+//! Enclosure of all positions that the play allows, and first and second derivatives of the outputs over them, on intervals.
 //!
 //! Φ(q, v) = 0 are the loop equations over the free coordinates q and the numbers v of [`super::variables`]: play, dimensions, and last the
 //! input of the cycle around its angle. With J = dΦ/dq over a box Q and the inverse Y of its middle, Krawczyk's operator
@@ -24,7 +24,7 @@ use loosepin_mechanics::model::{Position, Values};
 const BOXES: usize = 8;
 /// How much larger than what they must hold they are made.
 const INFLATION: f64 = 1.15;
-/// A box that has grown so much since the first is given up.
+/// Growth of a box since the first at which it is given up.
 const MAX_GROWTH: f64 = 50.0;
 
 /// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.
@@ -43,14 +43,14 @@ pub(in super::super) struct NotEnclosed {
     pub coordinate: usize,
 }
 
-/// What may move, and how.
+/// The moving variables and their ranges.
 pub(in super::super) struct Moving<'a> {
     pub mechanism: &'a Mechanism,
     pub values: &'a Values,
     pub variables: Variables,
     /// For each dimension that deviates: by how much every quantity changes at its limit.
     pub dimensions: Vec<Vec<f64>>,
-    /// By how much each driven coordinate changes at the limit of the input, if it may move.
+    /// Change of each driven coordinate at the limit of the input, if it may move.
     pub driven_steps: Option<Vec<f64>>,
 }
 
@@ -359,7 +359,7 @@ fn preconditioned(
     product
 }
 
-/// Solves a system near the identity with `m` right-hand sides, row by row; nothing where a pivot may be zero.
+/// Solves a system near the identity with `m` right-hand sides, row by row; `None` if a pivot may be zero.
 fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: usize) -> Option<Vec<Interval>> {
     for j in 0..n {
         if !(matrix[j * n + j].low() > 0.0) {
@@ -389,7 +389,7 @@ fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: u
     Some(right)
 }
 
-/// The inverse of the first `n` columns of a matrix with `n` rows; nothing where they are singular.
+/// The inverse of the first `n` columns of a matrix with `n` rows; `None` if they are singular.
 fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; n * n];
     for column in 0..n {

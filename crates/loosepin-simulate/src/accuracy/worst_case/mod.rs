@@ -18,7 +18,7 @@ mod variables;
 pub(super) use enclosure::{Encloser, Moving};
 pub use first_order::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 pub(super) use over_cycle::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
-pub use search::{FoundWorstCase, WorstPosition, found_worst_case, starts_on_borders};
 pub(super) use search::{Objective, best_of};
+pub use search::{WorstCaseExtremes, WorstPosition, starts_on_borders, worst_case_extremes};
 pub(super) use upper_end::{Ends, Reference};
 pub(super) use variables::Variables;

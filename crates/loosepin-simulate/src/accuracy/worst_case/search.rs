@@ -16,7 +16,7 @@ const STARTS_WHERE_BLOCKED: usize = 16;
 /// The longest step, in units of the play: from any place to the border.
 const LONGEST_STEP: f64 = 1e6;
 
-/// Where an output is extreme.
+/// Position of an extreme of an output.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorstPosition {
     /// Output there minus output with all joints in the middle of their play, m or rad.
@@ -27,7 +27,7 @@ pub struct WorstPosition {
 
 /// The extremes of one output that are found over all displacements that the clearances allow, the loops closed exactly.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FoundWorstCase {
+pub struct WorstCaseExtremes {
     /// The lowest value; its deviation is <= 0.
     pub lowest: WorstPosition,
     /// The highest value; its deviation is >= 0.
@@ -55,18 +55,18 @@ impl Objective<'_> {
 ///
 /// Each search climbs from a start: the middle of the play, [`starts_on_borders`] and each of `starts`. The extremes that it ends in are
 /// local ones; more starts make a missed one less likely.
-pub fn found_worst_case(
+pub fn worst_case_extremes(
     loops: &mut DisplacedLoops<'_>,
     reading: Position,
     reaches: &[PlayReach],
     starts: &[Vec<Vec2<f64>>],
-) -> FoundWorstCase {
+) -> WorstCaseExtremes {
     let objective = Objective { readings: &[reading], weights: &[(0, 1.0)] };
     let middle = vec![Vec2::zero(); reaches.len()];
     let all: Vec<&[Vec2<f64>]> = std::iter::once(&middle).chain(starts).map(Vec::as_slice).collect();
     let [lowest, highest] = [-1.0, 1.0].map(|sign| best_of(loops, objective, reaches, &all, sign));
     loops.centre();
-    FoundWorstCase { is_blocked: lowest.1 || highest.1, lowest: lowest.0, highest: highest.0 }
+    WorstCaseExtremes { is_blocked: lowest.1 || highest.1, lowest: lowest.0, highest: highest.0 }
 }
 
 /// Four starts on the borders of the play, the joints turned against each other by the golden angle, so that no two starts

@@ -1,17 +1,17 @@
-//! What is followed in the runs on lanes.
+//! Followed quantities of the runs on lanes.
 
 use super::Batch;
 use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, extremes_within};
-use crate::lanes::core::{Awaited, Core, lanes_of};
+use crate::lanes::core::{Core, PendingInstant, lanes_of};
 use crate::lanes::memory::LaneLayout;
 use crate::lanes::reads::ReadLayout;
 
-/// Lanes over a root with an instant in the step at hand from which on these are read in place, in all lanes: the others are computed in vain,
+/// Lanes over a root with an instant in the current step from which on these are read in place, in all lanes: the others are computed in vain,
 /// and that costs less than putting them by.
 const FEWEST_IN_PLACE: u32 = 8;
 
 impl Batch<'_> {
-    /// Lets the recorded part of a run begin, or go on, at `time_s`.
+    /// Begins, or resumes, the recorded part of a run at `time_s`.
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
         let Some(run) = &mut self.runs[lane] else { return };
         run.is_recorded = true;
@@ -26,7 +26,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Follows the accepted steps at hand, those of them that are recorded. Of the `watched` ones it is asked here whether another piece of the
+    /// Follows the current accepted steps, as far as they are recorded. Of the `watched` ones it is asked here whether another piece of the
     /// curves or an instant is due in them: their ends may have been moved.
     pub(super) fn follow(&mut self, accepted: u32, watched: u32) {
         let recorded = self.recorded;
@@ -60,7 +60,7 @@ impl Batch<'_> {
         self.look_at_instants(due, is_instant);
     }
 
-    /// Takes in the values inside the accepted steps at hand that are `recorded`.
+    /// Records the values inside the current accepted steps that are `recorded`.
     fn look_inside(&mut self, recorded: u32) {
         let evaluations = self.core.evaluations_for_dense() + self.core.look_inside();
         for lane in lanes_of(recorded) {
@@ -73,7 +73,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Locates the extremes of a reading inside the step at hand of a lane, where its values allow new ones.
+    /// Locates the extremes of a reading inside the current step of a lane, where its values allow new ones.
     fn take_peak(&mut self, lane: usize, reading: usize) {
         let Self { core, runs, view, view_projection, view_state, viewed, .. } = self;
         let (Some(run), Some(read)) = (&runs[lane], self.inside.get(reading)) else { return };
@@ -118,7 +118,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Reads at the instants in the steps at hand. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
+    /// Reads at the instants in the current steps. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
     /// and each may hold many: those are read at once. Of the others the first ones are read in place where there are many of them; what is
     /// left waits until it fills all lanes. Of some lanes that are `due` it is known that it `is_instant` what is due.
     fn look_at_instants(&mut self, due: u32, is_instant: u32) {
@@ -163,18 +163,18 @@ impl Batch<'_> {
         while left != 0 {
             for lane in lanes_of(std::mem::take(&mut left)) {
                 if waiting.len() == lanes {
-                    core.await_instants(before, &waiting[before..]);
+                    core.add_pending_instants(before, &waiting[before..]);
                     look_at_all(core, follows, layout, waiting);
                     before = 0;
                 }
                 let follow = &mut follows[lane];
                 let (index, instant_s) = follow.take_next();
-                waiting.push(Awaited { lane, index, instant_s });
+                waiting.push(PendingInstant { lane, index, instant_s });
                 left |= is_within(core, follow, lane);
                 set_due(core, follow, lane);
             }
         }
-        core.await_instants(before, &waiting[before..]);
+        core.add_pending_instants(before, &waiting[before..]);
         for lane in lanes_of(due & !within) {
             set_due(core, &follows[lane], lane);
         }
@@ -186,7 +186,7 @@ impl Batch<'_> {
         look_at_all(core, follows, layout, waiting);
     }
 
-    /// Gives out what was found in the run of a lane that is over.
+    /// Returns the findings in the run of a lane that is over.
     pub(super) fn findings(&mut self, lane: usize) -> Findings {
         self.look_at_waiting();
         let Self { core, follows, follow: layout, .. } = self;
@@ -195,13 +195,18 @@ impl Batch<'_> {
 }
 
 /// Reads at all instants that wait.
-fn look_at_all(core: &mut Core<'_>, follows: &mut [LaneFollow], layout: &FollowLayout, waiting: &mut Vec<Awaited>) {
+fn look_at_all(
+    core: &mut Core<'_>,
+    follows: &mut [LaneFollow],
+    layout: &FollowLayout,
+    waiting: &mut Vec<PendingInstant>,
+) {
     if waiting.is_empty() {
         return;
     }
     core.look(waiting.len());
     for reading in 0..layout.readings() {
-        for (&Awaited { lane, index, .. }, value) in waiting.iter().zip(core.looked(reading)) {
+        for (&PendingInstant { lane, index, .. }, value) in waiting.iter().zip(core.looked(reading)) {
             follows[lane].take_instant(index, reading, *value);
         }
     }

@@ -16,7 +16,7 @@ pub(crate) use seats::{HandledQueue, QueueOfHandles, RunHandle};
 use crate::depth_limit::DepthLimit;
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
-use crate::lanes::core::{Awaited, Core, lanes_of, move_flag};
+use crate::lanes::core::{Core, PendingInstant, lanes_of, move_flag};
 use crate::lanes::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::lanes::lane::{Decision, Event, LaneRun, Phase};
 use crate::lanes::lane_step::LaneStep;
@@ -45,13 +45,13 @@ pub(crate) const MAX_STEP_TURNS: f64 = 1.0 / 96.0;
 const MIN_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const MIN_STEP_TURNS: f64 = 1e-14;
-/// Evaluations after which a run alone goes on as machine code: about as many take as long as making it does (12,500 of `slider_crank_5000`,
-/// 11,200 of `six_bar`), so that no run takes more than twice as long as without.
+/// Evaluations after which a single run continues as machine code: about as many take as long as compiling it does (12,500 of
+/// `slider_crank_5000`, 11,200 of `six_bar`), so that no run takes more than twice as long as without.
 const EVALUATIONS_ALONE: u64 = 12_000;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
-/// What runs alone, one after the other, of one mechanism leave for the next one: the machine code of those that were long.
+/// Cache of consecutive single runs of one mechanism: the machine code of the long ones.
 #[derive(Default)]
 pub(crate) struct CompiledCodeCache<'a> {
     core: Option<Core<'a>>,
@@ -73,7 +73,7 @@ pub(crate) struct Batch<'a> {
     mechanism: &'a Mechanism,
     core: Core<'a>,
     runs: Vec<Option<LaneRun>>,
-    /// Equations on one lane at a time, for whoever looks inside a step.
+    /// Equations on one lane at a time, for evaluations inside a step.
     view: Motion<'a, f64>,
     view_projection: Option<Projection<f64>>,
     view_state: Vec<f64>,
@@ -82,27 +82,27 @@ pub(crate) struct Batch<'a> {
     started: u64,
     output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
-    /// Where everything is among the numbers of what is followed.
+    /// Layout of the numbers of the followed quantities.
     follow: FollowLayout,
     /// What is looked at inside the steps.
     inside: Vec<Reading>,
     /// What is followed in the run of each lane.
     follows: Vec<LaneFollow>,
-    /// The events at the ends of the steps at hand, in the lanes that are looked at in this pass.
+    /// The events at the ends of the current steps, in the lanes that are looked at in this pass.
     events: Vec<Option<Event>>,
     /// Instants that wait to be read at.
-    waiting: Vec<Awaited>,
+    waiting: Vec<PendingInstant>,
     /// Lanes with a run; those whose recorded part has begun; those whose derivative is to be evaluated again before the next step; those
     /// whose energy account begins then.
     active: u32,
     recorded: u32,
     restarts: u32,
     openings: u32,
-    /// Those whose step at hand ends their run.
+    /// Lanes whose current step ends their run.
     ending: u32,
     /// Whether all runs have begun.
     is_exhausted: bool,
-    /// All runs are in so many lanes, the first ones.
+    /// Number of lanes in use, from the first one.
     used: usize,
     passes: u64,
 }
@@ -191,7 +191,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Lets the run alone go on by a later execution, with the same bits, where that is machine code; says whether it does.
+    /// Continues a single run by a later execution, with the same bits, if that is machine code; returns whether it does.
     fn go_on_later(&mut self, execution: Execution, kept: &mut CompiledCodeCache<'a>) -> bool {
         let Some(run) = &self.runs[0] else { return false };
         let LaneRun { sample, arms, .. } = run;
@@ -249,7 +249,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or where it goes on.
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or at its resumed state.
     fn start(&mut self, lane: usize, run: Run<RunHandle>, queue: &mut dyn QueueOfHandles) {
         let Run { mut sample, arms, window, observer, followed, resume } = run;
         let n = self.mechanism.real.free;
@@ -408,8 +408,8 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Steps that an event or a stop has cut do not tell how long the first one after an event may be: the lanes among `looked` at in which
-    /// another step is to tell.
+    /// Steps that an event or a stop has cut are not used to predict the first step after an event: the lanes of `looked` whose prediction
+    /// waits for another step.
     fn hold_first(&mut self, looked: u32) -> u32 {
         let mut cut = 0;
         for lane in lanes_of(looked) {
@@ -687,12 +687,12 @@ fn recorded_paths(mut at_end: Vec<FrictionPath>, before: &[FrictionPath]) -> Vec
     at_end
 }
 
-/// The flags of so many lanes, 31 or fewer, the first ones.
+/// The flags of the first `end` lanes, 31 or fewer.
 fn lanes_before(end: usize) -> u32 {
     (1 << end) - 1
 }
 
-/// Where a run that is at `time_s` stops next: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no
+/// Next stop of a run that is at `time_s`: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no
 /// step lies in it with a part alone.
 fn next_stop_s(sample: &Sample<f64>, time_s: f64, window: &Window) -> f64 {
     let end_s = if time_s < window.start_s { window.start_s } else { window.end_s };

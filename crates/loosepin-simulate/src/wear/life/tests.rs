@@ -39,13 +39,13 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
 }
 
 /// The slider-crank at 300 rpm under -500 N along x on its slider, whose gudgeon has 0.1 mm of play and wears.
-struct Pressed {
+struct ContactSample {
     mechanism: Mechanism,
     values: Values,
     sample: Sample<f64>,
 }
 
-impl Pressed {
+impl ContactSample {
     fn new(sectors: usize) -> Self {
         let joint = format!(
             "radial_clearance = \"0.1 mm\"\nbearing_length = \"20 mm\"\nwear.sectors = {sectors}\n\
@@ -153,7 +153,7 @@ impl Observer for Beside {
 }
 
 /// The first 10 ms of a turn beside `rows` of another program; friction paths at two tolerances, J.
-fn part_of_a_turn(pressed: &Pressed, rows: &[Vec<f64>]) -> [f64; 2] {
+fn part_of_a_turn(pressed: &ContactSample, rows: &[Vec<f64>]) -> [f64; 2] {
     let window = Window { start_s: 0.0, end_s: 0.01 };
     [1e-7, 1e-8].map(|tolerance_m| {
         let settings = Settings { tolerance_m, ..Settings::for_simulation() };
@@ -190,20 +190,20 @@ const PATH_TOLERANCE: f64 = 1e-10;
 #[test]
 fn peer_the_unworn_foundation_over_a_part_of_a_turn() {
     // Its step halved changes positions by 3e-11 m over the turn, its table has twelve digits. Its path has other radii.
-    part_of_a_turn(&Pressed::new(360), &rows(FIRST_TURN));
+    part_of_a_turn(&ContactSample::new(360), &rows(FIRST_TURN));
 }
 
 #[test]
 fn peer_friction_path_of_the_unworn_foundation() {
     let rows = rows(OWN_UNWORN_TURN);
-    let paths_j = part_of_a_turn(&Pressed::new(360), &rows);
+    let paths_j = part_of_a_turn(&ContactSample::new(360), &rows);
     assert!(paths_j.iter().all(|path_j| (path_j / rows[20][5] - 1.0).abs() < PATH_TOLERANCE), "{paths_j:?}");
 }
 
 #[test]
 fn peer_a_worn_foundation_over_a_part_of_a_turn() {
     let rows = rows(OWN_WORN_TURN);
-    let paths_j = part_of_a_turn(&Pressed::worn(), &rows);
+    let paths_j = part_of_a_turn(&ContactSample::worn(), &rows);
     assert!(paths_j.iter().all(|path_j| (path_j / rows[20][5] - 1.0).abs() < PATH_TOLERANCE), "{paths_j:?}");
 }
 
@@ -230,7 +230,7 @@ fn peer_four_thousand_cycles() {
     };
     assert_eq!(peer_depths.len(), sectors);
     assert!(peer.len() == if jumps == 0 { 257 } else { jumps + 1 }, "{} rows", peer.len());
-    let life = Pressed::new(sectors).life(length, 1e-6);
+    let life = ContactSample::new(sectors).life(length, 1e-6);
     let last = life.last();
     let volumes_m3 = [2e-14, 1e-14].map(|coefficient_m2_n| coefficient_m2_n * life.paths_j[0]);
     let peer_end = &peer[peer.len() - 1];

@@ -5,8 +5,8 @@ use crate::elements::file;
 use loosepin_math::Vec2;
 use loosepin_mechanics::model::Cycle;
 use loosepin_simulate::accuracy::{
-    DisplacedLoops, PlayReach, first_order_si, found_worst_case, play_gradients, position_outputs, quasi_static_check,
-    starts_on_borders,
+    DisplacedLoops, PlayReach, first_order_si, play_gradients, position_outputs, quasi_static_check, starts_on_borders,
+    worst_case_extremes,
 };
 use loosepin_simulate::record::SimulationRecord;
 use loosepin_simulate::{Plan, Settings, simulate};
@@ -110,7 +110,7 @@ fn analytic_worst_case_across_the_guide_and_by_its_tilt() {
         };
         loops.set_position(ideal_at(&built, &sample, time_s).coordinates());
         let reading = position_outputs(&built.mechanism)[0].reading;
-        let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
+        let exact = worst_case_extremes(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
         let ends = [
             tool_m(CLEARANCE_M, 0.0),
             tool_m(-CLEARANCE_M, 0.0),
@@ -142,7 +142,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_all_places() {
             loops.set_position(ideal_at(&built, &sample, time_s).coordinates());
             for output in position_outputs(&built.mechanism) {
                 let starts = starts_on_borders(&reaches);
-                let exact = found_worst_case(&mut loops, output.reading, &reaches, &starts);
+                let exact = worst_case_extremes(&mut loops, output.reading, &reaches, &starts);
                 loops.centre();
                 let centred = loops.value(output.reading);
                 let mut largest = [0.0_f64; 2];

@@ -4,7 +4,7 @@ use super::motion::{motion_of, output};
 use super::{Built, build_case, build_case_with, ideal_at};
 use loosepin_math::Vec2;
 use loosepin_simulate::accuracy::{
-    DisplacedLoops, PlayReach, first_order_si, found_worst_case, play_gradients, position_outputs, starts_on_borders,
+    DisplacedLoops, PlayReach, first_order_si, play_gradients, position_outputs, starts_on_borders, worst_case_extremes,
 };
 
 /// The gudgeon of the case `slider_crank_5000`.
@@ -82,7 +82,7 @@ fn analytic_exact_worst_case_of_the_slider_crank() {
         let angle = 0.05 + 0.26 * f64::from(step);
         let state = ideal_at(&built, &sample, angle / built.input().speed_rad_s);
         loops.set_position(state.coordinates());
-        let exact = found_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
+        let exact = worst_case_extremes(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
         let centred = slider_m(angle, 0.0, 0.0);
         let highest = largest(|psi| slider_m(angle, 5e-4, psi)) - centred;
         let lowest = -largest(|psi| -slider_m(angle, 5e-4, psi)) - centred;
@@ -104,7 +104,7 @@ fn published_first_order_is_exceeded_by_0_17_micrometres_at_60_degrees() {
     loops.set_position(state.coordinates());
     let gradient = play_gradients(&mut loops, &[reading]).expect("it is regular")[0][0];
     let first_order = first_order_si(&[(GUDGEON, gradient)]);
-    let exact = found_worst_case(&mut loops, reading, &[GUDGEON], &[]);
+    let exact = worst_case_extremes(&mut loops, reading, &[GUDGEON], &[]);
     let excess_m = -exact.lowest.deviation_si - first_order;
     // 0.17 µm, to its two digits: what the first-order worst case lacks.
     assert!((excess_m - 0.17e-6).abs() < 0.005e-6, "{excess_m:e}");
@@ -150,7 +150,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_directions() {
             let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
             loops.set_position(state.coordinates());
             let reading = position_outputs(&built.mechanism)[0].reading;
-            let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
+            let exact = worst_case_extremes(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
             let [lowest, highest] = brute_force(&built, &mut loops, 0, &radii_m, per_joint);
             // A grid of directions falls short by the square of half its step, 1.5 % for 18 directions.
             let short = 1.6 * (std::f64::consts::PI / per_joint as f64).powi(2);
@@ -174,7 +174,7 @@ fn analytic_a_dead_point_within_the_clearances_is_in_the_way() {
     loops.set_position(state.coordinates());
     let before = loops.coordinates().to_vec();
     let reading = position_outputs(&built.mechanism)[0].reading;
-    let found = found_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
+    let found = worst_case_extremes(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
     assert!(found.is_blocked && found.lowest.deviation_si < 0.0, "{found:?}");
     loops.centre();
     assert_eq!(loops.coordinates(), before);

@@ -4,7 +4,7 @@ use super::{Built, build};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::acceleration_at;
-use loosepin_simulate::record::SwingCourse;
+use loosepin_simulate::record::OscillationTrend;
 use loosepin_simulate::{Observer, RunReport, Settings, Step, Window, run};
 
 /// Residual of the energy account over the largest energy exchanged.
@@ -318,7 +318,7 @@ fn peer_backlash_keeps_a_servo_swinging() {
     let built = build(&text);
     let record = super::initial::simulated(&built).record;
     let swing = record.controls[0].swing.expect("it keeps swinging");
-    assert_eq!(swing.course, SwingCourse::Steady);
+    assert_eq!(swing.course, OscillationTrend::Steady);
     let [amplitude_rad, period_s] = BACKLASH_SWING;
     assert!((swing.amplitude_si / amplitude_rad - 1.0).abs() < SWING, "{swing:?}");
     assert!((swing.period_s / period_s - 1.0).abs() < SWING, "{swing:?}");

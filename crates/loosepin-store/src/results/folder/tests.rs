@@ -1,7 +1,7 @@
 //! Folders are claimed, refused, taken over and finished.
 
 use super::*;
-use crate::results::{Claim, InputsHasher, Place};
+use crate::results::{Claim, Destination, InputsHasher};
 use loosepin_text::diagnostics::Problem;
 use std::fs;
 
@@ -10,7 +10,7 @@ fn claim(path: &Path, input: &str, with_force: bool) -> Claim {
         kind: ResultKind::Simulation,
         name: "Worn pin / 5000 rpm".to_owned(),
         inputs: InputsHasher::new(ResultKind::Simulation).add("model", input).finish(),
-        place: Place::Folder(path.to_owned()),
+        destination: Destination::Folder(path.to_owned()),
         with_force,
     }
 }
@@ -53,7 +53,8 @@ fn names_become_folder_names() {
 #[test]
 fn each_set_of_inputs_has_its_folder() {
     let root = tempfile::tempdir().expect("a folder");
-    let below = |input| Claim { place: Place::Below(root.path().to_owned()), ..claim(root.path(), input, false) };
+    let below =
+        |input| Claim { destination: Destination::Below(root.path().to_owned()), ..claim(root.path(), input, false) };
     let (first, second) = (below("a"), below("b"));
     assert_ne!(first.path(), second.path());
     assert_eq!(first.path().parent(), Some(root.path().join("worn-pin-5000-rpm").as_path()));
@@ -376,8 +377,8 @@ fn no_link_below_the_root_of_results_is_followed() {
     let root = desk.path().join("results");
     symlink("disk", &root).expect("writable");
     let served = Folder::open(desk.path()).expect("readable");
-    let places = [Place::Below(root.clone()), Place::Within(served, "results".into())];
-    let [below, within] = places.map(|place| Claim { place, ..claim(&root, "a", false) });
+    let places = [Destination::Below(root.clone()), Destination::Within(served, "results".into())];
+    let [below, within] = places.map(|place| Claim { destination: place, ..claim(&root, "a", false) });
     let is_link = |error: ResultsError| match error {
         ResultsError::Read { source, .. } => Refused::of(&source) == Some(Refused::Link),
         _ => false,

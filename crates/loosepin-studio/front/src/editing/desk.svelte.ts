@@ -1,6 +1,6 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, Reshaped, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
@@ -186,7 +186,7 @@ export class Desk {
     this.isRewriting = false;
   }
 
-  private follow(drag: Drag, reshaped: Reshaped): void {
+  private follow(drag: Drag, reshaped: DragResult): void {
     this.dragged = { words: reshaped.words, refusal: reshaped.refusal };
     if (reshaped.refusal === null) {
       for (const which of ['model', 'study'] as const) this.rewrite(which, drag.textOf(which, reshaped), drag.name);
@@ -278,7 +278,7 @@ export class Desk {
   }
 
   /** Changes of both texts as one step to undo. */
-  private apply(changes: Reshaped['changes'], name: string): void {
+  private apply(changes: DragResult['changes'], name: string): void {
     // From the end, so that the places before stay; what is put in at one place keeps its order.
     for (const change of [...changes].reverse()) this.documents.change(change.document, change, { name, joins: 'always' });
     this.looker.now();

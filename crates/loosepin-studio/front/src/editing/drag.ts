@@ -1,6 +1,6 @@
 // Something that is dragged: the texts from which it began, where it is to be, and what the server makes of both.
 import { applied, type Change } from './history.ts';
-import type { Document, Edit, Grip, Held, Reshaped, SentText } from '../messages.ts';
+import type { Document, Edit, Grip, Held, DragResult, SentText } from '../messages.ts';
 
 export type Point = [number, number];
 
@@ -34,7 +34,7 @@ export class Drag {
   }
 
   /** What a text of the drag becomes. */
-  textOf(which: Document, reshaped: Reshaped): string | null {
+  textOf(which: Document, reshaped: DragResult): string | null {
     const text = this.base[which]?.text;
     if (text === undefined) return null;
     // From the end, so that the places before stay; what is put in at one place keeps its order.

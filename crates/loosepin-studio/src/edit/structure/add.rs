@@ -1,4 +1,4 @@
-//! What comes into the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
+//! Additions to the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -8,19 +8,19 @@ use loosepin::units::format_number;
 use super::edit::{End, Joined, Watched};
 use super::watch::output;
 use crate::drawing::still::{NamedPoses, Pose, in_body_m};
-use crate::edit::toml::lines::Lines;
+use crate::edit::toml::lines::EditedText;
 use crate::network::refusal::Refusal;
 
 const MM_PER_M: f64 = 1e3;
 const GROUND: &str = "ground";
 /// Two points nearer to each other are one, mm.
 const NEAREST_MM: f64 = 1e-3;
-/// Nobody draws further, mm.
+/// Largest coordinate of a drawing, mm.
 const FURTHEST_MM: f64 = 1e7;
 /// Steel bar of 20 mm x 8 mm: 7850 kg/m^3 times its section.
 const BAR_KG_PER_M: &str = "1.256 kg/m";
 const BLOCK_MASS: &str = "\"0.2 kg\"";
-/// Of a block as of a body of a few centimetres.
+/// Inertia of a block, as of a body of a few centimetres.
 const BLOCK_INERTIA: &str = "\"5e-5 kg m^2\"";
 const FIRST_BAR: &str = "first guess: a steel bar of 20 mm x 8 mm";
 const FIRST_GUESS: &str = "first guess";
@@ -31,19 +31,19 @@ pub struct Draft<'m> {
     model: &'m Model,
     values: Values,
     poses: BTreeMap<String, Pose>,
-    lines: Lines,
-    /// Paths of what was added or set, with dots between their steps.
+    lines: EditedText,
+    /// Paths of the added and set entries, with dots between their steps.
     added: BTreeSet<String>,
     /// Paths of what has a name in the model.
     named: HashSet<String>,
     new_poses: NamedPoses,
 }
 
-/// What came of a draft.
-pub struct Drafted {
+/// Outcome of a draft.
+pub struct DraftOutcome {
     /// Text of the model.
-    pub lines: Lines,
-    /// Paths of what was added or set.
+    pub lines: EditedText,
+    /// Paths of the added and set entries.
     pub added: BTreeSet<String>,
     /// Poses of new bodies.
     pub new_poses: NamedPoses,
@@ -51,7 +51,7 @@ pub struct Drafted {
 
 /// An end with its place.
 struct Attached {
-    /// `body.point`; nothing of a free place.
+    /// `body.point`; `None` for a free place.
     point: Option<String>,
     body: Option<String>,
     at_m: [f64; 2],
@@ -65,16 +65,16 @@ impl<'m> Draft<'m> {
             model,
             values: model.quantities.nominal(),
             poses: named.collect(),
-            lines: Lines::new(text),
+            lines: EditedText::new(text),
             added: BTreeSet::new(),
             named: named_in(model),
             new_poses: NamedPoses::new(),
         }
     }
 
-    /// What came of it.
-    pub fn finished(self) -> Drafted {
-        Drafted { lines: self.lines, added: self.added, new_poses: self.new_poses }
+    /// The outcome of the draft.
+    pub fn finished(self) -> DraftOutcome {
+        DraftOutcome { lines: self.lines, added: self.added, new_poses: self.new_poses }
     }
 
     /// A link between two places. Where it begins or ends at something, a pin joins both.

@@ -10,34 +10,34 @@ use loosepin::units::counted;
 
 use super::edit::Named;
 use super::names::mentions;
-use crate::edit::toml::Stems;
+use crate::edit::toml::PathPrefixes;
 use crate::edit::toml::scan::scan;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
 
-/// Of a turn, to see whether a mechanism moves.
+/// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 36;
 /// Instants of a motion by actuators, for the same.
 const INSTANTS: usize = 4;
 
 /// The difference that a change is to make.
 #[derive(Debug, Default)]
-pub struct Due {
-    /// What goes.
+pub struct IntendedChange {
+    /// Removed items.
     pub gone: BTreeSet<Named>,
     /// Paths that come, or get another value: with dots between their steps.
     pub added: BTreeSet<String>,
-    /// What gets another name, and the name.
+    /// The renamed item, and its new name.
     pub renamed: Option<(Named, String)>,
     /// Paths of the entries of the study that go.
     pub of_study: Vec<Vec<String>>,
 }
 
-/// What the library says of a mechanism.
+/// Findings of the library on a mechanism.
 #[derive(Debug, PartialEq)]
-pub struct Said {
-    /// It moves as its drives or actuators say, all the way round.
+pub struct LibraryFindings {
+    /// Whether it moves as its drives or actuators demand, all the way round.
     pub is_complete: bool,
     /// Degrees of freedom; what is missing, where it is not complete; what the study lacks.
     pub words: Vec<String>,
@@ -47,7 +47,7 @@ pub struct Said {
 ///
 /// # Errors
 /// It has not, or cannot be read, in words.
-pub fn check(old: &Texts, new: &Texts, due: &Due) -> Result<Model, Refusal> {
+pub fn check(old: &Texts, new: &Texts, due: &IntendedChange) -> Result<Model, Refusal> {
     let before = Model::from_source(old.model.clone()).map_err(|_| unreadable("model"))?;
     let after = Model::from_source(new.model.clone()).map_err(|diagnostics| first_of(&diagnostics))?;
     if expected(&facts(&before), due) != beside_added(&facts(&after), due) {
@@ -66,12 +66,12 @@ pub fn check(old: &Texts, new: &Texts, due: &Due) -> Result<Model, Refusal> {
 }
 
 /// The study names what it named before, but for what is due; where it can be read, it knows of the same numbers.
-fn check_study(old: &Texts, new: &Texts, due: &Due, before: Model, after: &Model) -> Result<(), Refusal> {
+fn check_study(old: &Texts, new: &Texts, due: &IntendedChange, before: Model, after: &Model) -> Result<(), Refusal> {
     let (Some(old_source), Some(new_source)) = (&old.study, &new.study) else { return Ok(()) };
     let [Some(old_scan), Some(new_scan)] = [old_source, new_source].map(|source| scan(source.text())) else {
         return Err(unreadable("study"));
     };
-    let gone = Stems::of(&due.of_study);
+    let gone = PathPrefixes::of(&due.of_study);
     let goes = |path: &[String]| gone.first_of(path).is_some();
     let named = mentions(Document::Study, &old_scan).into_iter().filter(|mention| !goes(&mention.path));
     let expected_names: Vec<Named> = named.map(|mention| due.named(mention.of)).collect();
@@ -150,13 +150,13 @@ fn is_under(path: &str, of: &str) -> bool {
     path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
-fn beside_added(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, String> {
+fn beside_added(facts: &BTreeMap<String, String>, due: &IntendedChange) -> BTreeMap<String, String> {
     let is_added = |path: &str| due.added.iter().any(|added| is_under(path, added));
     facts.iter().filter(|(path, _)| !is_added(path)).map(|(path, value)| (path.clone(), value.clone())).collect()
 }
 
 /// What is to be left of some facts, beside what is added.
-fn expected(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, String> {
+fn expected(facts: &BTreeMap<String, String>, due: &IntendedChange) -> BTreeMap<String, String> {
     let mut gone = BTreeSet::new();
     for one in &due.gone {
         match &one.point {
@@ -178,7 +178,7 @@ fn expected(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, Str
     left.map(|(path, value)| (due.path(&path), due.value(&value))).collect()
 }
 
-impl Due {
+impl IntendedChange {
     /// Something under its new name.
     fn named(&self, named: Named) -> Named {
         match &self.renamed {
@@ -222,26 +222,29 @@ impl Due {
     }
 }
 
-/// What the library says of the mechanism in some texts, whose model can be read.
-pub fn said(texts: &Texts) -> Said {
+/// Findings of the library on the mechanism in some texts, whose model can be read.
+pub fn said(texts: &Texts) -> LibraryFindings {
     let mut asks_nothing = None;
     let file = texts.read().or_else(|found| {
         asks_nothing =
             found.sorted().into_iter().next().map(|first| format!("The study cannot run: {}", first.message));
         Texts { model: texts.model.clone(), study: None }.read()
     });
-    let Ok(file) = file else { return Said { is_complete: false, words: Vec::new() } };
+    let Ok(file) = file else { return LibraryFindings { is_complete: false, words: Vec::new() } };
     let mut said = match file.ideal_motion(POSITIONS, &[]) {
         Ok(record) => {
             let singular = record.singular_positions.iter().map(|found| {
                 format!("Singular at {:.1}° of the drive: {}", found.drive_angle_rad.to_degrees(), found.words)
             });
-            Said { is_complete: true, words: std::iter::once(record.mobility.clone()).chain(singular).collect() }
+            LibraryFindings {
+                is_complete: true,
+                words: std::iter::once(record.mobility.clone()).chain(singular).collect(),
+            }
         }
         Err(_) if file.controlled_drawing(INSTANTS).is_some() => {
-            Said { is_complete: true, words: vec!["Moved by its actuators".to_owned()] }
+            LibraryFindings { is_complete: true, words: vec!["Moved by its actuators".to_owned()] }
         }
-        Err(found) => Said { is_complete: false, words: vec![why_not(&file, &found)] },
+        Err(found) => LibraryFindings { is_complete: false, words: vec![why_not(&file, &found)] },
     };
     said.words.extend(asks_nothing);
     said

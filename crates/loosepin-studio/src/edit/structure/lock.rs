@@ -1,10 +1,10 @@
-//! Numbers that dragging leaves as they are: their line ends with the comment `# locked`.
+//! Numbers that dragging does not change: their line ends with the comment `# locked`.
 //!
 //! A lock is a note in the model for people and for the studio; runs do not look at it. All numbers of one line are locked together.
 
 use std::ops::Range;
 
-use crate::edit::toml::lines::Lines;
+use crate::edit::toml::lines::EditedText;
 use crate::edit::toml::scan::{Scanned, Statement, scan};
 use crate::network::refusal::Refusal;
 
@@ -15,7 +15,7 @@ const LOCKED_AND: &str = "locked:";
 pub struct Locks(Vec<Range<usize>>);
 
 impl Locks {
-    /// Those of a text; none where it is not TOML.
+    /// The locked lines of a text; none if it is not TOML.
     pub fn of(text: &str) -> Self {
         // Most texts have none, and are looked at often.
         if !text.contains(LOCKED) {
@@ -51,7 +51,7 @@ fn comment(text: &str, statement: &Statement, from: usize) -> Option<Range<usize
 ///
 /// # Errors
 /// There is no entry at this place.
-pub fn locked(lines: &Lines, byte: usize, is_locked: bool) -> Result<Lines, Refusal> {
+pub fn locked(lines: &EditedText, byte: usize, is_locked: bool) -> Result<EditedText, Refusal> {
     let scanned: Scanned = lines.scanned()?;
     let text = lines.text();
     let statement = scanned.statements.iter().find(|one| one.lines.contains(&byte));
@@ -106,7 +106,7 @@ mod tests {
             ("a = [\n 1, # no\n]\n", "a = [\n 1, # no\n]  # locked\n"),
             ("a = 1 #\n", "a = 1 #locked: \n"),
         ] {
-            let lines = Lines::new(text);
+            let lines = EditedText::new(text);
             let byte = text.find('1').unwrap();
             let new = locked(&lines, byte, true).unwrap();
             assert_eq!(new.text(), locked_text);

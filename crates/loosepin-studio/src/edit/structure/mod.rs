@@ -29,14 +29,14 @@ use loosepin::model::{Model, Origin};
 use serde::Serialize;
 
 use add::Draft;
-use checked::{Due, check, said, unreadable};
+use checked::{IntendedChange, check, said, unreadable};
 use edit::Joined;
 use remove::removed;
 use rename::renamed;
 
 use super::set_uncertainty::known_texts;
 use super::toml::change::changes;
-use super::toml::lines::Lines;
+use super::toml::lines::EditedText;
 use crate::drawing::still::{NamedPoses, placed};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
@@ -47,7 +47,7 @@ pub use checked::why_not;
 pub use edit::Edit;
 pub use lock::Locks;
 
-/// The changes of an edit, and what is to be known of them.
+/// The changes of an edit, and notes on them.
 #[derive(Debug, Serialize)]
 pub struct Restructured {
     /// In units of the texts that were sent, in their order.
@@ -56,19 +56,19 @@ pub struct Restructured {
     pub says: Vec<String>,
     /// The mechanism moves as its drives say.
     pub is_complete: bool,
-    /// What goes, in words.
+    /// Removed items, in words.
     pub gone: Vec<String>,
     /// Name of what came.
     pub name: Option<String>,
-    /// Where new bodies are: x and y, mm, and the angle, degrees.
+    /// Poses of new bodies: x and y, mm, and the angle, degrees.
     pub poses: NamedPoses,
 }
 
 /// What comes of an edit before it is checked.
 struct New {
-    model: Lines,
-    study: Option<Lines>,
-    due: Due,
+    model: EditedText,
+    study: Option<EditedText>,
+    due: IntendedChange,
     gone: Vec<String>,
     name: Option<String>,
     poses: NamedPoses,
@@ -99,7 +99,7 @@ pub fn restructured(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPo
 fn after(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<(Texts, New), Refusal> {
     let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
     let new = changed(&model, texts, edit, poses)?;
-    let study = new.study.as_ref().map(Lines::text);
+    let study = new.study.as_ref().map(EditedText::text);
     let mut after = texts.with(folder, Some(new.model.text()), study);
     check(texts, &after, &new.due)?;
     if let (Edit::Join { by: Joined::Pin { play: Some(play) }, .. }, Some(joint)) = (edit, &new.name)
@@ -114,12 +114,12 @@ fn after(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
 
 fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<New, Refusal> {
     let text = texts.model.text();
-    let lines = Lines::new(text);
-    let study = texts.study.as_ref().map(|study| Lines::new(study.text()));
+    let lines = EditedText::new(text);
+    let study = texts.study.as_ref().map(|study| EditedText::new(study.text()));
     let draft = || Draft::new(model, &placed(model, poses), text);
     let added = |draft: Draft<'_>, name: String| {
         let drafted = draft.finished();
-        let due = Due { added: drafted.added, ..Due::default() };
+        let due = IntendedChange { added: drafted.added, ..IntendedChange::default() };
         let (name, poses) = (Some(name), drafted.new_poses);
         New { model: drafted.lines, study: study.clone(), due, gone: Vec::new(), name, poses }
     };
@@ -152,12 +152,12 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
         }
         Edit::Remove { what } => {
             let removed = removed(&lines, study.as_ref(), what)?;
-            let due = Due { gone: removed.gone, of_study: removed.of_study, ..Due::default() };
+            let due = IntendedChange { gone: removed.gone, of_study: removed.of_study, ..IntendedChange::default() };
             plain(removed.model, removed.study, due, removed.words)
         }
         Edit::Rename { what, to } => {
             let (model, study) = renamed(&lines, study.as_ref(), what, to)?;
-            let due = Due { renamed: Some((what.clone(), to.clone())), ..Due::default() };
+            let due = IntendedChange { renamed: Some((what.clone(), to.clone())), ..IntendedChange::default() };
             plain(model, study, due, Vec::new())
         }
         Edit::Lock { path, is_locked } => {
@@ -168,7 +168,7 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
                     .with_hint("lock the values on which it depends")
             })?;
             let new = lock::locked(&lines, span.start, *is_locked)?;
-            plain(new, study, Due::default(), Vec::new())
+            plain(new, study, IntendedChange::default(), Vec::new())
         }
     })
 }

@@ -11,8 +11,8 @@ const BY_PATH: [&str; 3] = ["random", "epistemic", "allow"];
 
 /// A place that names something.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mention {
-    /// What is named.
+pub struct NameReference {
+    /// The named item.
     pub of: Named,
     /// The key or the value that names it, from the top of the file.
     pub path: Vec<String>,
@@ -20,11 +20,11 @@ pub struct Mention {
     pub span: Range<usize>,
     /// Contents of that, without quotes.
     pub written: String,
-    /// It is the place where the thing itself stands.
+    /// Whether it is the definition of the item itself.
     pub is_own: bool,
 }
 
-impl Mention {
+impl NameReference {
     /// The contents with another name for what is named: of a point where it is one, of its body else.
     pub fn renamed(&self, what: &Named, to: &str) -> String {
         let mut steps: Vec<&str> = self.written.split('.').collect();
@@ -47,7 +47,7 @@ impl Mention {
 }
 
 /// All places of a text that name something.
-pub fn mentions(document: Document, scanned: &Scanned) -> Vec<Mention> {
+pub fn mentions(document: Document, scanned: &Scanned) -> Vec<NameReference> {
     let mut found = Vec::new();
     for statement in &scanned.statements {
         let mut path = statement.path.clone();
@@ -71,7 +71,7 @@ fn end_of_key(path: &[String], nth: usize) -> usize {
     keys.map(|(place, _)| place + 1).nth(nth).unwrap_or(path.len())
 }
 
-fn of_value(document: Document, path: &mut Vec<String>, value: &Value, found: &mut Vec<Mention>) {
+fn of_value(document: Document, path: &mut Vec<String>, value: &Value, found: &mut Vec<NameReference>) {
     match &value.kind {
         ValueKind::Text(text) => {
             let steps: Vec<&str> = path.iter().map(String::as_str).collect();
@@ -79,7 +79,7 @@ fn of_value(document: Document, path: &mut Vec<String>, value: &Value, found: &m
                 Document::Model => named_in_model(&steps, text),
                 Document::Study => named_in_study(&steps, text),
             };
-            found.extend(named.map(|of| Mention {
+            found.extend(named.map(|of| NameReference {
                 of,
                 path: path.clone(),
                 span: value.span.clone(),
@@ -109,7 +109,7 @@ fn of_value(document: Document, path: &mut Vec<String>, value: &Value, found: &m
 }
 
 /// What a key names, where it is the last of a path.
-fn of_key(document: Document, path: &[String], key: &Key, found: &mut Vec<Mention>) {
+fn of_key(document: Document, path: &[String], key: &Key, found: &mut Vec<NameReference>) {
     let steps: Vec<&str> = path.iter().map(String::as_str).collect();
     let (of, is_own) = match (document, steps.as_slice()) {
         (Document::Model, ["assembly", "guess", body]) => (Some(Named::new("body", body)), false),
@@ -123,7 +123,7 @@ fn of_key(document: Document, path: &[String], key: &Key, found: &mut Vec<Mentio
         _ => (None, false),
     };
     let Some(of) = of else { return };
-    found.push(Mention { of, path: path.to_vec(), span: key.span.clone(), written: key.name.clone(), is_own });
+    found.push(NameReference { of, path: path.to_vec(), span: key.span.clone(), written: key.name.clone(), is_own });
 }
 
 /// Tables of a model whose entries have names of the person's choosing.

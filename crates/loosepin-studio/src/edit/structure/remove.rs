@@ -1,4 +1,4 @@
-//! What goes with something that goes: all that names it, in both texts, and parameters that nothing uses afterwards.
+//! Items removed along with another: all that names it, in both texts, and parameters that nothing uses afterwards.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +7,8 @@ use loosepin::document::describe_path;
 use loosepin::model::Model;
 
 use super::edit::Named;
-use super::names::{Mention, mentions};
-use crate::edit::toml::lines::Lines;
+use super::names::{NameReference, mentions};
+use crate::edit::toml::lines::EditedText;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 
@@ -19,13 +19,13 @@ const GROUND: &str = "ground";
 /// says that nothing uses them.
 const MAX_ROUNDS: usize = 20;
 
-/// Both texts without something, and all that went, in words: first what was to go.
+/// Both texts without an item, and all removed items, in words: first the requested one.
 pub struct Removed {
     /// Text of the model.
-    pub model: Lines,
+    pub model: EditedText,
     /// Text of the study.
-    pub study: Option<Lines>,
-    /// What went.
+    pub study: Option<EditedText>,
+    /// Removed items.
     pub gone: BTreeSet<Named>,
     /// The same in words, entries of the study last.
     pub words: Vec<String>,
@@ -37,7 +37,7 @@ pub struct Removed {
 ///
 /// # Errors
 /// It is not there, or the cycle counts the turns of what would go.
-pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Removed, Refusal> {
+pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> Result<Removed, Refusal> {
     if !TABLES.contains(&what.table.as_str()) {
         return Err(Refusal::bad(format!("remove a {} in the text", what.table)));
     }
@@ -87,7 +87,7 @@ pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Rem
     }
 }
 
-fn counted(mention: &Mention) -> Refusal {
+fn counted(mention: &NameReference) -> Refusal {
     Refusal::bad(format!("the cycle counts the turns of {}, which would also be removed", mention.of.words()))
         .with_hint("let the motor turn another joint first")
 }
@@ -96,8 +96,8 @@ fn is_gone(gone: &BTreeSet<Named>, of: &Named) -> bool {
     gone.contains(of) || of.point.is_some() && gone.contains(&Named::new(&of.table, &of.name))
 }
 
-/// The entry of the model that goes with what a place names; nothing where the place alone does.
-fn holder(mention: &Mention) -> Option<Named> {
+/// The entry of the model that goes with what a place names; `None` if the place alone does.
+fn holder(mention: &NameReference) -> Option<Named> {
     match mention.path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["assembly" | "initial" | "wear", ..] => None,
         [table, name, ..] => Some(Named::new(table, name)),
@@ -105,19 +105,19 @@ fn holder(mention: &Mention) -> Option<Named> {
     }
 }
 
-/// A text without what stands under some paths.
-fn without(lines: &Lines, paths: &[Vec<String>]) -> Result<Lines, Refusal> {
+/// A text without the entries below some paths.
+fn without(lines: &EditedText, paths: &[Vec<String>]) -> Result<EditedText, Refusal> {
     let mut new = lines.clone();
     new.remove(paths)?;
     Ok(new)
 }
 
 /// The paths of a text that hold what is gone or name it, each once.
-fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Result<Vec<Vec<String>>, Refusal> {
+fn gone_paths(document: Document, lines: &EditedText, gone: &BTreeSet<Named>) -> Result<Vec<Vec<String>>, Refusal> {
     let mut paths: Vec<Vec<String>> = Vec::new();
     let mut known: BTreeSet<Vec<String>> = BTreeSet::new();
     let all = mentions(document, &lines.scanned()?);
-    let is_guess = |mention: &&Mention| mention.path.starts_with(&["assembly".to_owned(), "guess".to_owned()]);
+    let is_guess = |mention: &&NameReference| mention.path.starts_with(&["assembly".to_owned(), "guess".to_owned()]);
     let mut guesses = all.iter().filter(is_guess).peekable();
     if guesses.peek().is_some() && guesses.all(|mention| is_gone(gone, &mention.of)) {
         // Without a guess there is nothing to say of the assembly.
@@ -161,8 +161,8 @@ fn in_study(path: &[String]) -> String {
     }
 }
 
-/// Parameters that nothing uses; none where the model cannot be read.
-fn unused_parameters(model: &Lines) -> BTreeSet<Named> {
+/// Parameters that nothing uses; empty if the model cannot be read.
+fn unused_parameters(model: &EditedText) -> BTreeSet<Named> {
     let Ok(model) = Model::from_text("model.toml", model.text()) else { return BTreeSet::new() };
     let unused = model.warnings.iter().filter(|warning| warning.code == Code::Unused);
     // The place of such a warning is the name of what is not used.

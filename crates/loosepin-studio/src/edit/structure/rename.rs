@@ -2,7 +2,7 @@
 
 use super::edit::Named;
 use super::names::mentions;
-use crate::edit::toml::lines::Lines;
+use crate::edit::toml::lines::EditedText;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 
@@ -17,11 +17,11 @@ const LONGEST: usize = 64;
 /// # Errors
 /// It is not there, or the new name is none, or is in use.
 pub fn renamed(
-    model: &Lines,
-    study: Option<&Lines>,
+    model: &EditedText,
+    study: Option<&EditedText>,
     what: &Named,
     to: &str,
-) -> Result<(Lines, Option<Lines>), Refusal> {
+) -> Result<(EditedText, Option<EditedText>), Refusal> {
     if !TABLES.contains(&what.table.as_str()) || what.table == "body" && what.name == "ground" && what.point.is_none() {
         return Err(Refusal::bad(format!("{} keeps its name here", what.words())).with_hint("change it in the text"));
     }
@@ -41,7 +41,7 @@ pub fn renamed(
     if new != *what && is_there(&new) {
         return Err(Refusal::bad(format!("there is a {} already", new.words())));
     }
-    let of = |lines: &Lines, document| -> Result<Lines, Refusal> {
+    let of = |lines: &EditedText, document| -> Result<EditedText, Refusal> {
         let mut pieces = Vec::new();
         for mention in mentions(document, &lines.scanned()?) {
             let is_meant = mention.of == *what

@@ -3,22 +3,22 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::lines::{Lines, is_blank_line};
-use super::pieces::Piece;
+use super::lines::{EditedText, is_blank_line};
+use super::pieces::Replacement;
 use super::scan::{Item, Value, ValueKind, element};
 use crate::network::refusal::Refusal;
 
-impl Lines {
+impl EditedText {
     /// Takes out everything that stands under some paths. Comments on lines of their own outside of it stay.
     ///
     /// # Errors
     /// The text is not TOML.
     pub fn remove(&mut self, paths: &[Vec<String>]) -> Result<(), Refusal> {
         let scanned = self.scanned()?;
-        let stems = Stems::of(paths);
+        let stems = PathPrefixes::of(paths);
         let which = |path: &[String]| stems.first_of(path);
         let goes = |path: &[String]| which(path).is_some();
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<Replacement> = Vec::new();
         let mut first: Option<usize> = None;
         for (index, statement) in scanned.statements.iter().enumerate() {
             if let Some(gone) = which(&statement.path) {
@@ -55,13 +55,13 @@ impl Lines {
 }
 
 /// Paths by which others are found that begin with one of them, however many they are.
-pub struct Stems<'p> {
+pub struct PathPrefixes<'p> {
     /// Each with its place in the list.
     paths: BTreeMap<&'p [String], usize>,
     longest: usize,
 }
 
-impl<'p> Stems<'p> {
+impl<'p> PathPrefixes<'p> {
     /// Some paths.
     pub fn of(paths: &'p [Vec<String>]) -> Self {
         let mut found = BTreeMap::new();
@@ -78,8 +78,14 @@ impl<'p> Stems<'p> {
     }
 }
 
-/// Cuts out of a value what goes.
-fn cut(text: &str, path: &mut Vec<String>, value: &Value, goes: &impl Fn(&[String]) -> bool, pieces: &mut Vec<Piece>) {
+/// Cuts the removed parts out of a value.
+fn cut(
+    text: &str,
+    path: &mut Vec<String>,
+    value: &Value,
+    goes: &impl Fn(&[String]) -> bool,
+    pieces: &mut Vec<Replacement>,
+) {
     let (spans, steps, values): (Vec<Range<usize>>, Vec<Vec<String>>, Vec<&Value>) = match &value.kind {
         ValueKind::Table(items) => {
             let steps = |item: &Item| item.keys.iter().map(|key| key.name.clone()).collect();
@@ -152,7 +158,7 @@ mod tests {
     use super::*;
 
     fn removed(text: &str, path: &str) -> String {
-        let mut lines = Lines::new(text);
+        let mut lines = EditedText::new(text);
         lines.remove(&[path.split('/').map(str::to_owned).collect()]).unwrap();
         assert!(lines.scanned().is_ok(), "{text}\n{}", lines.text());
         lines.text().to_owned()
@@ -178,7 +184,7 @@ mod tests {
     #[test]
     fn several_go_from_one_list() {
         for (first, second) in [("#0", "#1"), ("#0", "#2"), ("#1", "#2"), ("#1", "#3"), ("#2", "#3")] {
-            let mut lines = Lines::new("l = [10, 11, 12, 13]");
+            let mut lines = EditedText::new("l = [10, 11, 12, 13]");
             let path = |step: &str| vec!["l".to_owned(), step.to_owned()];
             lines.remove(&[path(first), path(second)]).unwrap();
             let scanned = lines.scanned().unwrap_or_else(|_| panic!("{}", lines.text()));
@@ -197,7 +203,7 @@ mod tests {
     #[test]
     fn blank_lines_between_what_goes_go_once() {
         let both = |text: &str| {
-            let mut lines = Lines::new(text);
+            let mut lines = EditedText::new(text);
             lines.remove(&["a", "b"].map(|name| vec!["joint".to_owned(), name.to_owned()])).unwrap();
             lines.text().to_owned()
         };

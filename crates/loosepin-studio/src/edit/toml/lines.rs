@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::pieces::{Piece, Pieces};
+use super::pieces::{Replacement, Replacements};
 use super::scan::{Scanned, Statement, Value, ValueKind, scan};
 use crate::network::refusal::Refusal;
 
@@ -25,11 +25,11 @@ const ORDER: [&str; 13] = [
 
 /// A text that is changed piece by piece.
 #[derive(Debug, Clone)]
-pub struct Lines {
+pub struct EditedText {
     text: String,
 }
 
-impl Lines {
+impl EditedText {
     /// A text as it is.
     pub fn new(text: &str) -> Self {
         Self { text: text.to_owned() }
@@ -55,8 +55,8 @@ impl Lines {
     ///
     /// # Errors
     /// Two of them would stand at the same place.
-    pub fn replace(&mut self, pieces: impl IntoIterator<Item = Piece>) -> Result<(), Refusal> {
-        let mut all = Pieces::new(&self.text);
+    pub fn replace(&mut self, pieces: impl IntoIterator<Item = Replacement>) -> Result<(), Refusal> {
+        let mut all = Replacements::new(&self.text);
         for (range, new) in pieces {
             all.replace(range, &new)?;
         }
@@ -66,7 +66,7 @@ impl Lines {
         Ok(())
     }
 
-    /// Where the value of an entry stands.
+    /// Span of the value of an entry.
     ///
     /// # Errors
     /// The text is not TOML.
@@ -77,7 +77,7 @@ impl Lines {
     /// Puts lines where a line begins, or behind the last one.
     ///
     /// # Errors
-    /// As [`Lines::replace`].
+    /// As [`EditedText::replace`].
     pub fn insert(&mut self, at: usize, new: &str) -> Result<(), Refusal> {
         let before = if at == 0 || self.text[..at].ends_with('\n') { "" } else { "\n" };
         self.replace([(at..at, format!("{before}{new}"))])
@@ -128,8 +128,8 @@ impl Lines {
         }
     }
 
-    /// Where a group begins of which there is none: before the first one that comes after it in the usual order. What a study knows of
-    /// numbers comes before what it asks.
+    /// Place for a group that does not exist yet: before the first one that follows it in the usual order. What a study knows of numbers
+    /// comes before what it asks.
     fn place_of(&self, scanned: &Scanned, group: &str) -> usize {
         let order = |one: &Statement| {
             ORDER.iter().position(|known| one.path.first().is_some_and(|first| first == known)).unwrap_or(ORDER.len())
@@ -229,7 +229,7 @@ fn above_comments(text: &str, mut start: usize) -> usize {
 }
 
 /// An entry more in a table in braces.
-fn into_braces(braces: &Value, key: &str, value: &str) -> Option<Piece> {
+fn into_braces(braces: &Value, key: &str, value: &str) -> Option<Replacement> {
     let ValueKind::Table(items) = &braces.kind else { return None };
     Some(match items.last() {
         Some(last) => (last.value.span.end..last.value.span.end, format!(", {key} = {value}")),
@@ -242,7 +242,7 @@ mod tests {
     use super::*;
 
     fn with_entry(text: &str, table: &str) -> String {
-        let mut lines = Lines::new(text);
+        let mut lines = EditedText::new(text);
         lines.add_entry(&table.split('/').collect::<Vec<_>>(), "new", "1").unwrap();
         assert!(lines.scanned().is_ok(), "{text}\n{}", lines.text());
         lines.text().to_owned()

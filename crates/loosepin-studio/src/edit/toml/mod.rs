@@ -17,4 +17,4 @@ pub(crate) mod lines;
 pub(crate) mod pieces;
 pub(crate) mod scan;
 
-pub(crate) use cut::Stems;
+pub(crate) use cut::PathPrefixes;

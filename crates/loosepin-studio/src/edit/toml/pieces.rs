@@ -7,20 +7,20 @@ use loosepin::diagnostics::Source;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
 
-/// Bytes that go, and what comes in their place.
-pub type Piece = (Range<usize>, String);
+/// Replaced bytes, and their replacement.
+pub type Replacement = (Range<usize>, String);
 
-/// What is to be replaced in a text.
-pub struct Pieces<'t> {
+/// Replacements in a text.
+pub struct Replacements<'t> {
     old: &'t str,
     /// Its lines end by two characters.
     is_dos: bool,
-    /// In the order of the text, none of which reaches into the next.
-    pieces: Vec<Piece>,
+    /// In the order of the text, without overlaps.
+    pieces: Vec<Replacement>,
 }
 
-impl<'t> Pieces<'t> {
-    /// Nothing yet.
+impl<'t> Replacements<'t> {
+    /// No replacements.
     pub fn new(old: &'t str) -> Self {
         Self { old, is_dos: old.contains("\r\n"), pieces: Vec::new() }
     }
@@ -59,7 +59,7 @@ impl<'t> Pieces<'t> {
         !self.pieces.is_empty()
     }
 
-    /// The new text; nothing where it is the old one.
+    /// The new text; `None` if it is the old one.
     pub fn text(&self) -> Option<String> {
         let mut new = String::with_capacity(self.old.len());
         let mut from = 0;
@@ -74,7 +74,7 @@ impl<'t> Pieces<'t> {
 
     /// The pieces as the page counts them in `source`, which is the old text.
     pub fn changes(&self, document: Document, source: &Source) -> Vec<Change> {
-        let change = |(range, insert): &Piece| Change {
+        let change = |(range, insert): &Replacement| Change {
             document,
             from: source.utf16_units(range.start),
             to: source.utf16_units(range.end),
@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     fn replaced(text: &str, pieces: &[(Range<usize>, &str)]) -> Result<String, String> {
-        let mut all = Pieces::new(text);
+        let mut all = Replacements::new(text);
         for (range, new) in pieces {
             all.replace(range.clone(), new).map_err(|refusal| refusal.message)?;
         }

@@ -10,7 +10,7 @@ use loosepin_text::units::SiUnit;
 pub struct Measured {
     /// Name in messages: as written, or `reading 3`.
     pub name: String,
-    /// The mechanism that was measured; nothing where the file does not say.
+    /// The mechanism that was measured; `None` if the file does not say.
     pub specimen: Option<String>,
     /// The instrument, which has the common error.
     pub instrument: String,
@@ -24,7 +24,7 @@ pub struct Measured {
     pub pose_rad: f64,
     /// Largest error of that angle, of either sign, rad.
     pub pose_error_rad: f64,
-    /// What pushes.
+    /// The push.
     pub push: Push,
     /// Largest coefficient of friction in the joints, where the file states it.
     pub friction: Option<f64>,
@@ -42,7 +42,7 @@ pub struct Measured {
     pub pose_place: Place,
 }
 
-/// What pushes an output to and fro.
+/// The push that moves an output to and fro.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Push {
     /// A force at a point.
@@ -77,11 +77,11 @@ pub enum ReadingScatter {
 pub struct MeasuredMotion {
     /// Name in messages: as written, or output and feature.
     pub name: String,
-    /// The mechanism that was measured; nothing where the file does not say.
+    /// The mechanism that was measured; `None` if the file does not say.
     pub specimen: Option<String>,
     /// The instrument, which has the common error.
     pub instrument: String,
-    /// What was measured.
+    /// The measured quantity.
     pub subject: MotionSubject,
     /// Unit of the feature.
     pub unit: SiUnit,
@@ -98,14 +98,14 @@ pub struct MeasuredMotion {
 }
 
 impl MeasuredMotion {
-    /// Mean over the repeats, SI; nothing where it was not measured.
+    /// Mean over the repeats, SI; `None` if it was not measured.
     pub fn mean_si(&self) -> Option<f64> {
         let count = self.values_si.len();
         (count > 0).then(|| self.values_si.iter().sum::<f64>() / count as f64)
     }
 }
 
-/// What a feature is a number of.
+/// The measured quantity of a feature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionSubject {
     /// An output, located between samples by the integrator.

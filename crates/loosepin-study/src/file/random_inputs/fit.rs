@@ -25,7 +25,7 @@ const DEVIATIONS_TO_LIMIT: f64 = 3.0;
 
 /// A clearance at which is found out whether a quantity that is zero in the model is one on the radius or on the diameter.
 const TRIED_M: f64 = 1e-6;
-/// Of a clearance that an expression gives.
+/// Round-off of a clearance from an expression.
 const ROUND_OFF: f64 = 1e-9;
 
 /// A diameter that differs from that of the bearing by more than this share belongs to something else.
@@ -154,7 +154,7 @@ impl StudyReader {
         Some(FitPlace { diameter_m, entry: diameter_entry, is_play, per_radial: per_radial.unwrap_or(1.0) })
     }
 
-    /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. None where it is
+    /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. `None` if it is
     /// neither of the joints that depend on it.
     fn per_radial(&self, quantity: QuantityId) -> Option<f64> {
         let quantities = &self.model.quantities;
@@ -165,9 +165,9 @@ impl StudyReader {
         let tried_m = if nominal_m > 0.0 { nominal_m } else { TRIED_M };
         let values = quantities.evaluate(&[(quantity, tried_m)]).ok()?;
         let found = |clearance: QuantityId| {
-            [1.0, 2.0]
-                .into_iter()
-                .find(|times| (times * values[quantities.stated(clearance)] - tried_m).abs() <= ROUND_OFF * tried_m)
+            [1.0, 2.0].into_iter().find(|times| {
+                (times * values[quantities.stated_clearance(clearance)] - tried_m).abs() <= ROUND_OFF * tried_m
+            })
         };
         let mut all = self.model.play_from(quantity).map(|(_, clearance)| found(clearance));
         let first = all.next()??;
@@ -202,7 +202,7 @@ impl StudyReader {
     }
 }
 
-/// Where fits are given.
+/// Place of a fit in the file.
 struct FitPlace<'t> {
     diameter_m: f64,
     entry: Entry<'t>,

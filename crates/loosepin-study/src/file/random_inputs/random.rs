@@ -14,13 +14,13 @@ use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, joined, read_beside};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_number, format_value, parse_quantity};
-use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
+use loosepin_uncertainty::{Distribution, FittedFamily, GoodnessOfFit, Interval, Parameter, RandomVariable};
 
 /// Keys that say more about another one.
 const BELONGS_TO: [(&str, &str); 5] =
     [("column", "samples"), ("fitted", "samples"), ("cp", "tolerance"), ("cpk", "tolerance"), ("diameter", "fit")];
 
-/// Of a number that is written in two files.
+/// Round-off of a number that is written in two files.
 const ROUND_OFF: f64 = 1e-9;
 /// The limits of a drawing lie this many standard deviations from the mean, times Cp.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
@@ -75,9 +75,9 @@ pub(crate) const RANDOM_KEYS: Keys = Keys {
 /// A distribution that was not stated as such.
 struct Stated {
     distribution: Distribution,
-    /// Where it comes from, in words.
+    /// Its source, in words.
     origin: String,
-    /// What is known of its mean, where that is off centre by an unknown amount.
+    /// Interval of its mean, if that is off centre by an unknown amount.
     mean: Option<Interval>,
 }
 
@@ -198,7 +198,7 @@ impl StudyReader {
         match family.fit(&values) {
             Ok(fit) => {
                 self.judge(&fit.goodness, name, &column.name, written);
-                let Goodness { kolmogorov_smirnov, anderson_darling, .. } = fit.goodness;
+                let GoodnessOfFit { kolmogorov_smirnov, anderson_darling, .. } = fit.goodness;
                 let how = format!(
                     "fitted ({}; Kolmogorov-Smirnov distance {}, Anderson-Darling {}) to {count} values",
                     fit.method,
@@ -216,7 +216,7 @@ impl StudyReader {
     }
 
     /// Warns where a fit is poor.
-    fn judge(&mut self, goodness: &Goodness, family: &'static str, column: &str, entry: &Entry<'_>) {
+    fn judge(&mut self, goodness: &GoodnessOfFit, family: &'static str, column: &str, entry: &Entry<'_>) {
         if goodness.is_rejected == Some(true) {
             let problem = RandomProblem::PoorFit {
                 entry: entry.path.describe(),

@@ -1,11 +1,10 @@
-//! What contributes to an answer: the runs that tell shares of the variance.
-//! The indices are computed in `loosepin-uncertainty`.
+//! Contributors to an answer: the runs that determine shares of the variance. The indices are computed in `loosepin-uncertainty`.
 
 mod plan;
 mod record;
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Planned, Question, QuestionContext};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
@@ -21,7 +20,7 @@ struct ContributorQuestion {
 }
 
 /// Planned where an ask wants contributors.
-pub fn planned(basis: &Basis<'_>) -> Planned {
+pub fn planned(basis: &QuestionContext<'_>) -> Planned {
     if basis.is_surrogate_alone || !basis.study.asks.iter().any(Ask::is_for_contributors) {
         return Ok(None);
     }

@@ -8,7 +8,7 @@ mod together;
 pub use loosened::with_loosened;
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Planned, Question, QuestionContext};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::runs::all_runs::Runs;
@@ -25,7 +25,7 @@ struct LoosestQuestion {
 }
 
 /// Planned where an input may be loosened.
-pub fn planned(basis: &Basis<'_>) -> Planned {
+pub fn planned(basis: &QuestionContext<'_>) -> Planned {
     let study = basis.study;
     if study.allowances.is_empty() {
         return Ok(None);

@@ -41,13 +41,13 @@ pub fn runs_of_a_study(study: &Study) -> usize {
     outer * inner
 }
 
-/// What a direct study says.
-pub struct Answer {
+/// Result of a direct study.
+pub struct DirectStudyResult {
     outcomes: Vec<RequirementOutcome>,
     pub runs: usize,
 }
 
-impl Answer {
+impl DirectStudyResult {
     fn verdict(&self) -> Verdict {
         // Of nothing that is required nothing is shown.
         Verdict::of_all(self.outcomes.iter().map(|outcome| outcome.verdict)).unwrap_or(Verdict::Undecided)
@@ -107,7 +107,7 @@ pub fn allowances(runs: &Runs<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
 pub fn is_met_twice(
     runs: &Runs<'_>,
     set: &[(&Allowance, f64)],
-    mut heard: impl FnMut(&Answer, bool),
+    mut heard: impl FnMut(&DirectStudyResult, bool),
 ) -> Result<bool, StudyError> {
     for is_confirmation in [false, true] {
         let answer = run(runs, set, seed(runs.study, is_confirmation))?;
@@ -289,7 +289,7 @@ fn seed(study: &Study, is_confirmation: bool) -> u64 {
 }
 
 /// The requirements of the study with other values of some inputs.
-fn run(runs: &Runs<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
+fn run(runs: &Runs<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<DirectStudyResult, StudyError> {
     let place = |allowance: &Allowance| {
         runs.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
     };
@@ -304,7 +304,7 @@ fn run(runs: &Runs<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, 
     let bounds = take_steps(DirectSteps::new(rounds, None), &mut own, None)?.bounds;
     let material = Material::of_bounds(&study, &response, &own.table, &bounds);
     own.close();
-    Ok(Answer { outcomes: requirements(&material), runs: own.table.len() })
+    Ok(DirectStudyResult { outcomes: requirements(&material), runs: own.table.len() })
 }
 
 #[cfg(test)]

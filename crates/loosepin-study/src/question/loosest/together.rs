@@ -124,7 +124,7 @@ struct Known<F> {
 }
 
 impl<F> Known<F> {
-    /// Whether `values` are met: by what is known, or else by a trial.
+    /// Whether `values` are met: by earlier results, or else by a trial.
     fn holds<E>(&mut self, values: &[f64]) -> Result<bool, E>
     where
         F: FnMut(&[f64]) -> Result<bool, E>,
@@ -141,7 +141,7 @@ impl<F> Known<F> {
         Ok(is_met)
     }
 
-    /// The last met and the first refused value between a met and a refused one, after so many halvings.
+    /// The last met and the first refused value between a met and a refused one, after a given number of halvings.
     fn halve<E>(
         &mut self,
         halvings: usize,

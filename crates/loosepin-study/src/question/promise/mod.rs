@@ -6,7 +6,7 @@ mod promised;
 mod record;
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Planned, Question, QuestionContext};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
@@ -24,7 +24,7 @@ struct PromiseQuestion {
 }
 
 /// Planned where something is promised.
-pub fn planned(basis: &Basis<'_>) -> Planned {
+pub fn planned(basis: &QuestionContext<'_>) -> Planned {
     let plan = promise_plan(basis.study, basis.response)?;
     Ok(plan.map(|plan| -> Box<dyn Question> { Box::new(PromiseQuestion { plan, ends: Vec::new() }) }))
 }

@@ -7,7 +7,7 @@ mod record;
 pub use bounds::{Rare, RareEnd};
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Planned, Question, QuestionContext};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
@@ -51,7 +51,7 @@ fn most_rare_runs(plan: &DoubleLoop) -> usize {
 
 /// Centre and corners of the box, of many corners some.
 fn places(plan: &DoubleLoop) -> Vec<Vec<f64>> {
-    let places = plan.box_places();
+    let places = plan.centre_and_corners();
     let stride = places.len().saturating_sub(1).div_ceil(MAX_CORNERS).max(1);
     places.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, place)| place).collect()
 }
@@ -62,7 +62,7 @@ struct RareQuestion {
 }
 
 /// Planned where an ask names a method.
-pub fn planned(basis: &Basis<'_>) -> Planned {
+pub fn planned(basis: &QuestionContext<'_>) -> Planned {
     let number = requests(&basis.response.shared.plan.asks).count();
     let is_asked = number > 0 && !basis.is_surrogate_alone;
     Ok(if is_asked {
@@ -151,7 +151,7 @@ impl Steps for RareSteps<'_> {
     }
 }
 
-/// What is known of a study.
+/// Results of a study so far.
 #[derive(Clone, Copy)]
 struct Known<'r> {
     study: &'r Study,
@@ -170,9 +170,9 @@ struct Event<'r> {
     combination: usize,
 }
 
-/// Why an estimate cannot go on.
+/// Reason why an estimate cannot continue.
 enum Missing {
-    /// These runs are not there yet.
+    /// Runs that are not made yet.
     Runs(Vec<RunInputs>),
     /// More random inputs than Sobol' points have dimensions.
     Points(SobolError),
@@ -186,9 +186,9 @@ impl From<SobolError> for Missing {
 
 /// Why a search for design points came to no end.
 enum SearchEnd {
-    /// It took as many runs as it may.
+    /// The estimate has used its runs.
     Spent,
-    /// The estimate itself cannot go on.
+    /// The estimate cannot continue.
     Missing(Missing),
 }
 
@@ -226,7 +226,7 @@ impl Event<'_> {
             column: self.column,
             statistic: self.statistic,
             bounds: [lower.bound(Side::Lower), upper.bound(Side::Upper)],
-            is_confirmed: plan.box_places().len() == 1 && plan.box_combinations() == 1,
+            is_confirmed: plan.centre_and_corners().len() == 1 && plan.box_combinations() == 1,
             ends: [lower.summary(Side::Lower), upper.summary(Side::Upper)],
         })
     }

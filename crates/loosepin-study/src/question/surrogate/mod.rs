@@ -12,7 +12,7 @@ pub use steps::LearnedBounds;
 pub(crate) use steps::SurrogateSteps;
 
 use super::found::{Found, StudyRun};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Planned, Question, QuestionContext};
 use super::steps::take_steps;
 use crate::assemble::{Material, learned_treatments};
 use crate::error::StudyError;
@@ -27,7 +27,7 @@ struct SurrogateQuestion {
 }
 
 /// Planned where the study asks for surrogates.
-pub fn planned(basis: &Basis<'_>) -> Planned {
+pub fn planned(basis: &QuestionContext<'_>) -> Planned {
     let question = |plan: &SurrogatePlan| -> Box<dyn Question> {
         let is_alone = basis.is_surrogate_alone;
         Box::new(SurrogateQuestion { plan: plan.clone(), most_runs: most_surrogate_runs(basis.study, plan), is_alone })

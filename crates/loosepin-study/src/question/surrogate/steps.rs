@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::file::Budget;
-use crate::planning::goals::Ended;
+use crate::planning::goals::RoundsEnd;
 use crate::question::steps::{Next, Steps};
 use loosepin_bounds::{Confirmation, Goal, Learned, SampleTable, SurrogateBounds, SurrogatePlan, SurrogateRounds};
 
@@ -32,7 +32,7 @@ pub struct LearnedBounds {
 enum Stage {
     /// A step begins with runs to learn from.
     Train,
-    /// These are made; `is_new` tells whether there were any.
+    /// These are made; `is_new` is true if there were any.
     Learn { is_new: bool },
     /// Direct runs at the witnesses are made.
     Judge(Learned, Confirmation),
@@ -55,7 +55,7 @@ impl SurrogateSteps {
 
 impl Steps for SurrogateSteps {
     /// With how the steps ended.
-    type Answer = (LearnedBounds, Ended);
+    type Answer = (LearnedBounds, RoundsEnd);
 
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError> {
         loop {
@@ -95,8 +95,9 @@ impl Steps for SurrogateSteps {
                 }
                 Stage::Hold(held, first) => {
                     let (plan, bounds) = *held;
-                    let bounds = bounds.held_against_extremes(&plan, runs, first)?;
-                    let ended = Ended::of_surrogates(&self.rounds, self.left, (self.steps, runs.len()), self.budget);
+                    let bounds = bounds.checked_against_extremes(&plan, runs, first)?;
+                    let ended =
+                        RoundsEnd::of_surrogates(&self.rounds, self.left, (self.steps, runs.len()), self.budget);
                     return Ok(Next::Answer((LearnedBounds { plan, bounds }, ended)));
                 }
             }

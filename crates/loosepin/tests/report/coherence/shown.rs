@@ -143,7 +143,7 @@ fn read(
         match interval(number, &inside) {
             Err(words) => faults.push(format!("{place}: {words}")),
             Ok([low, high]) => match &number.tag {
-                None | Some(Tag::Among(_)) => {
+                None | Some(Tag::Group(_)) => {
                     let before: String = plain.chars().rev().take(60).collect::<Vec<_>>().into_iter().rev().collect();
                     faults.push(format!("{place}: '{inside}' has no tag, behind '{before}'"));
                 }

@@ -1,6 +1,6 @@
 //! Numbers of `summary.json` and `bounds.csv`, with what they are.
 
-use loosepin::report::{ResultTag, Tag, among_cut, among_percentile};
+use loosepin::report::{ResultTag, Tag, degree_group, percentile_group};
 use loosepin::result::ContactBasis;
 use loosepin::simulate::record::Trust;
 use loosepin::study::result::*;
@@ -107,10 +107,10 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     }
     found.bounds(&result.bounds, None);
     for cut in &result.cuts {
-        found.bounds(&cut.bounds, Some(&among_cut(cut.alpha)));
+        found.bounds(&cut.bounds, Some(&degree_group(cut.alpha)));
     }
     for each in &result.percentiles {
-        found.bounds(&each.bounds, Some(&among_percentile(each.percentile)));
+        found.bounds(&each.bounds, Some(&percentile_group(each.percentile)));
     }
     for comparison in &result.treatments {
         for band in &comparison.bands {
@@ -215,7 +215,7 @@ impl Found<'_> {
 
     fn bounds(&mut self, bounds: &[BoundRecord], among: Option<&Tag>) {
         for bound in bounds {
-            let tag = |part: &str| Tag::bound(bound, part).among(among);
+            let tag = |part: &str| Tag::bound(bound, part).within(among);
             let [lower, upper] = [&bound.lower, &bound.upper];
             let [of_lower, of_upper] = [lower.error.total_si(), upper.error.total_si()];
             self.of_bound(tag("lower"), lower.widened_si, bound);

@@ -511,7 +511,7 @@ pub fn runs_table() -> RunsTable {
 /// Contributors to the largest deviation; their numbers belong to no run.
 fn answers() -> Vec<QuestionAnswer> {
     let mut finer = QuestionAnswer::new("finer_steps", "What finer steps change");
-    finer.say([
+    finer.add_sentence([
         "A tenth of the tolerance changes ".into(),
         AnswerPart::count("runs", 4),
         " runs by at most ".into(),

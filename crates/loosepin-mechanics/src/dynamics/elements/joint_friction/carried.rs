@@ -64,7 +64,7 @@ impl<T: Real> Dynamics<'_, T> {
                 *multiplier = -along;
             }
             self.gram.solve(multipliers);
-            self.gram.add_answer(multipliers, answer);
+            self.gram.add_correction(multipliers, answer);
         }
     }
 

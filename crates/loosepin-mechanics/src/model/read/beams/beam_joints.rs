@@ -1,4 +1,4 @@
-//! What holds flexible links, and what cannot stand beside them.
+//! Joints that hold flexible links, and what cannot be combined with them.
 
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::joint::AtBeam;
@@ -96,7 +96,7 @@ impl ModelReader {
         }
     }
 
-    /// Where something stands, or the table above it.
+    /// Span of an entry, or of the table above it.
     fn span_of(&self, path: &str) -> Span {
         let mut path = path;
         loop {

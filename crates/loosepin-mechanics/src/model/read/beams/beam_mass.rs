@@ -1,7 +1,7 @@
 //! Mass of flexible links: that of the straight beam, and lumps.
 
 use crate::model::part_reader::PartReader;
-use crate::model::parts::beam::Lump;
+use crate::model::parts::beam::LumpedMass;
 use crate::model::parts::topology::Body;
 use crate::model::read::reader::ModelReader;
 use crate::model::values::quantity::QuantityId;
@@ -29,7 +29,7 @@ pub(in crate::model) struct Line {
 
 impl ModelReader {
     /// Mass, inertia and centre of mass of the body while it is straight: of a line of mass and its lumps.
-    pub(in crate::model) fn set_rigid_numbers(&mut self, body: &mut Body, line: &Line, lumps: &[Lump]) {
+    pub(in crate::model) fn set_rigid_numbers(&mut self, body: &mut Body, line: &Line, lumps: &[LumpedMass]) {
         let of_body = |key: &str| format!("body.{}.{key}", body.name);
         let load = |id: QuantityId| Op::Load(id.0);
         let Line { mass_kg: own_kg, length_m, ends: [start, end] } = *line;
@@ -87,13 +87,18 @@ impl ModelReader {
     }
 
     /// The lumps of a beam; those with a diagnostic are left out.
-    pub(in crate::model) fn lumps(&mut self, entry: &Entry<'_>, body: &Body) -> Vec<Lump> {
+    pub(in crate::model) fn lumps(&mut self, entry: &Entry<'_>, body: &Body) -> Vec<LumpedMass> {
         let mut lumps = Vec::new();
         for entry in self.reader.named(entry, "a lump") {
             self.remember(&entry);
             let Some(LumpTable { at, mass, inertia, .. }) = LumpTable::read(self, &entry) else { continue };
             if let (Some(point), Some(mass_kg)) = (at.and_then(|entry| self.end(&entry, body)), mass) {
-                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2: inertia.flatten() });
+                lumps.push(LumpedMass {
+                    name: entry.name.to_owned(),
+                    point,
+                    mass_kg,
+                    inertia_kg_m2: inertia.flatten(),
+                });
             }
         }
         lumps

@@ -3,7 +3,7 @@
 use loosepin_flexible::Nodal;
 use loosepin_math::{Real, Vec2};
 
-/// What position and slope of an end do for unit rate of a coordinate.
+/// Partial derivatives of position and slope of an end by a coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dynamics) struct Column<T> {
     pub(in crate::dynamics) coordinate: usize,
@@ -13,10 +13,10 @@ pub(in crate::dynamics) struct Column<T> {
 
 /// Room for a flexible body.
 #[derive(Debug, Clone)]
-pub(in crate::dynamics) struct NodalRoom<T> {
+pub(in crate::dynamics) struct NodalWorkspace<T> {
     /// Nodes at the last state that was set.
     pub(in crate::dynamics) nodes: Vec<Nodal<T>>,
-    /// Their rates.
+    /// Rates of the nodes.
     pub(in crate::dynamics) rates: Vec<Nodal<T>>,
     /// Forces on the nodes without those of accelerations of the free coordinates.
     pub(in crate::dynamics) forces: Vec<Nodal<T>>,
@@ -24,11 +24,11 @@ pub(in crate::dynamics) struct NodalRoom<T> {
     pub(in crate::dynamics) ends: [Vec<Column<T>>; 2],
 }
 
-impl<T: Real> NodalRoom<T> {
+impl<T: Real> NodalWorkspace<T> {
     /// For a number of nodes, with the number of coordinates on which the frame depends.
     pub(in crate::dynamics) fn new(nodes: usize, dependences: usize) -> Self {
         let of = |count: usize| vec![Column { coordinate: 0, position: Vec2::zero(), slope: Vec2::zero() }; count];
-        let room = || vec![Nodal::zero(); nodes];
-        Self { nodes: room(), rates: room(), forces: room(), ends: [of(dependences + 1), of(4)] }
+        let workspace = || vec![Nodal::zero(); nodes];
+        Self { nodes: workspace(), rates: workspace(), forces: workspace(), ends: [of(dependences + 1), of(4)] }
     }
 }

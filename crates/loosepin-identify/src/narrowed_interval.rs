@@ -16,12 +16,12 @@ const DIGITS: i32 = 6;
 
 /// An interval that became narrower.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Narrowed {
+pub struct NarrowedInterval {
     /// Path in the model.
     pub path: String,
-    /// What was written: lower and upper end.
+    /// The old text: lower and upper end.
     pub before: [String; 2],
-    /// What is written now.
+    /// The new text.
     pub after: [String; 2],
 }
 
@@ -29,7 +29,7 @@ pub struct Narrowed {
 ///
 /// Ends are rounded outwards. An end that the readings do not narrow stays as it is written, and so does everything that is not stated as
 /// `interval = [...]`.
-pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) {
+pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<NarrowedInterval>) {
     let text = study.source().text();
     let mut changes: Vec<(Range<usize>, String)> = Vec::new();
     let mut all = Vec::new();
@@ -55,7 +55,7 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) 
             }
         }
         if after != before {
-            all.push(Narrowed { path: play.path.clone(), before, after });
+            all.push(NarrowedInterval { path: play.path.clone(), before, after });
         }
     }
     changes.sort_by_key(|(range, _)| range.start);
@@ -70,7 +70,7 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) 
     (changed, all)
 }
 
-/// What is known of the inputs of the one specimen of `answer`: by its dead travels, by its motion, or by both together.
+/// Bounds of the inputs of the one specimen of `answer`: by its dead travels, by its motion, or by both together.
 ///
 /// # Errors
 /// Several specimens, or one that nothing explains.
@@ -85,7 +85,7 @@ pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Diagnost
     let mut known: Vec<PlayBounds> = Vec::new();
     for specimen in &answer.specimens {
         match &specimen.outcome {
-            Outcome::Consistent(consistent) => known.extend(consistent.plays.iter().cloned()),
+            Outcome::ConsistentPlays(consistent) => known.extend(consistent.plays.iter().cloned()),
             Outcome::Misfit(_) => return Err(unexplained(&specimen.name)),
         }
     }
@@ -110,7 +110,7 @@ fn unexplained(specimen: &Option<String>) -> Diagnostics {
     Diagnostics::one(&IdentifyProblem::Unexplained { specimen: specimen.clone() }, None)
 }
 
-/// Both ends of `interval` as they are written, with their places.
+/// Both ends of `interval` as written, with their spans.
 fn written_ends(study: &Study, path: &str) -> Option<[(String, Range<usize>); 2]> {
     let toml = parse_toml(study.source()).ok()?;
     let inputs = toml.get_ref().get("epistemic")?.get_ref().as_table()?;

@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::observer::{Observer, Onset, Separation, Step};
 
 /// An observer whose run is given up once `stop` is set. What it sees, and the bits of the run, are the same.
-pub(super) struct Watched<'w, O> {
+pub(super) struct StoppableObserver<'w, O> {
     pub observer: &'w mut O,
     pub stop: &'w AtomicBool,
 }
 
-impl<O: Observer> Observer for Watched<'_, O> {
+impl<O: Observer> Observer for StoppableObserver<'_, O> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         self.observer.step(step);
     }

@@ -1,4 +1,4 @@
-//! What the quasi-static answer speaks of: positions, and the errors of paths that they make.
+//! Outputs of the quasi-static answer: positions, and the errors of paths that they make.
 
 use super::position::PositionOutput;
 use loosepin_mechanics::model::{Axis, Position};
@@ -10,17 +10,17 @@ use loosepin_text::units::SiUnit;
 const MIN_SHARE_OF_SPEED: f64 = 0.01;
 
 /// One number of the quasi-static answer: a position, or a part of the error of a path.
-pub(super) struct Part {
+pub(super) struct AccuracyOutput {
     pub name: String,
     pub words: String,
     pub unit: SiUnit,
-    pub kind: PartKind,
+    pub kind: AccuracyOutputKind,
     pub path_error: Option<PathMotion>,
 }
 
 /// Its value in terms of positions, by their places in a list.
 #[derive(Clone, Copy)]
-pub(super) enum PartKind {
+pub(super) enum AccuracyOutputKind {
     /// A position itself.
     Position(usize),
     /// t·e, the error along the path whose coordinates are at these places.
@@ -29,34 +29,41 @@ pub(super) enum PartKind {
     Normal([usize; 2]),
 }
 
-impl Part {
+impl AccuracyOutput {
     /// The positions, and behind the coordinates of a path the parts of its error, where its direction is known all the way.
     /// `speeds` gives the speeds of a point by the places of its coordinates.
-    pub fn all(outputs: &[PositionOutput], speeds: impl Fn([usize; 2]) -> Vec<f64>) -> Vec<Part> {
+    pub fn all(outputs: &[PositionOutput], speeds: impl Fn([usize; 2]) -> Vec<f64>) -> Vec<AccuracyOutput> {
         let mut parts = Vec::new();
         for (place, output) in outputs.iter().enumerate() {
             let PositionOutput { name, words, unit, .. } = output.clone();
-            parts.push(Part { name, words, unit, kind: PartKind::Position(place), path_error: None });
+            parts.push(AccuracyOutput {
+                name,
+                words,
+                unit,
+                kind: AccuracyOutputKind::Position(place),
+                path_error: None,
+            });
             // Behind y, the second coordinate of a path.
             let (Some(path), Position::Point(_, Axis::Y)) = (&output.path, output.reading) else { continue };
             let coordinates = [place - 1, place];
             if !has_direction(&speeds(coordinates)) {
                 continue;
             }
-            for (error, kind) in
-                [(PathError::Along, PartKind::Along(coordinates)), (PathError::Normal, PartKind::Normal(coordinates))]
-            {
+            for (error, kind) in [
+                (PathError::Along, AccuracyOutputKind::Along(coordinates)),
+                (PathError::Normal, AccuracyOutputKind::Normal(coordinates)),
+            ] {
                 let (name, unit) = (format!("{} {}", path.name, error.word()), output.unit.clone());
                 let path_error = Some(PathMotion { path: path.name.clone(), part: error });
-                parts.push(Part { name, words: error.words(&path.point), unit, kind, path_error });
+                parts.push(AccuracyOutput { name, words: error.words(&path.point), unit, kind, path_error });
             }
         }
         parts
     }
 }
 
-impl PartKind {
-    /// What each position counts, where they have these `velocities`.
+impl AccuracyOutputKind {
+    /// Weight of each position for these `velocities`.
     pub fn weights(self, velocities: &[f64]) -> Vec<(usize, f64)> {
         match self {
             Self::Position(place) => vec![(place, 1.0)],

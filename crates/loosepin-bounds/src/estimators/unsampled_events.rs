@@ -14,12 +14,12 @@ use super::estimate::{Confidence, Estimate};
 
 /// How far single runs lie from what a sample lets expect of them; not negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Unseen {
+pub(crate) struct UnsampledEvents {
     pub below: f64,
     pub above: f64,
 }
 
-impl Unseen {
+impl UnsampledEvents {
     /// The larger of both.
     pub fn largest(&self) -> f64 {
         self.below.max(self.above)
@@ -62,22 +62,22 @@ impl Unseen {
 
 #[cfg(test)]
 mod tests {
-    use super::Unseen;
+    use super::UnsampledEvents;
     use crate::estimators::estimate::{Confidence, Estimate};
 
     #[test]
     fn analytic_an_event_of_that_share_is_missed_by_the_sample_as_often_as_stated() {
         let confidence = Confidence::new(0.99, 8);
-        let share = Unseen::largest_share(256, &confidence);
+        let share = UnsampledEvents::largest_share(256, &confidence);
         assert!(((1.0 - share).powi(256) / 0.005 - 1.0).abs() < 1e-9, "{share}");
-        assert_eq!(Unseen::most_runs(256, &confidence), 6);
+        assert_eq!(UnsampledEvents::most_runs(256, &confidence), 6);
     }
 
     #[test]
     fn analytic_mean_and_variance_with_an_event_of_that_share_lie_in_their_intervals() {
         let confidence = Confidence::new(0.99, 8);
-        let unseen = Unseen { below: 0.0, above: 4.0 };
-        let (p, exact) = (Unseen::largest_share(256, &confidence), Estimate::symmetric(1.0, 0.0));
+        let unseen = UnsampledEvents { below: 0.0, above: 4.0 };
+        let (p, exact) = (UnsampledEvents::largest_share(256, &confidence), Estimate::symmetric(1.0, 0.0));
         let mean = unseen.added_to_mean(exact, 256, &confidence);
         assert!(mean.below == 0.0 && (mean.above - 4.0 * p).abs() < 1e-15, "{mean:?}");
         let variance = unseen.added_to_variance(exact, 256, &confidence);
@@ -91,8 +91,8 @@ mod tests {
     #[test]
     fn analytic_what_a_jump_does_to_the_square_of_a_distance() {
         let square = |y: f64| (y - 1.0) * (y - 1.0);
-        let unseen = Unseen { below: 0.5, above: 2.0 }.changed([0.0, 2.0], square);
+        let unseen = UnsampledEvents { below: 0.5, above: 2.0 }.changed([0.0, 2.0], square);
         // From 2 to 4: from 1 to 9; from 2 to 1.5: from 1 to 0.25.
-        assert_eq!(unseen, Unseen { below: 0.75, above: 8.0 });
+        assert_eq!(unseen, UnsampledEvents { below: 0.75, above: 8.0 });
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::follow::{Follow, LOBATTO};
 use crate::lanes::memory::LaneLayout;
-use crate::lanes::memory::{Memory, Named};
+use crate::lanes::memory::{Memory, MemoryBlocks};
 use crate::lanes::pass::Pass;
 use crate::settings::{Integrator, Settings};
 use crate::stepping::implicit::{Implicit, TOO_LONG, hides_contact};
@@ -18,7 +18,7 @@ use loosepin_mechanics::model::Reading;
 const DIFFERENCE: f64 = 1e-7;
 
 /// The equations of the one lane there is.
-pub struct Plain<'a> {
+pub struct SingleLane<'a> {
     motion: Motion<'a, f64>,
     projection: Option<Projection<f64>>,
     readings: Vec<Reading>,
@@ -30,7 +30,7 @@ pub struct Plain<'a> {
     implicit: Option<Implicit>,
 }
 
-impl<'a> Plain<'a> {
+impl<'a> SingleLane<'a> {
     /// With the numbers of `sample` until another one is loaded; reads what `follow` says.
     pub fn new(
         mechanism: &'a Mechanism,
@@ -80,14 +80,14 @@ impl<'a> Plain<'a> {
 
     /// Evaluates at the start of the step.
     pub fn evaluate_start(&mut self, pass: &Pass, memory: &mut Memory) {
-        let Named { rows, end_reads, .. } = Named::new(memory.blocks());
+        let MemoryBlocks { rows, end_reads, .. } = MemoryBlocks::new(memory.blocks());
         let end = pass.stepper.end_row() * pass.layout.length();
         self.reading(end_reads).derivative_at_end(rows.start, &mut rows.stages[end..end + pass.layout.length()]);
     }
 
     /// Tries the step.
     pub fn attempt(&mut self, pass: &Pass, memory: &mut Memory) {
-        let mut named = Named::new(memory.blocks());
+        let mut named = MemoryBlocks::new(memory.blocks());
         pass.choose_step(&mut named);
         if let Some(mut implicit) = self.implicit.take() {
             let is_implicit = self.motion.states.iter().all(|state| state.contact == 0.0);
@@ -100,7 +100,7 @@ impl<'a> Plain<'a> {
                 return pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
             }
         }
-        self.motion.know_angles(&pass.reads, named.start_reads);
+        self.motion.set_known_angles(&pass.reads, named.start_reads);
         let system = &mut ReadingSystem { is_near: true, ..self.reading(named.end_reads) };
         pass.attempt(&mut named.rows, named.lane, system);
         pass.limit_turns(&mut named);
@@ -108,7 +108,7 @@ impl<'a> Plain<'a> {
     }
 
     /// Tries an implicit step.
-    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) {
+    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut MemoryBlocks<'_, f64>) {
         let (end_row, weights) = (pass.stepper.end_row(), named.lane[pass.lane.weights()].to_vec());
         let step_s = named.lane[LaneLayout::STEP];
         let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));
@@ -130,13 +130,13 @@ impl<'a> Plain<'a> {
     /// Holds the loops of ideal joints.
     pub fn hold_loops(&mut self, pass: &Pass, memory: &mut Memory) {
         if let Some(projection) = &mut self.projection {
-            pass.hold_loops(&mut Named::new(memory.blocks()), &mut self.motion, projection);
+            pass.hold_loops(&mut MemoryBlocks::new(memory.blocks()), &mut self.motion, projection);
         }
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
-        let Named { lane, mut rows, .. } = Named::new(memory.blocks());
+        let MemoryBlocks { lane, mut rows, .. } = MemoryBlocks::new(memory.blocks());
         if self.is_implicit() {
             return pass.stepper.prepare_cubic(&mut rows, lane[LaneLayout::STEP]);
         }
@@ -145,23 +145,23 @@ impl<'a> Plain<'a> {
         self.motion.set_near(false);
     }
 
-    /// Whether the step at hand is an implicit one: its dense output is to be corrected.
+    /// Whether the current step is an implicit one: its dense output is to be corrected.
     pub fn is_implicit(&self) -> bool {
         self.implicit.as_ref().is_some_and(|implicit| implicit.is_at_hand)
     }
 
-    /// Corrects the state at `share` inside the implicit step at hand; gives the evaluations that it took.
+    /// Corrects the state at `share` inside the current implicit step; returns its evaluations.
     pub fn correct(&mut self, pass: &Pass, memory: &mut Memory, share: f64, state: &mut [f64]) -> u64 {
         let Some(implicit) = &mut self.implicit else { return 0 };
         let equations = (pass, &mut self.motion, self.projection.as_mut());
-        implicit.correct(equations, &Named::new(memory.blocks()), share, state)
+        implicit.correct(equations, &MemoryBlocks::new(memory.blocks()), share, state)
     }
 
-    /// Takes in the values inside the step at hand, whose dense output is known; gives the evaluations that corrections took.
+    /// Takes in the values inside the current step, whose dense output is known; gives the evaluations that corrections took.
     pub fn look_inside(&mut self, pass: &Pass, memory: &mut Memory) -> u64 {
         let Self { motion, projection, inside, state, arms, implicit, .. } = self;
         let mut implicit = implicit.as_mut().filter(|implicit| implicit.is_at_hand);
-        let mut named = Named::new(memory.blocks());
+        let mut named = MemoryBlocks::new(memory.blocks());
         let (dimension, mut evaluations) = (state.len(), 0);
         for point in 0..LOBATTO.len() {
             match point {
@@ -193,9 +193,9 @@ impl<'a> Plain<'a> {
     }
 }
 
-/// The equations, and where they put what is read at the end of a step.
+/// The equations, and the destination of the readings at the end of a step.
 struct ReadingSystem<'s, 'a> {
-    plain: &'s mut Plain<'a>,
+    plain: &'s mut SingleLane<'a>,
     reads: &'s mut [f64],
     /// Whether points within the step are near the known angles.
     is_near: bool,
@@ -209,7 +209,7 @@ impl System for ReadingSystem<'_, '_> {
     }
 
     fn derivative_at_end(&mut self, state: &[f64], slope: &mut [f64]) {
-        let Plain { motion, readings, arms, .. } = self.plain;
+        let SingleLane { motion, readings, arms, .. } = self.plain;
         motion.derivative(state, slope);
         motion.read(readings, arms, self.reads);
     }

@@ -8,10 +8,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Hears how many values of the unknowns have their runs, and how many will, about at most; says whether it goes on.
+/// Called with the number of values of the unknowns whose runs are made, and the expected number at most; returns whether to continue.
 pub type ProgressCallback<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
 
-/// Nobody hears.
+/// Ignores progress and continues.
 pub const NO_CALLBACK: ProgressCallback<'static> = &|_, _| true;
 
 /// Numbers of rows that are held at once, at most.
@@ -21,26 +21,26 @@ const LENGTHS: u64 = 0x6d6f_7469_6f6e;
 const ERRORS: u64 = 0x6572_726f_7273;
 const SPECIMEN: u64 = 0x7370_6563_696d;
 
-/// Features of the runs at one point: of each run one number a feature, not a number where it failed.
+/// Features of the runs at one point: of each run one number a feature, NaN if it failed.
 pub(crate) type Runs = Rc<Vec<Vec<f64>>>;
 
 /// A mechanism with what it would show.
 pub(crate) struct Mechanism {
     pub random: Vec<f64>,
     pub epistemic: Vec<f64>,
-    /// Of each feature its true value, SI; not a number where the run failed.
+    /// True value of each feature, SI; NaN if the run failed.
     pub features: Vec<f64>,
 }
 
 /// Runs of one study, made when they are asked for and kept.
-pub(crate) struct Bank<'s> {
+pub(crate) struct RunCache<'s> {
     pub study: &'s Study,
     pub features: Vec<&'s MeasuredMotion>,
     /// Runs at each point.
     pub runs: usize,
     /// The study that records each stretch of turns.
     stretches: Vec<RunRows>,
-    /// Of each feature its columns in a row; none for impacts.
+    /// Columns of each feature in a row; empty for impacts.
     columns: Vec<Vec<usize>>,
     known: HashMap<Vec<u64>, Runs>,
     heard: ProgressCallback<'s>,
@@ -49,7 +49,7 @@ pub(crate) struct Bank<'s> {
     most: usize,
 }
 
-impl<'s> Bank<'s> {
+impl<'s> RunCache<'s> {
     /// # Errors
     /// The study cannot begin.
     pub fn new(

@@ -1,17 +1,17 @@
-//! Where the blocks of a program lie among those of a sequence of programs.
+//! Places of the blocks of a program among those of a sequence of programs.
 
 use super::MAX_BLOCKS;
 
-/// Where a block of a program begins.
+/// Start of a block of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct BlockStart {
     /// Which of the blocks that a sequence is run on.
     pub block: usize,
     /// At which value of it.
     pub first: usize,
 }
 
-impl Place {
+impl BlockStart {
     /// Each block where the block of the same number begins.
     pub const ALL: [Self; MAX_BLOCKS] = {
         let mut places = [Self { block: 0, first: 0 }; MAX_BLOCKS];

@@ -5,17 +5,17 @@ use std::fmt;
 
 use loosepin_store::Shard;
 
-/// What of a study is made here. Results do not depend on it.
+/// The subset of the runs of a study that is made here. Results do not depend on it.
 ///
 /// A study asks for its runs in rounds, each of which depends on the rounds before it alone. Whoever makes a part of them keeps his
 /// runs in a store, and comes no further than the first round of which a run is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum RunSubset {
     /// All of it.
     Whole,
     /// The runs of a shard.
     Shard(Shard),
-    /// What the shards have left, where it is little: rounds of at most so many runs.
+    /// The few runs left by the shards: rounds of at most `largest_round` runs.
     Joined {
         /// How many shards there are.
         of: u32,
@@ -24,7 +24,7 @@ pub enum Part {
     },
 }
 
-impl Part {
+impl RunSubset {
     /// Whether a missing run at `place` of a list, in a round of `round_runs` runs, is made here.
     pub(crate) fn makes(self, place: u64, round_runs: usize) -> bool {
         match self {
@@ -34,7 +34,7 @@ impl Part {
         }
     }
 
-    /// How many shards share the study; nothing where it is made as a whole.
+    /// How many shards share the study; `None` if it is made as a whole.
     pub(crate) fn shards(self) -> Option<u32> {
         match self {
             Self::Whole => None,

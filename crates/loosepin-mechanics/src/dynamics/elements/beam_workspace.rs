@@ -6,7 +6,7 @@ use loosepin_math::Real;
 
 /// Room for a flexible body.
 #[derive(Debug, Clone)]
-pub(in crate::dynamics) struct BeamRoom<T> {
+pub(in crate::dynamics) struct BeamWorkspace<T> {
     /// M and h at the last evaluation.
     pub(in crate::dynamics) inertia: Inertia<T>,
     /// M T, row by row of T: one for each coordinate on which the frame depends.
@@ -15,7 +15,7 @@ pub(in crate::dynamics) struct BeamRoom<T> {
     pub(in crate::dynamics) forces: Vec<T>,
 }
 
-impl<T: Real> BeamRoom<T> {
+impl<T: Real> BeamWorkspace<T> {
     pub(in crate::dynamics) fn new(beam: &TreeBeam, dependences: usize) -> Self {
         let inertia = Inertia::new(&beam.shapes);
         let size = inertia.size;

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use loosepin::bounds::{Failure, RunInputs};
-use loosepin::study::{AskedRuns, RunMaker};
+use loosepin::study::{RequestedRuns, RunProvider};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -11,30 +11,30 @@ use pyo3::types::PyIterator;
 
 /// A callable that is given what is loosened and the inputs of runs, and gives a generator: of rows with the place of the first one
 /// and of the reasons why runs failed, or of nothing as long as nothing is finished.
-pub struct MadeInPython {
+pub struct PythonRunProvider {
     make: Py<PyAny>,
     /// Exception that it has raised.
-    raised: Mutex<Option<PyErr>>,
+    exception: Mutex<Option<PyErr>>,
 }
 
 /// Place of the first run, rows, and reasons, as [`crate::run_rows::RunRows::make`] gives them.
-type Part<'py> = (usize, PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i32>);
+type FinishedRows<'py> = (usize, PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i32>);
 
-impl MadeInPython {
+impl PythonRunProvider {
     /// Runs that `make` makes.
     pub fn new(make: Py<PyAny>) -> Self {
-        Self { make, raised: Mutex::new(None) }
+        Self { make, exception: Mutex::new(None) }
     }
 
     /// Exception that the callable has raised since the last call.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().unwrap_or_else(PoisonError::into_inner).take()
+    pub fn take_exception(&self) -> Option<PyErr> {
+        self.exception.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
     fn hand_over(
         &self,
         py: Python<'_>,
-        asked: &AskedRuns<'_>,
+        asked: &RequestedRuns<'_>,
         is_stopped: &dyn Fn() -> bool,
         finished: &mut dyn FnMut(usize, Result<Vec<f64>, Failure>),
     ) -> PyResult<()> {
@@ -46,7 +46,7 @@ impl MadeInPython {
         let (random, epistemic) = (array(|run| &run.random), array(|run| &run.epistemic));
         let parts = self.make.bind(py).call1((asked.loosened.to_vec(), random, epistemic))?;
         for part in PyIterator::from_object(&parts)? {
-            if let Some((first, rows, reasons)) = part?.extract::<Option<Part<'_>>>()? {
+            if let Some((first, rows, reasons)) = part?.extract::<Option<FinishedRows<'_>>>()? {
                 for (offset, (row, &reason)) in rows.as_array().rows().into_iter().zip(reasons.as_array()).enumerate() {
                     let failure = u16::try_from(reason).ok().map(Failure);
                     finished(first + offset, failure.map_or_else(|| Ok(row.to_vec()), Err));
@@ -61,17 +61,17 @@ impl MadeInPython {
     }
 }
 
-impl RunMaker for MadeInPython {
+impl RunProvider for PythonRunProvider {
     fn make(
         &self,
-        asked: &AskedRuns<'_>,
+        asked: &RequestedRuns<'_>,
         is_stopped: &dyn Fn() -> bool,
         finished: &mut dyn FnMut(usize, Result<Vec<f64>, Failure>),
     ) -> Result<(), String> {
         Python::attach(|py| {
             self.hand_over(py, asked, is_stopped, finished).map_err(|error| {
                 let words = error.to_string();
-                *self.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+                *self.exception.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
                 words
             })
         })

@@ -12,9 +12,9 @@ const NEAREST_RATIO: f64 = 1e-6;
 /// Angular velocities that differ by less than this share are one way, not two.
 const SAME_SHARE: f64 = 1e-6;
 
-/// The body that shows best which of two ways a mechanism goes on, with its angular velocities on both.
+/// The body that best shows which of two branches a motion takes, with its angular velocities on both.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WaysOn {
+pub struct MotionBranches {
     /// Slot of the body in the ideal tree.
     pub slot: usize,
     /// Its angular velocity on either way, rad/s: the larger one first.
@@ -27,14 +27,14 @@ pub struct WaysOn {
 /// too. In the direction w with wᵀ J = 0 it does not contain q̈: wᵀ Φ̈(q̇₀ + α ν) = 0 is a quadratic equation in α, whose two
 /// roots are the two branches that cross.
 ///
-/// Nothing where the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
-pub fn ways_on(
+/// `None` if the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
+pub fn motion_branches(
     tree: &Tree,
     geometry: &Geometry<f64>,
     coordinates: &[f64],
     rates: &[f64],
     driven_accelerations: &[f64],
-) -> Option<WaysOn> {
+) -> Option<MotionBranches> {
     let (n, columns, rows) = (tree.free, tree.coordinates(), tree.constraint_rows());
     let mut kinematics = Kinematics::new(tree);
     kinematics.set_positions(tree, geometry, coordinates);
@@ -87,5 +87,5 @@ pub fn ways_on(
     let difference = |slot: usize| (roots[0][slot] - roots[1][slot]).abs();
     let slot = (0..roots[0].len()).max_by(|&a, &b| difference(a).total_cmp(&difference(b)))?;
     let speeds = [roots[0][slot].max(roots[1][slot]), roots[0][slot].min(roots[1][slot])];
-    (speeds[0] - speeds[1] > SAME_SHARE * unit).then_some(WaysOn { slot, angular_velocities_rad_s: speeds })
+    (speeds[0] - speeds[1] > SAME_SHARE * unit).then_some(MotionBranches { slot, angular_velocities_rad_s: speeds })
 }
