@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::identify::MotionValues;
-use loosepin::study::{self, FurtherOutputs, InputFile, RunMaker, RunOptions, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, RunMaker, RunOptions};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,6 +17,7 @@ use crate::model::Model;
 use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
+use crate::study_inputs::{self, StudyInput};
 use crate::waiting::{RunCounts, wait_for};
 
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
@@ -100,7 +101,7 @@ impl Study {
         let study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
         let maker = maker.map(MadeInPython::new);
         let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
-        let inputs = study_inputs(&study, &accuracy, budget.as_deref());
+        let inputs = study::study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         let options = RunOptions { maker: made, ..RunOptions::new(threads, &counts, &stop) };
         let meeting = Meeting { with_resume: resume, with_force: force };
@@ -176,6 +177,11 @@ impl Study {
         planned(py, &self.0, &asked, progress.as_ref())
     }
 
+    /// Its inputs, in the order of the columns of a design.
+    fn inputs(&self) -> Vec<StudyInput> {
+        study_inputs::of(&self.0)
+    }
+
     /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
@@ -218,7 +224,7 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.
-fn count_threads(asked: Option<i64>) -> PyResult<usize> {
+pub fn count_threads(asked: Option<i64>) -> PyResult<usize> {
     match asked {
         Some(threads) if (1..=MAX_THREADS).contains(&threads) => Ok(threads as usize),
         Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MAX_THREADS}"))),

@@ -9,6 +9,8 @@
 Numbers are SI unless a name says otherwise. Files and their keys are those of the command `loosepin`.
 """
 
+from ._design import StudyInput
+from ._evaluation import Evaluation
 from ._function_bounds import AccuracyReached, AccuracyStep, Band, Box, FunctionBounds, bounds
 from ._identification import Identification, MotionPlan, Posterior, Unknown
 from ._inputs import (
@@ -52,6 +54,7 @@ __all__ = [
     "Curve",
     "Discrete",
     "Empirical",
+    "Evaluation",
     "Evidence",
     "Exponential",
     "FunctionBounds",
@@ -73,6 +76,7 @@ __all__ = [
     "Samples",
     "Simulation",
     "Study",
+    "StudyInput",
     "StudyResult",
     "SurrogateOutput",
     "Surrogates",

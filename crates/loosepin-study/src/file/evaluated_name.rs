@@ -1,0 +1,90 @@
+//! From the name of a number in results, `slider total maximum_absolute`, back to the question that asks for it.
+
+use super::words::{DEVIATIONS, REDUCTIONS};
+use crate::response::outputs::study_outputs;
+use loosepin_mechanics::model::Model;
+use loosepin_text::diagnostics::{Code, nearest_name, problems};
+
+/// The keys of a question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedQuestion {
+    /// Output of the model.
+    pub output: String,
+    /// Component of it, where it is a path.
+    pub component: Option<&'static str>,
+    /// Word of the deviation.
+    pub of: &'static str,
+    /// Where in the cycle.
+    pub place: NamedPlace,
+}
+
+/// Where in the cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NamedPlace {
+    /// The whole curve.
+    Cycle,
+    /// One number of the curve, by its word.
+    Reduced(&'static str),
+    /// An angle of this drive, rad.
+    Pose(String, f64),
+}
+
+problems! {
+    /// Why a name is that of no number or curve.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum NameProblem {
+        Unknown { name: String, nearest: Option<String>, example: String } => Code::UnknownReference,
+            says("outputs: no number or curve of this model is called '{name}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!(
+                    "a name is an output, which deviation of it, and what of its curve, for example '{example}'; \
+                     or give a dict with the keys of a question"
+                ),
+            }));
+    }
+}
+
+impl NamedQuestion {
+    /// The question for what results call `name`: an output of the model (of a path with its component) and the word of a deviation;
+    /// behind them nothing for the whole curve, the word of a reduction, or `at 1.5 rad`.
+    ///
+    /// # Errors
+    /// Nothing has this name.
+    pub fn of_name(model: &Model, name: &str) -> Result<Self, NameProblem> {
+        let (curve, place) = place_of(model, name);
+        let outputs = study_outputs(model);
+        let found = curve.rsplit_once(' ').and_then(|(output, word)| {
+            let output = outputs.iter().find(|known| known.name == output)?;
+            let of = DEVIATIONS.iter().find(|(known, _)| *known == word)?.0;
+            Some(Self { output: model.outputs[output.output].name.clone(), component: output.component, of, place })
+        });
+        found.ok_or_else(|| {
+            let curves = outputs.iter().flat_map(|output| DEVIATIONS.map(|(of, _)| format!("{} {of}", output.name)));
+            let names: Vec<String> = curves
+                .flat_map(|curve| {
+                    let reduced = REDUCTIONS.map(|(word, _)| format!("{curve} {word}"));
+                    std::iter::once(curve).chain(reduced)
+                })
+                .collect();
+            let nearest = nearest_name(name, names.iter().map(String::as_str)).map(str::to_owned);
+            let output = outputs.first().map_or("slider", |output| &output.name);
+            let example = format!("{output} value maximum");
+            NameProblem::Unknown { name: name.to_owned(), nearest, example }
+        })
+    }
+}
+
+/// The name of the curve, and which part of it is meant.
+fn place_of<'n>(model: &Model, name: &'n str) -> (&'n str, NamedPlace) {
+    if let Some((curve, angle_rad)) = name.strip_suffix(" rad").and_then(|rest| rest.rsplit_once(" at "))
+        && let Ok(angle_rad) = angle_rad.parse::<f64>()
+    {
+        let drive = model.cycle_input(&model.quantities.nominal()).name;
+        return (curve, NamedPlace::Pose(drive, angle_rad));
+    }
+    let reduced = name.rsplit_once(' ').and_then(|(curve, word)| {
+        Some((curve, NamedPlace::Reduced(REDUCTIONS.iter().find(|(known, _)| *known == word)?.0)))
+    });
+    reduced.unwrap_or((name, NamedPlace::Cycle))
+}
