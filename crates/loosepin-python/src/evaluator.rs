@@ -10,7 +10,7 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 
 use crate::column::Column;
-use crate::error::raise;
+use crate::error::{of_argument, raise};
 use crate::model::Model;
 use crate::study::{Study, count_threads};
 use crate::waiting::{RunCounts, wait_for};
@@ -60,8 +60,13 @@ impl Evaluator {
         let runs = py.detach(|| DesignRuns::new(study));
         runs.map(Self).map_err(|refused| {
             let diagnostic = refused.0.diagnostic(&refused.1);
-            let place = diagnostic.place.filter(|place| place.source.name() != OUTPUTS);
-            raise(diagnostics::Diagnostic { place, ..diagnostic })
+            match study::argument_of(&refused.0) {
+                Some(argument) => raise(of_argument(argument, diagnostic)),
+                None => {
+                    let place = diagnostic.place.filter(|place| place.source.name() != OUTPUTS);
+                    raise(diagnostics::Diagnostic { place, ..diagnostic })
+                }
+            }
         })
     }
 

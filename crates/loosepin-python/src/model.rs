@@ -91,7 +91,11 @@ impl Model {
 
     /// The value of the input `path` that `text` states with its unit, SI.
     fn value_of(&self, path: &str, text: &str) -> PyResult<f64> {
-        Ok(self.0.parse_setting(&format!("{path}={text}")).map_err(|error| raise(of_argument("inputs", error)))?.value_si)
+        Ok(self
+            .0
+            .parse_setting(&format!("{path}={text}"))
+            .map_err(|error| raise(of_argument("inputs", error)))?
+            .value_si)
     }
 
     /// Refuses a value of the input `path`, SI, that the model does not allow.

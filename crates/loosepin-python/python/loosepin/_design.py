@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
@@ -97,7 +97,7 @@ class InputReader:
         what = f"inputs: '{name}'"
         words = self._laws.get(name)
         if isinstance(value, str):
-            return np.float64(self._place(name, value) if words is not None else self._model.value_of(name, value))
+            return np.array(self._place(name, value) if words is not None else self._model.value_of(name, value), dtype=float)
         if words is not None and _is_texts(value):
             return np.array([self._place(name, word) for word in value], dtype=float)
         column = _numbers(value, what)
@@ -143,8 +143,10 @@ def split_laws(inputs: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str
     for path in given:
         if not isinstance(path, str):
             raise TypeError(f"inputs: a path is {path!r}; must be a str")
-    is_law: Callable[[str, Any], bool] = lambda path, value: path.startswith("contact.") and path.endswith(".law") and isinstance(value, str)
-    laws = {path: value for path, value in given.items() if is_law(path, value)}
+    laws = {path: value for path, value in given.items() if path.startswith("contact.") and path.endswith(".law")}
+    for path, law in laws.items():
+        if not isinstance(law, str):
+            raise TypeError(f"inputs: '{path}' is a {type(law).__name__}; must be the name of a contact law, the same for all runs")
     return {path: value for path, value in given.items() if path not in laws}, laws
 
 

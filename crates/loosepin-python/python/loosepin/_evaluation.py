@@ -110,8 +110,8 @@ class Evaluation(Mapping[str, Array]):
         return evaluation_html(self._counts(), rows, [reason for reason in self.reasons if reason is not None])
 
     def _counts(self) -> str:
-        failed = int(self.failed.sum())
-        return f"{len(self.failed)} runs" + (f", {failed} failed" if failed else "")
+        runs, failed = len(self.failed), int(self.failed.sum())
+        return f"{runs} run{'' if runs == 1 else 's'}" + (f", {failed} failed" if failed else "")
 
 
 def evaluated(

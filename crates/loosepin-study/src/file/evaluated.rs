@@ -11,7 +11,7 @@ use crate::file::questions::location::{POSES, Where};
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::questions::promise::PromiseTable;
 use crate::file::questions::question_settings::QuestionSettings;
-use crate::response::study_response::{MAX_RECORDED_TURNS, MAX_TURNS};
+use crate::response::study_response::{MAX_COLUMNS, MAX_RECORDED_TURNS, MAX_TURNS};
 use loosepin_bounds::{PERCENTILES, PromiseSettings};
 use loosepin_mechanics::model::{LawError, Model, NormalDescription, PathError, QuantityError, measured_argument};
 use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Problem, Source, nearest_name, problems};
@@ -58,6 +58,9 @@ problems! {
         Poses { samples: usize, turns: f64 } => Code::AskNotPossible,
             says("samples {samples} in each of {turns} turns; a curve must have at most {MAX_POSES} poses"),
             hint("ask for fewer samples; 180 in a turn give a good curve");
+        Columns { columns: usize } => Code::TooMany,
+            says("outputs: they need {columns} numbers of each run; must be at most {MAX_COLUMNS}"),
+            hint("ask for fewer curves, fewer poses or fewer samples");
     }
 }
 
@@ -107,9 +110,9 @@ impl Study {
         let root = reader.root(toml.get_ref(), &EvaluationTable::KEYS);
         let root = EvaluationTable::of(&mut reader, root);
         let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, None);
-        let mut file =
-            StudyReader::new(reader, model, PromiseSettings { share, confidence, inner }, false);
-        let (Sampling { outer, inner, replicates, most_failed, .. }, _): (Sampling, SamplingTable<'_>) = file.sampling(None);
+        let mut file = StudyReader::new(reader, model, PromiseSettings { share, confidence, inner }, false);
+        let (Sampling { outer, inner, replicates, most_failed, .. }, _): (Sampling, SamplingTable<'_>) =
+            file.sampling(None);
         let asks = root.map_or_else(Vec::new, |root| file.read_evaluated(&root.outputs));
         let cycle = file.model.cycle.clone();
         for (argument, turns, most) in [
@@ -125,6 +128,15 @@ impl Study {
         let has_curve = asks.iter().any(|ask| ask.location == Where::Cycle);
         if has_curve && turns * samples as f64 > MAX_POSES as f64 {
             diagnostics.push(Diagnostic::error(&EvaluationProblem::Poses { samples, turns }, None));
+        }
+        let numbers = asks.iter().map(|ask| match &ask.location {
+            Where::Cycle => (turns * samples as f64).ceil() as usize,
+            Where::Poses { angles_rad } => angles_rad.len(),
+            Where::Reduced(_) => 1,
+        });
+        let columns = numbers.fold(0, usize::saturating_add);
+        if columns > MAX_COLUMNS {
+            diagnostics.push(Diagnostic::error(&EvaluationProblem::Columns { columns }, None));
         }
         diagnostics.extend(file.reader.diagnostics.sorted().into_iter().map(placeless).collect());
         let tolerance_m = match tolerance_m {
@@ -197,7 +209,12 @@ fn input(model: &Model, path: &str) -> Result<EpistemicInput, EvaluationProblem>
 fn with_law_named(model: &Model, path: &str, name: &str) -> Result<Model, EvaluationProblem> {
     let contact = match model.contact_of_law(path) {
         Some(contact) => contact.map_err(|error| EvaluationProblem::Path { error })?,
-        None => return Err(model.find(path).err().map_or_else(|| no_law(path, name), |error| EvaluationProblem::Path { error })),
+        None => {
+            return Err(model
+                .find(path)
+                .err()
+                .map_or_else(|| no_law(path, name), |error| EvaluationProblem::Path { error }));
+        }
     };
     let law = NormalDescription::all().find(|law| law.name() == name).ok_or_else(|| no_law(path, name))?;
     model.with_law(contact, law).map_err(|error| EvaluationProblem::Law { error })

@@ -6,8 +6,8 @@ use crate::file::{EpistemicSubject, Study};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::recorded_output::RecordedOutput;
-use crate::response::study_response::StudyResponse;
-use crate::runs::evaluate::{Work, evaluate_into};
+use crate::response::study_response::{PrepareError, StudyResponse};
+use crate::runs::evaluate::{RowOr, Work, evaluate_into};
 use crate::runs::table::{ExtraColumns, RunColumn};
 use loosepin_bounds::{Problem, Purpose, RunInputs};
 use loosepin_mechanics::model::Values;
@@ -124,7 +124,7 @@ impl DesignRuns {
             Judged::Fine | Judged::Coarse(..) => None,
         });
         let finished = AtomicUsize::new(is_waiting.iter().filter(|is_waiting| !**is_waiting).count());
-        let heard = |_: usize, _: &Result<Vec<f64>, String>| {
+        let heard = |_: usize, _: &RowOr<String>| {
             progress.runs(finished.fetch_add(1, Ordering::Relaxed) + 1, batch.len());
         };
         let work = Work { batch: &batch, is_waiting: &is_waiting, response: &self.response, stop };
@@ -162,5 +162,18 @@ impl DesignRuns {
             Ok(Some(warning)) => Judged::Coarse(clearance_m, warning.to_string()),
             Err(error) => Judged::Refused(error.to_string()),
         }
+    }
+}
+
+/// The argument of a program that is to blame where a study that it stated ([`Study::of_evaluated`]) cannot begin, if one is.
+pub fn argument_of(error: &StudyError) -> Option<&'static str> {
+    match error {
+        StudyError::Prepare(PrepareError::UncertainStart { .. } | PrepareError::SpeedThroughZero { .. }) => {
+            Some("inputs")
+        }
+        StudyError::Prepare(PrepareError::PoseNotRecorded { .. } | PrepareError::PathStandsStill { .. }) => {
+            Some("outputs")
+        }
+        _ => None,
     }
 }

@@ -6,8 +6,10 @@ use loosepin_simulate::{Execution, RunFailure};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Columns and extras of a finished run, or why it gave nothing.
-pub(crate) type Row = Result<Vec<f64>, Failure>;
+/// Columns and extras of a finished run, or what is known of one that failed.
+pub(crate) type RowOr<F> = Result<Vec<f64>, F>;
+/// The same, with the number of the reason.
+pub(crate) type Row = RowOr<Failure>;
 
 /// A batch of runs, and which of them are to be made.
 pub(crate) struct Work<'w> {
@@ -36,11 +38,11 @@ pub(crate) fn evaluate(
 /// is known of a failed run.
 pub(crate) fn evaluate_into<F: Send>(
     work: &Work<'_>,
-    kept: Vec<Option<Result<Vec<f64>, F>>>,
+    kept: Vec<Option<RowOr<F>>>,
     is_stopped: &(dyn Fn() -> bool + Sync),
-    finished: &(dyn Fn(usize, &Result<Vec<f64>, F>) + Sync),
+    finished: &(dyn Fn(usize, &RowOr<F>) + Sync),
     told: impl Fn(RunFailure) -> F + Sync,
-) -> Vec<Option<Result<Vec<f64>, F>>> {
+) -> Vec<Option<RowOr<F>>> {
     let Work { batch, is_waiting, response, stop } = *work;
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
         response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
@@ -48,7 +50,7 @@ pub(crate) fn evaluate_into<F: Send>(
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }
     let execution = Execution::best();
-    let parts: Vec<Vec<(usize, Result<Vec<f64>, F>)>> = (0..rayon::current_num_threads())
+    let parts: Vec<Vec<(usize, RowOr<F>)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
         .map(|_| {
