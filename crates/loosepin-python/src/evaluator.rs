@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics;
-use loosepin::study::{self, DesignRuns, EvaluatedModel, RecordedOutput};
+use loosepin::study::{self, DesignRuns, EvaluatedModel, RecordedOutput, StudyError};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
@@ -122,18 +122,30 @@ impl Evaluator {
             let is_interrupt = error.is_instance_of::<PyKeyboardInterrupt>(py);
             return Err(if is_interrupt { PyKeyboardInterrupt::new_err(counts.interrupted()) } else { error });
         }
-        let table = made.map_err(|error| raise(error.diagnostic(self.0.study())))?;
+        let table = made.map_err(|error| self.refusal(&error))?;
         counts.tell(py, progress.as_ref())?;
-        let mut numbers = Array2::from_elem((rows.len(), self.0.columns()), f64::NAN);
-        for (mut row, made) in numbers.rows_mut().into_iter().zip(&table.rows) {
-            if let Some(Ok(made)) = made {
-                row.iter_mut().zip(made).for_each(|(place, &number)| *place = number);
-            }
-        }
         let counters = self.0.counters(&table.rows).into_iter();
         let counters = counters.map(|column| Column::of_run_column(py, column)).collect::<PyResult<_>>()?;
-        let reasons = table.rows.into_iter().map(|row| row.and_then(Result::err)).collect();
+        let mut numbers = Array2::from_elem((rows.len(), self.0.columns()), f64::NAN);
+        let mut reasons = Vec::with_capacity(rows.len());
+        for (mut place, made) in numbers.rows_mut().into_iter().zip(table.rows) {
+            let made = made.unwrap_or_else(|| Err("not made".to_owned()));
+            place.iter_mut().zip(made.iter().flatten()).for_each(|(place, &number)| *place = number);
+            reasons.push(made.err());
+        }
         Ok((numbers.into_pyarray(py), reasons, counters, table.coarse))
+    }
+}
+
+impl Evaluator {
+    /// The exception for runs that could not be made.
+    fn refusal(&self, error: &StudyError) -> PyErr {
+        let (argument, hint) = match error {
+            StudyError::Threads(_) => ("threads", "ask for fewer, or raise the limit of processes (ulimit -u)"),
+            _ => ("inputs", "give fewer rows at once; with fewer curves each needs fewer numbers"),
+        };
+        let diagnostic = error.diagnostic(self.0.study());
+        raise(of_argument(argument, diagnostics::Diagnostic { hint: Some(hint.to_owned()), ..diagnostic }))
     }
 }
 

@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 use loosepin::accuracy::check_quasi_static;
 use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{self, Cycle, Rule, measured_argument};
+use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, measured_argument};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, simulate_until};
 use loosepin::study::{InputFile, NamedPlace, NamedQuestion};
-use loosepin::units::Dimension;
+use loosepin::units::{Dimension, SiUnit};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -87,6 +87,16 @@ impl Model {
         let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.diagnostic(&self.0)))?;
         let outputs = columns(&mechanism.model).into_iter();
         Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
+    }
+
+    /// Path, SI unit and value of every number that can be set, in the order of the file.
+    fn parameters(&self) -> Vec<(String, String, f64)> {
+        let nominal = self.0.quantities.nominal();
+        let settable = self.0.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
+        let of = |(id, quantity): (QuantityId, &Quantity)| {
+            (quantity.path.clone(), SiUnit::of_dimension(quantity.dimension).symbol().to_owned(), nominal[id])
+        };
+        settable.map(of).collect()
     }
 
     /// The value of the input `path` that `text` states with its unit, SI.

@@ -18,7 +18,7 @@ from sklearn.preprocessing import StandardScaler
 
 LARGEST = "slider total maximum_absolute"
 CLEARANCE = "joint.gudgeon.radial_clearance"
-# Without a transient, of the last two joints of the model; milliseconds each.
+# A tenth of a turn from the start: milliseconds.
 SHORT = {"turns": 0.1, "transient": 0, "samples": 10, "tolerance": "1e-6 m", "progress": False}
 
 
@@ -40,7 +40,7 @@ def mean(result):
     return values.mean(), values.std() / np.sqrt(len(values)), values.std()
 
 
-def test_salib_finds_the_indices_of_the_study(study, result):
+def test_peer_salib_finds_the_indices_of_the_study(study, result):
     names = [each.name for each in study.inputs]
     problem = {"num_vars": len(names), "names": names, "bounds": [[0, 1]] * len(names)}
     points = sobol_sample.sample(problem, 256, calc_second_order=False, seed=1)
@@ -54,7 +54,7 @@ def test_salib_finds_the_indices_of_the_study(study, result):
             assert abs(of_study[name][own]["centre"] - indices[word][place]) < error, (name, word)
 
 
-def test_scipy_designs_give_the_mean_of_the_study(study, mean):
+def test_peer_scipy_designs_give_the_mean_of_the_study(study, mean):
     points = qmc.LatinHypercube(d=2, seed=1).random(128)
     found = study.evaluate(study.design(points), progress=False)
     # A Latin hypercube errs less than a sample of the same size, which this allows three times.
@@ -91,7 +91,7 @@ def test_emcee_finds_the_clearance_that_made_the_data():
     assert abs(chain.mean() - true_m) < 4 * chain.std() and chain.std() < 1e-4
 
 
-def test_chaospy_gives_the_mean_and_scatter_of_the_study(study, mean):
+def test_peer_chaospy_gives_the_mean_and_scatter_of_the_study(study, mean):
     joint = chaospy.J(chaospy.Normal(0.05, 2e-5), chaospy.Normal(0.12, 3e-5))
     design = joint.sample(100, rule="sobol", seed=1)
     found = study.evaluate(design.T, progress=False)

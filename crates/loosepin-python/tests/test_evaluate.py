@@ -90,7 +90,7 @@ def test_identity_a_model_is_evaluated_by_the_runs_of_its_study(study, model):
     np.testing.assert_array_equal(found.pose_rad["slider total"], due.pose_rad["slider total"])
 
 
-def test_peer_a_run_is_that_of_simulate(model):
+def test_identity_a_run_is_that_of_simulate(model):
     """The single run integrates each step by itself and finds its ideal motion anew: another path, held to the tolerance of both."""
     values = {CLEARANCE: [1e-4, 4e-4], "parameter.rod_length": [0.1201, 0.118], "contact.steel_pin.restitution": 0.7}
     outputs = {"value": "slider value", "error": "slider clearance", "range": {"output": "slider", "of": "value", "reduce": "range"}}
@@ -115,6 +115,14 @@ def test_identity_the_drawing_is_the_model_whatever_the_other_runs_are(model):
         assert one["slider total maximum_absolute"][0] == many["slider total maximum_absolute"][run]
     text = model.evaluate({"parameter.rod_length": "119.5 mm"}, "slider total maximum_absolute", **ask)
     assert text["slider total maximum_absolute"][0] == many["slider total maximum_absolute"][0]
+
+
+def test_every_parameter_can_be_set_to_its_value(model):
+    known = {each.name: (each.unit, each.nominal) for each in model.parameters}
+    assert known[CLEARANCE] == ("m", 3e-4) and known["contact.steel_pin.restitution"] == ("1", 0.8)
+    as_it_is = model.evaluate({CLEARANCE: 3e-4}, "slider value", **SHORT, progress=False)
+    inputs = {name: nominal for name, (_, nominal) in known.items() if name != "drive.crank.start_angle"}
+    assert model.evaluate(inputs, "slider value", **SHORT, progress=False)["slider value"].tobytes() == as_it_is["slider value"].tobytes()
 
 
 def test_angles_reductions_and_laws(model):

@@ -33,7 +33,7 @@ from ._inputs import (
     Weibull,
 )
 from ._loosepin import Diagnostic, LoosepinError, __version__
-from ._model import Model, Output, Simulation
+from ._model import Model, Output, Parameter, Simulation
 from ._records import Bound, BoundEnd, Curve
 from ._result import Samples, StudyResult
 from ._study import Study
@@ -71,6 +71,7 @@ __all__ = [
     "Normal",
     "OneOf",
     "Output",
+    "Parameter",
     "Periodic",
     "Posterior",
     "Samples",

@@ -47,6 +47,18 @@ class Output:
     """SI unit of its values."""
 
 
+@dataclass(frozen=True)
+class Parameter:
+    """A number of a model that `simulate` and `evaluate` can set."""
+
+    name: str
+    """Its path, for example "joint.gudgeon.radial_clearance"."""
+    unit: str
+    """SI unit of its value; "1" for a pure number."""
+    nominal: float
+    """Its value in the model, SI."""
+
+
 class Model:
     """A checked mechanism with its nominal values; `Model.load("model.toml")` reads one."""
 
@@ -89,6 +101,11 @@ class Model:
     def outputs(self) -> tuple[Output, ...]:
         """Its outputs in file order; a path is two of them."""
         return tuple(Output(*output) for output in self._native.outputs())
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Every number that can be set, in the order of the file; contact laws can be set as well, by `contact.NAME.law`."""
+        return tuple(Parameter(*parameter) for parameter in self._native.parameters())
 
     def simulate(
         self,

@@ -2,12 +2,13 @@
 
 use crate::drafts::progress::Progress;
 use crate::error::StudyError;
-use crate::file::{EpistemicSubject, Study};
+use crate::file::{EpistemicSubject, MAX_RUNS, Study};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::recorded_output::RecordedOutput;
 use crate::response::study_response::{PrepareError, StudyResponse};
 use crate::runs::evaluate::{RowOr, Work, evaluate_into};
+use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use crate::runs::table::{ExtraColumns, RunColumn};
 use loosepin_bounds::{Problem, Purpose, RunInputs};
 use loosepin_mechanics::model::Values;
@@ -17,6 +18,12 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Runs that one thread makes side by side at least: with fewer, another thread compiles more than it runs.
 const MIN_RUNS_PER_THREAD: usize = 8;
+
+/// What each number of a run takes in memory: its value, and a copy in the table of whoever asks, with its columns.
+const BYTES_PER_NUMBER: usize = 24;
+/// What a run takes beside: its inputs, their copies and places.
+const BYTES_PER_RUN: usize = 400;
+const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 
 /// A compiled study, and its runs at any inputs. A run has the same bits whatever stands in the other rows, for any number of threads.
 pub struct DesignRuns {
@@ -99,7 +106,7 @@ impl DesignRuns {
     /// Once `stop` is set no further run begins.
     ///
     /// # Errors
-    /// The threads could not be started.
+    /// The threads could not be started, or the memory at hand does not hold the runs.
     pub fn evaluate(
         &self,
         rows: &[Vec<f64>],
@@ -109,6 +116,7 @@ impl DesignRuns {
     ) -> Result<DesignTable, StudyError> {
         let random = self.study.random.len();
         let threads = threads.min(rows.len().div_ceil(MIN_RUNS_PER_THREAD)).max(1);
+        self.check_memory(rows.len(), threads, &MemoryAtHand::now())?;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
         let run = |row: &Vec<f64>| {
             let ([round, point, replicate, index], (random, epistemic)) = ([0; 4], row.split_at(random));
@@ -148,6 +156,22 @@ impl DesignRuns {
         columns.into_columns(&self.response.joints)
     }
 
+    /// That the memory at hand holds so many runs.
+    fn check_memory(&self, runs: usize, threads: usize, at_hand: &MemoryAtHand) -> Result<(), StudyError> {
+        if runs as u64 > MAX_RUNS {
+            return Err(StudyError::TooManyRuns { runs });
+        }
+        let numbers = self.inputs() + self.response.row_length();
+        let needed_bytes = numbers.saturating_mul(BYTES_PER_NUMBER).saturating_add(BYTES_PER_RUN).saturating_mul(runs);
+        for kind in [MemoryKind::Pages, MemoryKind::Data, MemoryKind::Addresses] {
+            if let Some(bytes) = at_hand.bytes_of(kind).filter(|&bytes| needed_bytes as u64 > bytes) {
+                let [needed_gib, at_hand_gib] = [needed_bytes as f64, bytes as f64].map(|bytes| bytes / BYTES_PER_GIB);
+                return Err(StudyError::TooMuchMemory { runs, numbers, threads, kind, needed_gib, at_hand_gib });
+            }
+        }
+        Ok(())
+    }
+
     /// Whether a run can be compared with the others, and is resolved by the tolerance. Values that break a rule are told by the run.
     fn judged(&self, inputs: &RunInputs) -> Judged {
         let Ok(values) = self.response.values(&inputs.random, &inputs.epistemic) else { return Judged::Fine };
@@ -175,5 +199,23 @@ pub fn argument_of(error: &StudyError) -> Option<&'static str> {
             Some("outputs")
         }
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DesignRuns;
+    use crate::runs::memory_at_hand::MemoryAtHand;
+    use crate::written::texts::study_with;
+
+    #[test]
+    fn more_runs_than_the_memory_holds_are_refused() {
+        let study = study_with("cases/slider_crank_worn_pin/study.toml", &[]);
+        let runs = DesignRuns::new(study).unwrap_or_else(|refused| panic!("{}", refused.0));
+        let at_hand = MemoryAtHand { pages_bytes: 1 << 30, data_bytes: None, addresses_bytes: None };
+        assert!(runs.check_memory(10_000, 2, &at_hand).is_ok());
+        let refused = runs.check_memory(1_000_000, 2, &at_hand).map_err(|error| error.to_string());
+        let text = "1000000 runs of 560 numbers each on 2 threads need about 12.89 GiB of memory; 1.00 GiB are at hand";
+        assert_eq!(refused, Err(text.to_owned()));
     }
 }
