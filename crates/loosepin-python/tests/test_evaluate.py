@@ -151,6 +151,12 @@ def test_failed_runs_are_not_a_number_with_their_reason(model, study):
     assert of_study.failed.tolist() == [True, False]
 
 
+def test_a_tolerance_that_is_coarse_for_a_run_is_warned_of(model):
+    with pytest.warns(lp.LoosepinWarning, match="is more than a hundredth of the smallest clearance, 0.1 mm in joint 'gudgeon'") as warned:
+        model.evaluate({CLEARANCE: [3e-4, 1e-4]}, "slider value", **SHORT, tolerance="2e-6 m", progress=False)
+    assert [each.filename for each in warned] == [__file__]
+
+
 def test_frames_and_datasets(study):
     found = study.evaluate(random_design(study, 5), progress=False)
     frame = found.to_pandas()
@@ -171,7 +177,9 @@ def test_laws_of_a_study_are_names_or_places(desk, model):
     study = lp.Study.from_text(text.replace("[[ask]]", law, 1), model)
     assert study.inputs[-1].laws == ("lankarani-nikravesh", "flores")
     inputs = {"parameter.crank_length": 0.05, "parameter.rod_length": 0.12, CLEARANCE: "0.4 mm"}
-    words, places = (study.evaluate(inputs | {"contact.steel_pin.law": law}, progress=False) for law in (["flores", "lankarani-nikravesh"], [1, 0]))
+    words, places = (
+        study.evaluate(inputs | {"contact.steel_pin.law": law}, progress=False) for law in (["flores", "lankarani-nikravesh"], [1, 0])
+    )
     assert words["slider total"].tobytes() == places["slider total"].tobytes()
     assert words["slider total"][0].tobytes() != words["slider total"][1].tobytes()
 

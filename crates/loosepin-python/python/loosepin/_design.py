@@ -87,7 +87,9 @@ class InputReader:
         first = next(iter(lengths), None)
         for name, length in lengths.items():
             if first is not None and length != lengths[first]:
-                raise ValueError(f"inputs: '{name}' has {length} values, but '{first}' has {lengths[first]}; must be as many, or one number")
+                raise ValueError(
+                    f"inputs: '{name}' has {length} values, but '{first}' has {lengths[first]}; must be as many, or one number"
+                )
         table = np.empty((lengths[first] if first is not None else 1, len(self._names)))
         for place, column in enumerate(columns.values()):
             table[:, place] = column

@@ -73,7 +73,9 @@ class Evaluation(Mapping[str, Array]):
         columns: dict[str, Any] = dict(self.inputs)
         for name, values in self.items():
             if name in self.pose_rad:
-                columns |= {f"{name} at {round(angle, 9)} rad": values[:, place] for place, angle in enumerate(self.pose_rad[name].tolist())}
+                columns |= {
+                    f"{name} at {round(angle, 9)} rad": values[:, place] for place, angle in enumerate(self.pose_rad[name].tolist())
+                }
             else:
                 columns[name] = values
         columns["reason"] = [reason or "" for reason in self.reasons]

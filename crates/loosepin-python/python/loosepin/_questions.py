@@ -27,7 +27,9 @@ def named(outputs: Question | Sequence[str] | Mapping[str, Question]) -> dict[st
         raise ValueError("outputs is empty; give at least one")
     for name, question in questions.items():
         if not isinstance(name, str) or not isinstance(question, (str, Mapping)):
-            raise TypeError(f"outputs: {name!r} is a {type(question).__name__}; must be a text or a dict with the keys output, of, and at, poses or reduce")
+            raise TypeError(
+                f"outputs: {name!r} is a {type(question).__name__}; must be a text or a dict with the keys output, of, and at, poses or reduce"
+            )
     return questions
 
 
