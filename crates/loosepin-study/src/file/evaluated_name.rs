@@ -88,3 +88,42 @@ fn place_of<'n>(model: &Model, name: &'n str) -> (&'n str, NamedPlace) {
     });
     reduced.unwrap_or((name, NamedPlace::Cycle))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{NamedPlace, NamedQuestion};
+    use crate::runs::design_runs::DesignRuns;
+    use crate::written::texts::study_with;
+
+    #[test]
+    fn identity_names_of_results_lead_back_to_their_questions() {
+        let study = study_with("cases/four_bar_coupler_path/study.toml", &[]);
+        let model = study.model.clone();
+        let runs = DesignRuns::new(study).unwrap_or_else(|refused| panic!("{}", refused.0));
+        let recorded = runs.recorded();
+        assert!(recorded.len() > 2, "{recorded:?}");
+        for name in recorded.into_iter().map(|output| output.name) {
+            let question = NamedQuestion::of_name(&model, &name).unwrap_or_else(|error| panic!("{error}"));
+            let component = question.component.map_or(String::new(), |component| format!(" {component}"));
+            let place = match question.place {
+                NamedPlace::Cycle => String::new(),
+                NamedPlace::Reduced(word) => format!(" {word}"),
+                NamedPlace::Pose(_, angle_rad) => format!(" at {angle_rad} rad"),
+            };
+            assert_eq!(format!("{}{component} {}{place}", question.output, question.of), name);
+        }
+    }
+
+    #[test]
+    fn a_name_with_a_wrong_letter_is_told_the_right_one() {
+        let model = study_with("cases/slider_crank_worn_pin/study.toml", &[]).model;
+        let refused = |name: &str| match NamedQuestion::of_name(&model, name) {
+            Ok(question) => panic!("{question:?}"),
+            Err(error) => (error.to_string(), loosepin_text::diagnostics::Problem::hint(&error)),
+        };
+        let says = |name: &str| format!("outputs: no number or curve of this model is called '{name}'");
+        let meant = Some("did you mean 'slider total rms'?".to_owned());
+        assert_eq!(refused("slider totl rms"), (says("slider totl rms"), meant));
+        assert_eq!(refused("slider").0, says("slider"));
+    }
+}
