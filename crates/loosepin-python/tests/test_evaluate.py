@@ -52,6 +52,21 @@ def test_analytic_a_design_follows_the_distributions(study):
     np.testing.assert_allclose(study.design([[0.975, 0.5, 0.25]]), [[0.05 + 1.959963984540054 * 2e-5, 0.12, 2e-4]], rtol=1e-12)
 
 
+def test_analytic_a_design_has_the_correlations_and_uncertain_parameters_of_its_study(desk, model):
+    text = (desk / "study.toml").read_text(encoding="utf-8")
+    text = text.replace('standard_deviation = "0.02 mm"', 'standard_deviation = { interval = ["0.01 mm", "0.03 mm"] }')
+    correlation = f"[[correlation]]\nof = {list(LENGTHS)}\nrank = 0.6\n[[ask]]"
+    study = lp.Study.from_text(text.replace("[[ask]]", correlation, 1), model)
+    parameter = "parameter.crank_length standard deviation"
+    assert [(each.name, each.nominal) for each in study.inputs[2:]] == [(parameter, None), (CLEARANCE, 3e-4)]
+    # Half way between its ends, at a quantile of 1.959963984540054 deviations.
+    np.testing.assert_allclose(study.design([[0.975, 0.5, 0.5, 0.5]])[0, [0, 2]], [0.05 + 1.959963984540054 * 2e-5, 2e-5], rtol=1e-12)
+    crank, rod = study.design(np.random.default_rng(1).random((4000, 4)))[:, :2].T
+    ranks = np.corrcoef(crank.argsort().argsort(), rod.argsort().argsort())[0, 1]
+    # The standard error of 4000 pairs is 0.01; that of the uncertain deviation does not change ranks much.
+    assert abs(ranks - 0.6) < 0.05
+
+
 def test_identity_rows_are_those_of_a_run_of_the_study(study, result):
     names = [each.name for each in study.inputs]
     table = np.column_stack([result.samples[name] for name in names])
