@@ -10,7 +10,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "crates/loosepin-python/python/loosepin"
 # The order of the page; modules that are not here come behind, in the order of their names.
-ORDER = ("_model", "_study", "_result", "_records", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_warning")
+ORDER = ("_model", "_study", "_result", "_records", "_evaluation", "_design", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_warning")
 # Docstrings of modules that would not do as headings.
 HEADINGS = {"_loosepin": "Errors", "_warning": "Warnings"}
 WIDEST_SIGNATURE = 100

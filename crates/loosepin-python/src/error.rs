@@ -88,3 +88,9 @@ pub fn raise(diagnostics: impl Into<Diagnostics>) -> PyErr {
 pub fn raise_problem(problem: &dyn diagnostics::Problem) -> PyErr {
     raise(Diagnostics::one(problem, None))
 }
+
+/// A diagnostic about an argument of Python: its name stands before the words, and no place, since nobody wrote the text that it is in.
+pub fn of_argument(argument: &str, diagnostic: diagnostics::Diagnostic) -> diagnostics::Diagnostic {
+    let message = format!("{argument}: {}", diagnostic.message);
+    diagnostics::Diagnostic { message, place: None, labels: Vec::new(), ..diagnostic }
+}

@@ -3,6 +3,7 @@
 
 mod column;
 mod error;
+mod evaluator;
 mod function_bounds;
 mod further_outputs;
 mod growing_samples;
@@ -15,6 +16,7 @@ mod results_folder;
 mod run_rows;
 mod simulation;
 mod study;
+mod study_inputs;
 mod surrogates;
 mod waiting;
 
@@ -31,6 +33,7 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::Simulation>()?;
     module.add_class::<run_rows::RunRows>()?;
     module.add_class::<study::Study>()?;
+    module.add_class::<evaluator::Evaluator>()?;
     module.add_class::<result::StudyResult>()?;
     module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;

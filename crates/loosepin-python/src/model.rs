@@ -7,24 +7,46 @@ use std::sync::atomic::AtomicBool;
 use loosepin::accuracy::check_quasi_static;
 use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{self, Rule, measured_argument};
+use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, measured_argument};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, simulate_until};
-use loosepin::study::InputFile;
-use loosepin::units::Dimension;
+use loosepin::study::{InputFile, NamedPlace, NamedQuestion};
+use loosepin::units::{Dimension, SiUnit};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::error::{Diagnostic, raise, raise_problem};
+use crate::error::{Diagnostic, of_argument, raise, raise_problem};
 use crate::simulation::Simulation;
 use crate::waiting::wait_for;
 
 /// Rows for each turn, at most; as for the command.
 const MAX_SAMPLES: i64 = 1_000_000;
 
+/// Key, word, and angle of the drive that the word names, rad.
+type Place = (&'static str, String, Option<f64>);
+
 /// A checked model.
 #[pyclass(frozen, module = "loosepin._loosepin")]
 pub struct Model(pub Arc<model::Model>);
+
+impl Model {
+    /// The turns that are run, those of the model where nothing else is said.
+    pub fn cycle(&self, turns: Option<f64>, transient: Option<f64>, samples: Option<i64>) -> PyResult<Cycle> {
+        for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
+            if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
+                return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
+            }
+        }
+        if let Some(samples) = samples.filter(|samples| !(1..=MAX_SAMPLES).contains(samples)) {
+            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MAX_SAMPLES}")));
+        }
+        let mut cycle = self.0.cycle.clone();
+        cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
+        cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
+        cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
+        Ok(cycle)
+    }
+}
 
 #[pymethods]
 impl Model {
@@ -67,6 +89,45 @@ impl Model {
         Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
     }
 
+    /// Path, SI unit and value of every number that can be set, in the order of the file.
+    fn parameters(&self) -> Vec<(String, String, f64)> {
+        let nominal = self.0.quantities.nominal();
+        let settable = self.0.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
+        let of = |(id, quantity): (QuantityId, &Quantity)| {
+            (quantity.path.clone(), SiUnit::of_dimension(quantity.dimension).symbol().to_owned(), nominal[id])
+        };
+        settable.map(of).collect()
+    }
+
+    /// The value of the input `path` that `text` states with its unit, SI.
+    fn value_of(&self, path: &str, text: &str) -> PyResult<f64> {
+        Ok(self
+            .0
+            .parse_setting(&format!("{path}={text}"))
+            .map_err(|error| raise(of_argument("inputs", error)))?
+            .value_si)
+    }
+
+    /// Refuses a value of the input `path`, SI, that the model does not allow.
+    fn check_value(&self, path: &str, value_si: f64) -> PyResult<()> {
+        let Ok(quantity) = self.0.find(path) else { return Ok(()) };
+        let checked = self.0.quantities[quantity].check(value_si);
+        checked.map_err(|error| raise(of_argument("inputs", diagnostics::Diagnostic::error(&error, None))))
+    }
+
+    /// Output, component, deviation, and key and value of the place of what results call `name`; an angle in rad after its drive.
+    #[allow(clippy::type_complexity, reason = "keys of a question")]
+    fn question_of(&self, name: &str) -> PyResult<(String, Option<&'static str>, &'static str, Place)> {
+        let NamedQuestion { output, component, of, place } =
+            NamedQuestion::of_name(&self.0, name).map_err(|error| raise_problem(&error))?;
+        let place = match place {
+            NamedPlace::Cycle => ("at", "cycle".to_owned(), None),
+            NamedPlace::Reduced(word) => ("reduce", word.to_owned(), None),
+            NamedPlace::Pose(drive, angle_rad) => ("poses", drive, Some(angle_rad)),
+        };
+        Ok((output, component, of, place))
+    }
+
     /// Runs it once. `set` holds texts `path=value`; what is left out is as the file has it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
     #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set))]
@@ -81,19 +142,8 @@ impl Model {
         second_run: bool,
         set: Vec<String>,
     ) -> PyResult<Simulation> {
-        for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
-            if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
-                return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
-            }
-        }
-        if let Some(samples) = samples.filter(|samples| !(1..=MAX_SAMPLES).contains(samples)) {
-            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MAX_SAMPLES}")));
-        }
+        let cycle = self.cycle(turns, transient, samples)?;
         let set_values = self.0.set_values(&set).map_err(raise)?;
-        let mut cycle = self.0.cycle.clone();
-        cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
-        cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
-        cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
         let tolerance_m =
             measured_argument("tolerance", tolerance, Dimension::LENGTH, Rule::Positive).map_err(raise)?;
         let smallest = SmallestClearance::of(&set_values.model, &set_values.values);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::identify::MotionValues;
-use loosepin::study::{self, FurtherOutputs, InputFile, RunOptions, RunProvider, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, RunOptions, RunProvider};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -18,6 +18,7 @@ use crate::python_run_provider::PythonRunProvider;
 use crate::result::StudyResult;
 use crate::results_folder::{ExistingFolderOptions, StudyEnd, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
+use crate::study_inputs::{self, StudyInput};
 use crate::waiting::{RunCounts, wait_for};
 
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
@@ -101,7 +102,7 @@ impl Study {
         let study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
         let provider = provider.map(PythonRunProvider::new);
         let made = provider.as_ref().map(|provider| provider as &dyn RunProvider);
-        let inputs = study_inputs(&study, &accuracy, budget.as_deref());
+        let inputs = study::study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         let options = RunOptions { provider: made, ..RunOptions::new(threads, &counts, &stop) };
         let meeting = ExistingFolderOptions { with_resume: resume, with_force: force };
@@ -178,6 +179,11 @@ impl Study {
         planned(py, &self.0, &asked, progress.as_ref())
     }
 
+    /// Its inputs, in the order of the columns of a design.
+    fn inputs(&self) -> Vec<StudyInput> {
+        study_inputs::of(&self.0)
+    }
+
     /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0).map(|further| further.recorded()));
@@ -221,7 +227,7 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.
-fn count_threads(asked: Option<i64>) -> PyResult<usize> {
+pub fn count_threads(asked: Option<i64>) -> PyResult<usize> {
     match asked {
         Some(threads) if (1..=MAX_THREADS).contains(&threads) => Ok(threads as usize),
         Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MAX_THREADS}"))),

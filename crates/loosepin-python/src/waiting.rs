@@ -27,6 +27,12 @@ impl Progress for RunCounts {
 }
 
 impl RunCounts {
+    /// What is said of runs that were interrupted and are not kept.
+    pub fn interrupted(&self) -> String {
+        let [finished, most] = [&self.finished, &self.most].map(|count| count.load(Ordering::Relaxed));
+        format!("interrupted after {finished} of {most} runs; nothing is kept")
+    }
+
     /// Tells `listener`, where there is one and runs are known of.
     pub fn tell(&self, py: Python<'_>, listener: Option<&Py<PyAny>>) -> PyResult<()> {
         let most = self.most.load(Ordering::Relaxed);

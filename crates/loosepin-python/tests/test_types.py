@@ -13,6 +13,8 @@ import numpy as np
 model = lp.Model.load("model.toml")
 run = model.simulate(turns=2, set={"joint.gudgeon.radial_clearance": "0.3 mm", "contact.steel_pin.restitution": 0.8})
 peak: float = float(np.max(run["slider"]))
+runs = model.evaluate({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 3e-4, 5)}, ["slider total rms"], progress=False)
+worst: float = float(np.max(runs["slider total rms"]))
 result = lp.Study.from_dict({"model": model}).run("results", progress=lambda finished, most: None)
 widest: tuple[float, float] = result.bounds[0].widened
 found = lp.bounds(lambda x, u: x + u, {"x": lp.Normal(0, 1), "u": lp.Interval(-1, 1)}, ["mean", {"quantile": 0.975}])

@@ -22,27 +22,31 @@ mod runs;
 mod study_run;
 mod without_runs;
 
+pub use assemble::describe::inputs as describe_inputs;
 pub use distribution_words::distribution_words;
 pub use drafts::progress::{Progress, Stage};
 pub use error::{StudyError, TooManyFailed};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
-    Deviation, EpistemicInput, EpistemicSubject, Limit, MAX_POSES, MAX_RUNS, MIN_SPECIMEN_ROWS, Measured,
-    MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem,
-    RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
-    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit,
-    says_study, signed_parts, states_nominal, study_schema, takes_mean_of_model,
+    Deviation, EpistemicInput, EpistemicSubject, EvaluatedModel, EvaluationProblem, Limit, MAX_POSES, MAX_RUNS,
+    MIN_SPECIMEN_ROWS, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject,
+    NameProblem, NamedPlace, NamedQuestion, Push, RandomInput, RandomProblem, RareMethod, ReadingScatter, Reduction,
+    Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation, Study, StudyProblem,
+    StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study, signed_parts, states_nominal,
+    study_schema, takes_mean_of_model,
 };
 pub use iso_286::FitError;
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;
 pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards};
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
-pub use response::further_outputs::{FurtherOutputs, RecordedOutput};
+pub use response::further_outputs::FurtherOutputs;
 pub use response::outputs::OutputSource;
+pub use response::recorded_output::RecordedOutput;
 pub use response::sampled_feature::sampled_feature;
 pub use response::study_response::MAX_COLUMNS;
 pub use run_options::RunOptions;
+pub use runs::design_runs::{DesignRuns, DesignTable, argument_of};
 pub use runs::external_runs::{RequestedRuns, RunProvider};
 pub use runs::memory_at_hand::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS, MemoryKind, STATED_BYTES};
 pub use runs::run_rows::RunRows;

@@ -51,6 +51,15 @@ impl Problem {
         levels.iter().enumerate().map(value).collect()
     }
 
+    /// Values of the random and of the epistemic inputs at a point of the unit cube, with a coordinate for each random input, then one for each
+    /// epistemic input: what is not known is taken as probability ([`EpistemicVariable::at`](loosepin_uncertainty::EpistemicVariable::at)).
+    pub fn inputs_at(&self, point: &[f64]) -> [Vec<f64>; 2] {
+        let (random, epistemic) = point.split_at(self.random.len());
+        let epistemic = self.epistemic.iter().zip(epistemic);
+        let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
+        [self.random_at(&epistemic, &self.levels(random)), epistemic]
+    }
+
     /// Random input `input` cut at `cut_standard_deviations`: from the least lower to the greatest upper quantile that any of
     /// its distributions has.
     pub(crate) fn widest_cut(&self, input: usize) -> Result<Interval, IntervalError> {

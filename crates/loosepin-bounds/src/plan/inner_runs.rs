@@ -82,10 +82,7 @@ impl InnerRuns {
 pub(crate) fn mixture_runs(setup: &Setup, round: u32) -> impl Iterator<Item = RunInputs> {
     let problem = &setup.problem;
     mixture_points(&problem.sampling, &setup.mixture).map(move |(replicate, index, point)| {
-        let (random, epistemic) = point.split_at(problem.random.len());
-        let epistemic = problem.epistemic.iter().zip(epistemic);
-        let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
-        let random = problem.random_at(&epistemic, &problem.levels(random));
+        let [random, epistemic] = problem.inputs_at(&point);
         RunInputs { round, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
     })
 }

@@ -9,6 +9,8 @@
 Numbers are SI unless a name says otherwise. Files and their keys are those of the command `loosepin`.
 """
 
+from ._design import StudyInput
+from ._evaluation import Evaluation
 from ._function_bounds import AccuracyReached, AccuracyStep, Band, Box, FunctionBounds, bounds
 from ._identification import Identification, MotionPlan, Posterior, Unknown
 from ._inputs import (
@@ -31,7 +33,7 @@ from ._inputs import (
     Weibull,
 )
 from ._loosepin import Diagnostic, LoosepinError, __version__
-from ._model import Model, Output, Simulation
+from ._model import Model, Output, Parameter, Simulation
 from ._records import Bound, BoundEnd, Curve
 from ._result import Samples, StudyResult
 from ._study import Study
@@ -52,6 +54,7 @@ __all__ = [
     "Curve",
     "Discrete",
     "Empirical",
+    "Evaluation",
     "Evidence",
     "Exponential",
     "FunctionBounds",
@@ -68,11 +71,13 @@ __all__ = [
     "Normal",
     "OneOf",
     "Output",
+    "Parameter",
     "Periodic",
     "Posterior",
     "Samples",
     "Simulation",
     "Study",
+    "StudyInput",
     "StudyResult",
     "SurrogateOutput",
     "Surrogates",

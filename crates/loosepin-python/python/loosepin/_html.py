@@ -40,6 +40,19 @@ def simulation_html(title: str, counts: str, outputs: Iterable[tuple[str, str, A
     return f'<div class="loosepin">{_STYLE}{heading}<table>{head}{"".join(rows)}</table>{picture}</div>'
 
 
+def evaluation_html(counts: str, outputs: Iterable[tuple[str, str, Array]], reasons: Sequence[str]) -> str:
+    """The least and largest value of each output of an evaluation: its name, SI unit and values; and why runs failed."""
+    rows = []
+    for name, unit, values in outputs:
+        finite = values[np.isfinite(values)]
+        cells = (f"{end:.6g}" if len(finite) else "" for end in ((finite.min(), finite.max()) if len(finite) else ("", "")))
+        numbers = "".join(f'<td class="number">{cell} {escape(unit if unit != "1" else "")}</td>' for cell in cells)
+        rows.append(f"<tr><td>{escape(name)}</td><td>{escape(str(values.shape))}</td>{numbers}</tr>")
+    head = "<tr><th>output</th><th>shape</th><th>least</th><th>largest</th></tr>"
+    first = f"<p>first reason: {escape(reasons[0])}</p>" if reasons else ""
+    return f'<div class="loosepin">{_STYLE}<p>{escape(counts)}</p>{first}<table>{head}{"".join(rows)}</table></div>'
+
+
 _WIDTH, _HEIGHT, _LEFT, _BOTTOM = 640, 220, 64, 34
 
 

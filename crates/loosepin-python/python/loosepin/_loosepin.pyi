@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __all__ = [
     "Column",
     "Diagnostic",
+    "Evaluator",
     "Identification",
     "LoosepinError",
     "Model",
@@ -74,6 +75,10 @@ class Model:
     @property
     def warnings(self) -> list[Diagnostic]: ...
     def outputs(self) -> list[tuple[str, str, str]]: ...
+    def parameters(self) -> list[tuple[str, str, float]]: ...
+    def value_of(self, path: str, text: str) -> float: ...
+    def check_value(self, path: str, value_si: float) -> None: ...
+    def question_of(self, name: str) -> tuple[str, str | None, str, tuple[str, str, float | None]]: ...
     def simulate(
         self,
         turns: float | None,
@@ -155,6 +160,7 @@ class Study:
         threads: int | None,
         progress: Callable[[int, int], object] | None,
     ) -> tuple[str, str]: ...
+    def inputs(self) -> list[tuple[str, str, bool, str, float, float, float | None, list[str] | None]]: ...
     def recorded(self) -> list[tuple[str, str, list[float] | None]]: ...
     def bounds(
         self,
@@ -166,6 +172,29 @@ class Study:
         progress: Callable[[int, int], object] | None,
         provider: _RunProvider | None,
     ) -> dict[str, Any]: ...
+
+@final
+class Evaluator:
+    @staticmethod
+    def of_study(study: Study) -> Evaluator: ...
+    @staticmethod
+    def of_model(
+        model: Model,
+        inputs: list[str],
+        laws: list[tuple[str, str]],
+        outputs: str,
+        turns: float | None,
+        transient: float | None,
+        samples: int | None,
+        tolerance: str,
+    ) -> Evaluator: ...
+    def input_units(self) -> list[str]: ...
+    def recorded(self) -> list[tuple[str, str, list[float] | None, list[int]]]: ...
+    def asked(self) -> list[tuple[str, str, list[float] | None, list[int]]]: ...
+    def inputs_at(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def evaluate(
+        self, values: NDArray[np.float64], threads: int | None, progress: Callable[[int, int], object] | None
+    ) -> tuple[NDArray[np.float64], list[str | None], list[Column], str | None]: ...
 
 @final
 class RunRows:

@@ -4,17 +4,24 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _loosepin
+from ._design import InputReader, split_laws
+from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._html import simulation_html
+from ._progress import Listener
+from ._questions import Question, named, questions_toml
 from ._records import Array
 from ._toml import to_toml
 from ._warning import warn
@@ -23,6 +30,9 @@ if TYPE_CHECKING:
     import matplotlib.figure
     import pandas
     import xarray
+
+# Compiled models that are kept for the next call, which may have the same inputs and outputs.
+_EVALUATORS = 4
 
 
 @dataclass(frozen=True)
@@ -35,6 +45,18 @@ class Output:
     """Meaning, for example "x of slider.pin"."""
     unit: str
     """SI unit of its values."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number of a model that `simulate` and `evaluate` can set."""
+
+    name: str
+    """Its path, for example "joint.gudgeon.radial_clearance"."""
+    unit: str
+    """SI unit of its value; "1" for a pure number."""
+    nominal: float
+    """Its value in the model, SI."""
 
 
 class Model:
@@ -80,6 +102,11 @@ class Model:
         """Its outputs in file order; a path is two of them."""
         return tuple(Output(*output) for output in self._native.outputs())
 
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Every number that can be set, in the order of the file; contact laws can be set as well, by `contact.NAME.law`."""
+        return tuple(Parameter(*parameter) for parameter in self._native.parameters())
+
     def simulate(
         self,
         *,
@@ -107,6 +134,55 @@ class Model:
             failure.simulation = simulation
             raise failure
         return simulation
+
+    def evaluate(
+        self,
+        inputs: Mapping[str, Any],
+        outputs: Question | Sequence[str] | Mapping[str, Question],
+        *,
+        turns: float | None = None,
+        transient: float | None = None,
+        samples: int | None = None,
+        tolerance: str = "1e-8 m",
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> Evaluation:
+        """Makes runs with other values of some parameters, and gives outputs of each as arrays.
+
+            model.evaluate({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 5e-4, 200)}, ["slider clearance maximum_absolute"])
+
+        inputs: by their paths in the model, as for `set` of `simulate`: for each one number, a text with its unit, or an array with one
+        dimension, SI; one value stands for all runs. The law of a contact is its name. What is not named is as in the model.
+        outputs: names as results have them (`Study.recorded`): an output of the model, the deviation ("value", "dimensional",
+        "clearance" or "total"), and behind them a reduction ("maximum", "rms", ...), an angle ("at 1.5 rad"), or nothing for the whole
+        curve. Or a mapping from names of your own to such names or to dicts with the keys of `[[ask]]` without statistics: `output`,
+        `component`, `of`, and one of `at`, `poses` and `reduce`; the angles of `poses` are a curve.
+        turns, transient, samples: as for `simulate`. tolerance: as in `[sampling]` of a study.
+
+        The ideal motion that "total" and "dimensional" are measured from is that of the model as it is, whatever the inputs; "clearance" is
+        measured from the same lengths without play. The runs are those of a study: the same engine, and so are threads, progress, failed
+        runs, Ctrl-C and errors, see `Study.evaluate`.
+        """
+        numbers, laws = split_laws(inputs)
+        questions = named(outputs)
+        key = (tuple(numbers), tuple(laws.items()), questions_toml(self._native, questions), turns, transient, samples, tolerance)
+        native = self._evaluators.get(key)
+        if native is None:
+            native = _loosepin.Evaluator.of_model(self._native, list(key[0]), list(key[1]), *key[2:])
+            while len(self._evaluators) >= _EVALUATORS:
+                del self._evaluators[next(iter(self._evaluators))]
+            self._evaluators[key] = native
+        table = InputReader(self._native, key[0], {}).read(numbers) if numbers else np.empty((1, 0))
+        recorded = {}
+        for (name, question), (own, unit, poses, columns) in zip(questions.items(), native.asked()):
+            is_single = isinstance(question, str) and len(columns) == 1
+            recorded[name] = (own, unit, None if is_single else poses, columns)
+        units = dict(zip(key[0], native.input_units()))
+        return evaluated(native, (key[0], units, table), recorded, threads, progress, lambda warning: warnings.warn(warning, stacklevel=4))
+
+    @cached_property
+    def _evaluators(self) -> dict[Any, _loosepin.Evaluator]:
+        return {}
 
     def __repr__(self) -> str:
         return f"<loosepin.Model {self.name!r}>"

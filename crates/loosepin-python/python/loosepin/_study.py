@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
 from . import _loosepin
 from ._cluster import run_provider
+from ._design import InputReader, StudyInput, read_points, study_inputs
+from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
@@ -158,6 +161,45 @@ class Study:
     def recorded(self) -> dict[str, str]:
         """SI unit of everything that each run records, by the name under which `bounds` hands it to a function."""
         return {name: unit for name, unit, _ in self._native.recorded()}
+
+    @cached_property
+    def inputs(self) -> tuple[StudyInput, ...]:
+        """Its uncertain inputs in the order of the columns of a design: random ones, then unknown ones, each kind in file order."""
+        return study_inputs(self._native)
+
+    def design(self, points: Any) -> Array:
+        """The inputs at points of the unit cube, SI: a design for `evaluate`, of the same shape.
+
+        points: a row for each run and a column for each of `inputs`, between 0 and 1, both excluded. A random input takes the value of
+        its distribution at that probability, correlations of the study included. An unknown input is taken as uniform over its range, a
+        list as equally probable, as in the treatment `probability_only`.
+        """
+        return self._evaluator.inputs_at(read_points(points, [each.name for each in self.inputs]))
+
+    def evaluate(self, inputs: Any, *, threads: int | None = None, progress: bool | Listener = True) -> Evaluation:
+        """Makes a run for each row of `inputs`, and gives everything that the study records of each, as arrays.
+
+        inputs: an array of the shape (runs, inputs), its columns in the order of `Study.inputs`; or a mapping (or a DataFrame) that has
+        for each input one number or an array with one dimension; one number stands for all runs. SI; a text has its unit, the law of a
+        contact is its name. The values may lie anywhere, also outside of the distribution or the interval that the study states.
+
+        Columns, deviations, turns and tolerance are those of the study; its samples, statistics and requirements play no part. All
+        cores run without the lock of the interpreter. A run has the same bits whatever stands in the other rows, for any number of threads,
+        and those that it has in `Study.run`. A run that fails is not-a-number, with its reason in `reasons`.
+
+        progress: as for `run`. Ctrl-C ends it after the runs under way; nothing is kept. Raises ValueError, TypeError or LoosepinError
+        for an argument that is wrong, with its name.
+        """
+        names = [each.name for each in self.inputs]
+        laws = {each.name: each.laws for each in self.inputs if each.laws is not None}
+        table = InputReader(self._native.model, names, laws).read(inputs)
+        recorded = {output[0]: output for output in self._evaluator.recorded()}
+        units = {each.name: each.unit for each in self.inputs}
+        return evaluated(self._evaluator, (names, units, table), recorded, threads, progress, lambda warning: warnings.warn(warning, stacklevel=4))
+
+    @cached_property
+    def _evaluator(self) -> _loosepin.Evaluator:
+        return _loosepin.Evaluator.of_study(self._native)
 
     def bounds(
         self,

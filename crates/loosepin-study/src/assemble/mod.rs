@@ -6,7 +6,7 @@ mod bounds;
 mod boxes;
 mod coherent;
 mod curves;
-mod describe;
+pub(crate) mod describe;
 mod drawing;
 #[cfg(test)]
 mod few_runs;

@@ -3,6 +3,8 @@
 
 mod check;
 mod description;
+mod evaluated;
+mod evaluated_name;
 mod evidence;
 mod input;
 mod measurements;
@@ -19,7 +21,6 @@ mod study_table;
 mod surrogate;
 mod words;
 
-use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -28,6 +29,8 @@ pub use description::{
     EpistemicSubject, RandomInput, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
     UncertainParameter,
 };
+pub use evaluated::{EvaluatedModel, EvaluationProblem};
+pub use evaluated_name::{NameProblem, NamedPlace, NamedQuestion};
 pub use measurements::measured::MeasuredProblem;
 pub use measurements::measurement::{
     Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature,
@@ -46,8 +49,8 @@ pub use questions::target::AccuracyTarget;
 pub use random_inputs::family::takes_mean_of_model;
 pub use random_inputs::random_problem::RandomProblem;
 pub use random_inputs::tolerance::{number_and_unit, signed_parts, states_nominal};
+use reader::StudyReader;
 pub(super) use reader::adopt;
-use reader::{Parameters, StudyReader};
 pub use sizes::{MAX_POSES, MAX_RUNS};
 pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
@@ -55,8 +58,7 @@ use words::READINGS;
 pub(super) use words::{dimension_of_statistic, statistic_name};
 
 use crate::question::read_questions;
-use crate::response::outputs::study_outputs;
-use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
+use loosepin_bounds::{PERCENTILES, PromiseSettings};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
@@ -205,22 +207,9 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.diagnostics) };
-    let outputs = study_outputs(&model);
     let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, root.promise.as_ref());
-    let mut file = StudyReader {
-        reader,
-        outputs,
-        model,
-        random: Vec::new(),
-        epistemic: Vec::new(),
-        readings: vec![Reading::FixedButUnknown],
-        tables: Vec::new(),
-        parameters: Parameters::default(),
-        poses: HashMap::new(),
-        promise: PromiseSettings { share, confidence, inner },
-        questions: HashSet::new(),
-        has_rows: root.specimen.is_some(),
-    };
+    let promise_settings = PromiseSettings { share, confidence, inner };
+    let mut file = StudyReader::new(reader, model, promise_settings, root.specimen.is_some());
     let [random, epistemic] = [&root.random, &root.epistemic].map(Option::as_ref);
     let cycle = file.cycle(root.cycle.as_ref());
     let (mut sampling, sampling_table) = file.sampling(root.sampling.as_ref());

@@ -2,7 +2,7 @@
 
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
-use crate::response::outputs::StudyOutput;
+use crate::response::outputs::{StudyOutput, study_outputs};
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
@@ -43,6 +43,24 @@ impl Reads for StudyReader {
 }
 
 impl StudyReader {
+    /// Nothing of a study of `model` read yet.
+    pub fn new(reader: Reader, model: Model, promise: PromiseSettings, has_rows: bool) -> Self {
+        Self {
+            reader,
+            outputs: study_outputs(&model),
+            model,
+            random: Vec::new(),
+            epistemic: Vec::new(),
+            readings: vec![Reading::FixedButUnknown],
+            tables: Vec::new(),
+            parameters: Parameters::default(),
+            poses: HashMap::new(),
+            promise,
+            questions: HashSet::new(),
+            has_rows,
+        }
+    }
+
     /// Reports an entry.
     pub fn report(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
         self.reader.report(problem, entry.span);

@@ -1,17 +1,15 @@
 //! Further outputs of a study: whatever a function makes of what every run records.
 
 use crate::error::StudyError;
-use crate::file::{Study, Where};
+use crate::file::Study;
 use crate::planning::problem::problem;
-use crate::response::columns::Location;
+use crate::response::recorded_output::RecordedOutput;
 use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
 use crate::runs::all_runs::Runs;
 use crate::runs::run_subset::RunSubset;
-use crate::runs::table::{curve_name, scalar_name};
 use crate::study_run::all_failed;
 use loosepin_bounds::{Problem, Request, RunInputs, SampleTable};
-use loosepin_text::units::SiUnit;
 
 /// What the runs of a study record, for statistics of further columns Z = h(Y): Y is what a run records, h a function of the caller, over
 /// the same inputs with the same random numbers.
@@ -21,19 +19,6 @@ use loosepin_text::units::SiUnit;
 pub struct FurtherOutputs<'s> {
     study: &'s Study,
     response: StudyResponse,
-}
-
-/// A number or a curve that every run records.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RecordedOutput {
-    /// `slider total maximum_absolute`, `slider total at 1.1 rad`, or `slider total` for a curve.
-    pub name: String,
-    /// Unit of its values.
-    pub unit: SiUnit,
-    /// Angles of the drive at the points of a curve, rad; `None` for a number.
-    pub pose_rad: Option<Vec<f64>>,
-    /// Columns of its values in a row.
-    pub columns: Vec<usize>,
 }
 
 impl<'s> FurtherOutputs<'s> {
@@ -54,33 +39,7 @@ impl<'s> FurtherOutputs<'s> {
 
     /// Recorded outputs of every run, in the order in which the study asks for them.
     pub fn recorded(&self) -> Vec<RecordedOutput> {
-        let plan = &self.response.shared.plan;
-        let mut recorded: Vec<RecordedOutput> = Vec::new();
-        let mut push = |name: String, columns: Vec<usize>, pose_rad: Option<Vec<f64>>| {
-            let output = columns.first().map(|&first| plan.columns[first].output);
-            if let Some(output) = output.filter(|_| recorded.iter().all(|known| known.name != name)) {
-                recorded.push(RecordedOutput { name, unit: plan.outputs[output].unit.clone(), pose_rad, columns });
-            }
-        };
-        let asked = plan.asks.iter().map(|ask| (ask.location == Where::Cycle, &ask.columns));
-        let required = plan.requirements.iter().map(|requirement| (false, &requirement.columns));
-        for (is_curve, columns) in asked.chain(required) {
-            if is_curve {
-                let angle = |&column: &usize| match plan.columns[column].spot {
-                    Location::Pose { angle_rad, .. } => angle_rad,
-                    Location::Reduced(_) => f64::NAN,
-                };
-                let pose_rad = columns.iter().map(angle).collect();
-                push(
-                    columns.first().map_or_else(String::new, |&first| curve_name(plan, first)),
-                    columns.clone(),
-                    Some(pose_rad),
-                );
-            } else {
-                columns.iter().for_each(|&column| push(scalar_name(plan, column), vec![column], None));
-            }
-        }
-        recorded
+        RecordedOutput::of_plan(&self.response.shared.plan)
     }
 
     /// Makes the runs of a round: what they record, in their order. `before` runs were made in earlier rounds, and at most `most_runs` are

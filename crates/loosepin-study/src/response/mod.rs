@@ -8,6 +8,7 @@ pub(crate) mod ideal_tables;
 pub(crate) mod input_limits;
 pub(crate) mod lanes;
 pub(crate) mod outputs;
+pub(crate) mod recorded_output;
 pub(crate) mod recorder;
 pub(crate) mod sampled_feature;
 pub(crate) mod study_response;

@@ -6,8 +6,8 @@ use loosepin_simulate::{Execution, RunFailure};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Columns and extras of a finished run, or why it gave nothing.
-pub(crate) type RunOutcome = Result<Vec<f64>, Failure>;
+/// Columns and extras of a finished run, or what is known of one that failed: as a rule the number of the reason.
+pub(crate) type RunOutcome<F = Failure> = Result<Vec<f64>, F>;
 
 /// A batch of runs, and which of them are to be made.
 pub(crate) struct Work<'w> {
@@ -18,17 +18,29 @@ pub(crate) struct Work<'w> {
     pub stop: &'w AtomicBool,
 }
 
-/// The rows of a batch, the `kept` ones unchanged; `None` for runs that are not to be made, or that a stop has kept from starting or from
-/// ending.
-///
-/// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
-/// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.
+/// [`evaluate_into`], with the number of the reason for a failed run.
 pub(crate) fn evaluate(
     work: &Work<'_>,
     kept: Vec<Option<RunOutcome>>,
     is_stopped: &(dyn Fn() -> bool + Sync),
     finished: &(dyn Fn(usize, &RunOutcome) + Sync),
 ) -> Vec<Option<RunOutcome>> {
+    evaluate_into(work, kept, is_stopped, finished, |failure| Failure(failure.number()))
+}
+
+/// The rows of a batch, the `kept` ones unchanged; `None` for runs that are not to be made, or that a stop has kept from starting or from
+/// ending.
+///
+/// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
+/// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another. `describe`
+/// gives what is known of a failed run.
+pub(crate) fn evaluate_into<F: Send>(
+    work: &Work<'_>,
+    kept: Vec<Option<RunOutcome<F>>>,
+    is_stopped: &(dyn Fn() -> bool + Sync),
+    finished: &(dyn Fn(usize, &RunOutcome<F>) + Sync),
+    describe: impl Fn(RunFailure) -> F + Sync,
+) -> Vec<Option<RunOutcome<F>>> {
     let Work { batch, is_waiting, response, stop } = *work;
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
         response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
@@ -36,7 +48,7 @@ pub(crate) fn evaluate(
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }
     let execution = Execution::best();
-    let parts: Vec<Vec<(usize, RunOutcome)>> = (0..rayon::current_num_threads())
+    let parts: Vec<Vec<(usize, RunOutcome<F>)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
         .map(|_| {
@@ -52,7 +64,7 @@ pub(crate) fn evaluate(
                     if matches!(outcome, Err(RunFailure::Stopped { .. })) {
                         return;
                     }
-                    let row = outcome.map_err(|failure| Failure(failure.number()));
+                    let row = outcome.map_err(&describe);
                     finished(index, &row);
                     rows.push((index, row));
                 });

@@ -2,6 +2,7 @@
 //! Which rows are wanted is said outside.
 
 pub(crate) mod all_runs;
+pub(crate) mod design_runs;
 pub(crate) mod evaluate;
 pub(crate) mod external_runs;
 pub(crate) mod failures;

@@ -2,6 +2,7 @@
 
 use crate::file::{EpistemicSubject, Study, Where, named_angle_rad};
 use crate::response::columns::{ColumnPlan, Location};
+use crate::response::extras::RunExtras;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
@@ -113,15 +114,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).into()));
     let reason = |run: usize| table.failure(run).map_or("", |failure| RunFailure::code_of(failure.0));
     push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).into()));
-    push("energy_residual".to_owned(), SiUnit::NONE, RunData::F64(extras.energy_residual));
-    push("change_over_last_turn".to_owned(), SiUnit::NONE, RunData::F64(extras.change_over_last_turn));
-    push("steps".to_owned(), SiUnit::NONE, RunData::U64(extras.steps));
-    push("evaluations".to_owned(), SiUnit::NONE, RunData::U64(extras.evaluations));
-    for (joint, own) in response.joints.iter().zip(extras.joints) {
-        push(format!("contacts {joint}"), SiUnit::NONE, RunData::U64(own.contacts));
-        push(format!("largest_penetration {joint}"), SiUnit::LENGTH, RunData::F64(own.largest_penetration_m));
-        push(format!("peak_force {joint}"), SiUnit::FORCE, RunData::F64(own.peak_force_n));
-    }
+    columns.extend(extras.into_columns(&response.joints));
     RunsTable { columns }
 }
 
@@ -133,7 +126,7 @@ fn is_scalar(plan: &ColumnPlan, column: usize) -> bool {
 
 /// Extras of all runs, column by column.
 #[derive(Default)]
-struct ExtraColumns {
+pub(crate) struct ExtraColumns {
     energy_residual: Vec<f64>,
     change_over_last_turn: Vec<f64>,
     steps: Vec<u64>,
@@ -149,30 +142,57 @@ struct JointColumns {
     peak_force_n: Vec<f64>,
 }
 
+impl ExtraColumns {
+    /// Those of runs with these joints with play; of no run yet.
+    pub fn new(joints: &[String]) -> Self {
+        Self { joints: joints.iter().map(|_| JointColumns::default()).collect(), ..Self::default() }
+    }
+
+    /// Adds those of a run; of a failed one they are not numbers.
+    pub fn push(&mut self, extras: &RunExtras) {
+        // A failed run has no counters: zero evaluations.
+        let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
+        self.energy_residual.push(extras.energy_residual);
+        self.change_over_last_turn.push(extras.change_over_last_turn);
+        self.steps.push(whole(extras.steps));
+        self.evaluations.push(whole(extras.evaluations));
+        for (own, joint) in self.joints.iter_mut().zip(&extras.joints) {
+            own.contacts.push(whole(joint.contacts));
+            own.largest_penetration_m.push(joint.largest_penetration_m);
+            own.peak_force_n.push(joint.peak_force_n);
+        }
+    }
+
+    /// The columns with their names.
+    pub fn into_columns(self, joints: &[String]) -> Vec<RunColumn> {
+        let column = |name: &str, unit: SiUnit, data: RunData| RunColumn { name: name.to_owned(), unit, data };
+        let mut columns = vec![
+            column("energy_residual", SiUnit::NONE, RunData::F64(self.energy_residual)),
+            column("change_over_last_turn", SiUnit::NONE, RunData::F64(self.change_over_last_turn)),
+            column("steps", SiUnit::NONE, RunData::U64(self.steps)),
+            column("evaluations", SiUnit::NONE, RunData::U64(self.evaluations)),
+        ];
+        for (joint, own) in joints.iter().zip(self.joints) {
+            let name = |what: &str| format!("{what} {joint}");
+            columns.push(column(&name("contacts"), SiUnit::NONE, RunData::U64(own.contacts)));
+            let penetration = RunData::F64(own.largest_penetration_m);
+            columns.push(column(&name("largest_penetration"), SiUnit::LENGTH, penetration));
+            columns.push(column(&name("peak_force"), SiUnit::FORCE, RunData::F64(own.peak_force_n)));
+        }
+        columns
+    }
+}
+
 /// The `scalars` of all runs, column by column, and their extras. Every row is read once: where runs are many, rows lie in a file.
 fn numbers(response: &StudyResponse, table: &SampleTable, scalars: &[usize]) -> (Vec<Vec<f64>>, ExtraColumns) {
     let mut values: Vec<Vec<f64>> = scalars.iter().map(|_| Vec::with_capacity(table.len())).collect();
-    let mut columns = ExtraColumns {
-        joints: response.joints.iter().map(|_| JointColumns::default()).collect(),
-        ..Default::default()
-    };
-    // A failed run has no counters: zero evaluations.
-    let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
+    let mut columns = ExtraColumns::new(&response.joints);
     for run in 0..table.len() {
         let row = table.values(run);
         for (own, &column) in values.iter_mut().zip(scalars) {
             own.push(row[column]);
         }
-        let extras = response.extras(row);
-        columns.energy_residual.push(extras.energy_residual);
-        columns.change_over_last_turn.push(extras.change_over_last_turn);
-        columns.steps.push(whole(extras.steps));
-        columns.evaluations.push(whole(extras.evaluations));
-        for (own, joint) in columns.joints.iter_mut().zip(&extras.joints) {
-            own.contacts.push(whole(joint.contacts));
-            own.largest_penetration_m.push(joint.largest_penetration_m);
-            own.peak_force_n.push(joint.peak_force_n);
-        }
+        columns.push(&response.extras(row));
     }
     (values, columns)
 }

@@ -29,7 +29,7 @@ pub fn describe_path(dotted: &str) -> String {
 }
 
 /// Tables whose entries are tables under names of the person's choosing.
-const NAMED: [&str; 14] = [
+const NAMED: [&str; 15] = [
     "body",
     "contact",
     "joint",
@@ -40,6 +40,7 @@ const NAMED: [&str; 14] = [
     "drive",
     "control",
     "output",
+    "outputs",
     "random",
     "epistemic",
     "expected",

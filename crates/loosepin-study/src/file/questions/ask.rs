@@ -254,7 +254,7 @@ impl StudyReader {
 
     /// The place of a question, where the output has a number there: wear grows through the recorded part, and its maximum is the wear at
     /// the end.
-    fn place_of_wear(
+    pub(crate) fn place_of_wear(
         &mut self,
         places: [&Option<Entry<'_>>; 3],
         output: Option<usize>,
