@@ -51,7 +51,7 @@ impl Feature {
         }
     }
 
-    /// The part of the box above `level`: lower and upper ends; nothing where there is none.
+    /// The part of the box above `level`: lower and upper ends; `None` if there is none.
     fn above(&self, level: f64) -> Option<Vec<[f64; 2]>> {
         if level >= self.height {
             return None;

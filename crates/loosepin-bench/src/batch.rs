@@ -53,7 +53,7 @@ impl Case {
     /// Compiles `cases/NAME/model.toml`.
     ///
     /// # Panics
-    /// Where the case is not there or is no mechanism.
+    /// If the case is not there or is no mechanism.
     pub fn read(name: &str) -> Self {
         let (mechanism, nominal, turn_s) = compiled(name);
         let model = &mechanism.model;
@@ -97,7 +97,7 @@ impl Case {
     /// Runs the whole plan on `threads` threads, each taking the next run as soon as a lane is free.
     ///
     /// # Panics
-    /// Where a thread did.
+    /// If a thread did.
     pub fn run_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<FinishedRun> {
         let next = AtomicUsize::new(0);
         let parts: Vec<(usize, FinishedRun)> = std::thread::scope(|scope| {

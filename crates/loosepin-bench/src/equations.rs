@@ -115,7 +115,7 @@ pub fn parts(case: &Case) -> Vec<ProgramGroup> {
 /// are in contact in every other lane.
 ///
 /// # Panics
-/// Where the nominal mechanism cannot be assembled.
+/// If the nominal mechanism cannot be assembled.
 pub fn blocks(case: &Case, lanes: usize) -> Vec<Vec<f64>> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);

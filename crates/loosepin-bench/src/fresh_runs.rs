@@ -31,7 +31,7 @@ impl Mechanisms {
     /// So many points of a low-discrepancy set in each of so many independent scramblings, one scrambling after the other.
     ///
     /// # Panics
-    /// Where the study has too many random inputs for such a set.
+    /// If the study has too many random inputs for such a set.
     pub fn new(study: &Study, seed: u64, replicates: u32, in_each: u32) -> Self {
         let sobol = ScrambledSobol::try_new(seed, study.random.len()).expect("few dimensions");
         let value = |replicate, index, place: usize| {
@@ -59,7 +59,7 @@ impl<'s> FreshRuns<'s> {
     /// On all processors.
     ///
     /// # Panics
-    /// Where the study cannot begin.
+    /// If the study cannot begin.
     pub fn new(study: &'s Study) -> Self {
         assert!(study.correlation.is_none(), "the random inputs are to be independent");
         assert!(study.random.iter().all(|input| input.parameters.is_empty()), "the distributions are to be known");
@@ -71,7 +71,7 @@ impl<'s> FreshRuns<'s> {
     /// Runs a set at each value of u; `batch_done` hears how many runs have been made in all.
     ///
     /// # Panics
-    /// Where a batch cannot be made.
+    /// If a batch cannot be made.
     pub fn at(&mut self, values: &[Vec<f64>], set: &Mechanisms, batch_done: impl Fn(usize)) -> Vec<Sample> {
         let mut samples = Vec::with_capacity(values.len());
         for batch in values.chunks(VALUES_IN_A_BATCH) {

@@ -65,7 +65,7 @@ impl KnownCase {
     /// The question, for a seed.
     ///
     /// # Panics
-    /// Where the case itself is wrong.
+    /// If the case itself is wrong.
     pub fn problem(&self, seed: u64) -> Problem {
         let random = self.random.iter().cloned().map(|distribution| match RandomVariable::try_new(distribution) {
             Ok(variable) => variable,

@@ -34,7 +34,7 @@ pub fn case_file(name: &str, file: &str) -> PathBuf {
 /// `cases/NAME/model.toml` compiled at its nominal values, which stand beside it, and the duration of a turn, s.
 ///
 /// # Panics
-/// Where the case is not there or is no mechanism.
+/// If the case is not there or is no mechanism.
 pub fn compiled(name: &str) -> (Mechanism, Values, f64) {
     compiled_with(&format!("cases/{name}/model.toml"), &[])
 }
@@ -42,7 +42,7 @@ pub fn compiled(name: &str) -> (Mechanism, Values, f64) {
 /// A file of the repository with parts of its text replaced, as [`compiled`].
 ///
 /// # Panics
-/// Where it is not there, does not have one of the parts or is no mechanism.
+/// If it is not there, does not have one of the parts or is no mechanism.
 pub fn compiled_with(file: &str, changes: &[(&str, &str)]) -> (Mechanism, Values, f64) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
     let model = if changes.is_empty() {
@@ -89,7 +89,7 @@ impl Progress for Silent {
 /// Conducts a study on all processors.
 ///
 /// # Panics
-/// Where it has no result.
+/// If it has no result.
 pub fn run(study: &Study) -> StudyRun {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     run_study(study, "", &RunOptions::new(threads, &Silent, &AtomicBool::new(false)))
@@ -128,7 +128,7 @@ impl Watch {
     }
 }
 
-/// Processor time of all threads of this process so far, s; none where the system does not tell.
+/// Processor time of all threads of this process so far, s; `None` if the system does not tell.
 fn processor_time_s() -> Option<f64> {
     Some(processor_time::of_threads_ns()).filter(|ns| *ns > 0).map(|ns| ns as f64 * 1e-9)
 }

@@ -180,7 +180,7 @@ pub struct WorkAt {
 }
 
 /// The tolerance at which the 90 % quantile of the error meets `error_m`, and the work there, between the measured points in
-/// logarithms: at the loosest place beyond which no finer point errs more. None where even the finest point errs more.
+/// logarithms: at the loosest place beyond which no finer point errs more. `None` if even the finest point errs more.
 pub fn work_at(points: &[Point], error_m: f64) -> Option<WorkAt> {
     let mut points: Vec<&Point> = points.iter().collect();
     points.sort_by(|a, b| a.tolerance_m.total_cmp(&b.tolerance_m));

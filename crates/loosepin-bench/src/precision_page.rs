@@ -45,7 +45,7 @@ impl Measured {
     /// Runs everything.
     ///
     /// # Panics
-    /// Where the case does not exist or a run of the reference fails: mistakes in this crate.
+    /// If the case does not exist or a run of the reference fails: mistakes in this crate.
     pub fn new(case: &'static Case) -> Self {
         let samples = Samples::new(case);
         let explicit = |pair| Method { name: "", pair, integrator: Integrator::Explicit, half_decades: (0, 0, 1) };

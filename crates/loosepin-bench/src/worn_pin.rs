@@ -11,7 +11,7 @@ const REPLICATES: usize = 8;
 /// The study of the case.
 ///
 /// # Panics
-/// Where it is not there or is no study.
+/// If it is not there or is no study.
 pub fn study() -> Study {
     let case = case_file("slider_crank_worn_pin", "study.toml");
     Study::from_path(&case).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
@@ -20,7 +20,7 @@ pub fn study() -> Study {
 /// Points of a low-discrepancy set inside the box of the unknown inputs, as shares of it.
 ///
 /// # Panics
-/// Where too many inputs are unknown for such a set.
+/// If too many inputs are unknown for such a set.
 pub fn low_discrepancy_fractions(study: &Study, seed: u64, points: u32) -> Vec<Vec<f64>> {
     let sobol = ScrambledSobol::try_new(seed, study.epistemic.len()).expect("few dimensions");
     let point = |index| {
@@ -39,7 +39,7 @@ pub fn values_at(study: &Study, fractions: &[f64]) -> Vec<f64> {
 /// The study with the unknown inputs known: so many mechanisms at one value of u.
 ///
 /// # Panics
-/// Where a value is not finite, or the study has no result.
+/// If a value is not finite, or the study has no result.
 pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyRun {
     let mut known = study.clone();
     known.seed = seed;
@@ -54,7 +54,7 @@ pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyR
 /// The values of a column in the runs of the double loop; failed ones are not a number.
 ///
 /// # Panics
-/// Where there is no such column of numbers.
+/// If there is no such column of numbers.
 pub fn double_loop(runs: &RunsTable, name: &str) -> Vec<f64> {
     let column = |name: &str| {
         let found = runs.columns.iter().find(|column| column.name == name);

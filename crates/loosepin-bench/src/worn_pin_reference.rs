@@ -42,7 +42,7 @@ pub const ENDS: [&str; 2] = ["lower", "upper"];
 /// The study, asked for these two numbers of a turn alone, as its file asks for them.
 ///
 /// # Panics
-/// Where the study does not ask for them.
+/// If the study does not ask for them.
 pub fn study() -> Study {
     let mut study = worn_pin::study();
     let is_one = |location: &Where| REDUCTIONS.iter().any(|&reduction| *location == Where::Reduced(reduction));
@@ -133,7 +133,7 @@ pub fn written(notes: &[String], ends: &[ReferenceEnd]) -> String {
 /// Reads the text of such a file.
 ///
 /// # Panics
-/// Where it is none.
+/// If it is none.
 pub fn read(text: &str) -> Vec<ReferenceEnd> {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.next(), Some(HEAD), "the head of the reference");

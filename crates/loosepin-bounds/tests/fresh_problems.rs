@@ -153,7 +153,7 @@ fn analytic_bounds_of_visible_problems_hold() {
     assert!(missed.len() <= MAX_MISSED, "at most {MAX_MISSED} missed, not {}\n{}", missed.len(), missed.join("\n"));
 }
 
-/// What is missed of a problem; nothing where all holds.
+/// What is missed of a problem; `None` if all holds.
 fn missed(index: usize, mut problem: Problem) -> Option<String> {
     // Another pair of statistics for each problem.
     let count = problem.exact.len();

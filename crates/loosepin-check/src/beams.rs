@@ -26,7 +26,7 @@ fn evaluations_1_s(frequency_hz: f64, damping_ratio: f64) -> f64 {
     12.0 * (omega_rad_s / 5.961).max(decay_1_s / 6.394)
 }
 
-/// Shapes, frequencies, Euler load and stiffness of each flexible body; nothing where there are none.
+/// Shapes, frequencies, Euler load and stiffness of each flexible body; `None` if there are none.
 pub fn beams(mechanism: &Mechanism, values: &Values, turn_s: f64) -> Option<Section> {
     let real = &mechanism.real;
     let sample = Sample::<f64>::new(mechanism, values).ok()?;

@@ -45,7 +45,7 @@ pub struct Inertia<T> {
     pub mass: Vec<T>,
     /// h.
     pub bias: Vec<T>,
-    /// ∂d/∂q at the point at hand.
+    /// ∂d/∂q at the current point.
     partials: Vec<Vec2<T>>,
 }
 

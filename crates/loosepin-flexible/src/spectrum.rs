@@ -7,7 +7,7 @@ const SWEEPS: usize = 30;
 /// An entry beside the diagonal this small against the diagonal changes nothing any more.
 const ROUND_OFF: f64 = 1e-40;
 
-/// L⁻¹ K L⁻ᵀ with L Lᵀ = M, and L⁻¹; nothing where M is not positive definite.
+/// L⁻¹ K L⁻ᵀ with L Lᵀ = M, and L⁻¹; `None` if M is not positive definite.
 fn reduced(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, LowerTriangle)> {
     let inverse = Cholesky::new(mass.to_vec(), n)?.inverse_factor();
     let mut matrix = stiffness.to_vec();
@@ -67,7 +67,7 @@ pub(crate) fn eigenvalues(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64>
     values
 }
 
-/// λ and v of K v = λ M v with vᵀ M v = 1, ascending; nothing where M is not positive definite.
+/// λ and v of K v = λ M v with vᵀ M v = 1, ascending; empty if M is not positive definite.
 pub(crate) fn pairs(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<(f64, Vec<f64>)> {
     let Some((matrix, inverse)) = reduced(mass, stiffness, n) else { return Vec::new() };
     let (values, vectors) = jacobi(matrix, n);

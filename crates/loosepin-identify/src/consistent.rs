@@ -147,7 +147,7 @@ impl ConsistentSet {
         program.is_empty()
     }
 
-    /// Lower and upper end of Σ weight · play; nothing where no plays are consistent.
+    /// Lower and upper end of Σ weight · play; `None` if no plays are consistent.
     pub fn bounds(&self, weights: &[f64]) -> Option<[End; 2]> {
         let program = self.program(|_| false);
         Some([self.end(&program, weights, -1.0)?, self.end(&program, weights, 1.0)?])

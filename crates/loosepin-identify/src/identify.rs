@@ -346,7 +346,7 @@ fn add_whole_sum(rig: &Rig<'_>, sums_of_plays: &mut IdentifiableSums) {
     }
 }
 
-/// Bounds of all objectives; nothing where no plays are consistent.
+/// Bounds of all objectives; `None` if no plays are consistent.
 fn all_bounds(set: &ConsistentSet, objectives: &[Vec<f64>]) -> Option<Vec<[End; 2]>> {
     if set.is_empty() {
         return None;

@@ -43,7 +43,7 @@ impl LinearProgram {
         self.rows.push(Inequality { coefficients, limit: limit * scale });
     }
 
-    /// The largest `objective`·y over the set; nothing where the set is empty.
+    /// The largest `objective`·y over the set; `None` if the set is empty.
     pub fn largest(&self, objective: &[f64]) -> Option<Largest> {
         let mut tableau = Tableau::new(self);
         if !tableau.find_feasible() {

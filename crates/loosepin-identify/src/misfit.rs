@@ -61,7 +61,7 @@ fn apart(expected: [f64; 2], found: [f64; 2]) -> f64 {
     f64::max(found[0] - expected[1], expected[0] - found[1]).max(0.0)
 }
 
-/// The factor by which all errors have to grow for the set not to be empty; nothing where none is large enough.
+/// The factor by which all errors have to grow for the set not to be empty; `None` if none is large enough.
 fn error_factor(set: &ConsistentSet) -> Option<f64> {
     let (mut low, mut high) = (1.0, 2.0);
     while set.is_empty_with(high) {

@@ -87,7 +87,7 @@ fn of_joint(play: &PlayGeometry<f64>, load: Vec2<f64>, change: f64, components: 
     Some([penetration_m(play, least_n)?, penetration_m(play, most_n)?])
 }
 
-/// δ with F_el(δ) = N, m; nothing where the law ends before.
+/// δ with F_el(δ) = N, m; `None` if the law ends before.
 fn penetration_m(play: &PlayGeometry<f64>, force_n: f64) -> Option<f64> {
     if force_n == 0.0 {
         return Some(0.0);

@@ -25,7 +25,7 @@ pub trait Real:
 
     /// The constant `value`, with zero derivative.
     fn from_f64(value: f64) -> Self;
-    /// The number without its derivatives; not a number where it is only written down.
+    /// The number without its derivatives; NaN if it is only written down.
     fn to_f64(self) -> f64;
     /// `self · factor + addend` with one rounding: a fused multiply-add on every processor.
     fn mul_add(self, factor: Self, addend: Self) -> Self;

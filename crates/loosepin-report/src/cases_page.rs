@@ -122,7 +122,7 @@ fn cells(number: &NumberRecord, sources: &[&str]) -> Vec<String> {
     ]
 }
 
-/// The exponent of the largest power of ten that is at most half the tolerance; none for a tolerance of zero.
+/// The exponent of the largest power of ten that is at most half the tolerance; `None` for a tolerance of zero.
 fn step_exponent(tolerance: f64) -> Option<i32> {
     // Half of what was written as 2e-6 must not fall below 1e-6 by round-off.
     const ABOVE_ROUND_OFF: f64 = 1.0 + 1e-9;

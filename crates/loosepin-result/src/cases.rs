@@ -37,14 +37,14 @@ pub enum Comparison {
     Number {
         /// As the source has it, SI.
         expected_si: f64,
-        /// As the program has it, SI; not a number where the run has none, for example fewer contacts.
+        /// As the program has it, SI; NaN if the run has none, for example fewer contacts.
         obtained_si: f64,
     },
     /// Many numbers, of which only the largest difference is kept.
     Largest {
         /// What was compared, for example `501 rows`.
         of: String,
-        /// The largest difference, SI; not a number where ours are fewer.
+        /// The largest difference, SI; NaN if ours are fewer.
         difference_si: f64,
     },
 }

@@ -53,7 +53,7 @@ pub struct InputRange {
 /// A mechanism that was measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Specimen {
-    /// Its name; nothing where the file does not say.
+    /// Its name; `None` if the file does not say.
     pub name: Option<String>,
     /// Its readings, in the order of the file.
     pub readings: Vec<TestReading>,
@@ -111,9 +111,9 @@ pub struct ConsistentPlays {
     pub combinations: Vec<Combination>,
     /// Plays that enter every reading alike, by their places among the plays; each group has two or more.
     pub alike: Vec<Vec<usize>>,
-    /// The reading that would narrow most; nothing where none would.
+    /// The reading that would narrow most; `None` if none would.
     pub further: Option<FurtherReading>,
-    /// The readings that were looked at for it; nothing where it was not looked for.
+    /// The readings that were looked at for it; `None` if it was not looked for.
     #[serde(default)]
     pub searched: Option<ReadingSearch>,
 }
@@ -151,7 +151,7 @@ pub struct FurtherReading {
     pub pose_rad: f64,
     /// The point that is pushed, or the body that a moment turns.
     pub pushed: String,
-    /// Direction of the push from the ground's x axis, rad; nothing for a moment.
+    /// Direction of the push from the ground's x axis, rad; `None` for a moment.
     pub direction_rad: Option<f64>,
     /// The error that was assumed, of either sign, in the unit of the reading.
     pub error_si: f64,
@@ -168,13 +168,13 @@ pub struct FurtherReading {
 /// Readings that no value of the plays explains.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Misfit {
-    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. None where the
+    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. Empty if the
     /// others contradict one another whichever is left out.
     pub culprits: Vec<InconsistentReading>,
     /// Pairs that contradict each other without any other reading, by their places; looked for where there are no culprits.
     #[serde(default)]
     pub pairs: Vec<[usize; 2]>,
-    /// Factor by which the errors of all readings had to be larger for the readings to be consistent; nothing where none is enough.
+    /// Factor by which the errors of all readings had to be larger for the readings to be consistent; `None` if none is enough.
     pub error_factor: Option<f64>,
     /// Readings that would then lie at the end of their error, by their places.
     pub strained: Vec<usize>,

@@ -8,7 +8,7 @@ use std::fmt;
 /// What the features of a measured motion say of a specimen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionSpecimen {
-    /// Its name; nothing where the file does not say.
+    /// Its name; `None` if the file does not say.
     pub name: Option<String>,
     /// Its features, in the order of the file.
     pub features: Vec<MotionFeature>,
@@ -32,7 +32,7 @@ pub struct MotionSpecimen {
     pub failed: usize,
     /// Whether the refinement ended at its budget of points and not at its resolution.
     pub is_coarse: bool,
-    /// Why no value is consistent; nothing where some are.
+    /// Why no value is consistent; `None` if some are.
     pub misfit: Option<MotionMisfit>,
     /// How probable the values are, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -175,7 +175,7 @@ pub struct Posterior {
 pub struct Marginal {
     /// Probabilities of cells of equal width over the interval of the study, or of the members of a list.
     pub shares: Vec<f64>,
-    /// Its numbers; nothing of a list.
+    /// Its numbers; `None` for a list.
     pub summary: Option<MarginalSummary>,
 }
 
@@ -282,7 +282,7 @@ pub struct MotionFeature {
     pub found_si: [f64; 2],
     /// Least and largest of all runs at all tested values, independent error included, SI.
     pub predicted_before_si: [f64; 2],
-    /// The same at the consistent values; nothing where there are none.
+    /// The same at the consistent values; `None` if there are none.
     pub predicted_after_si: Option<[f64; 2]>,
 }
 

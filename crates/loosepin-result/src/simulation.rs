@@ -144,7 +144,7 @@ pub enum OtherFormulation {
 }
 
 impl OtherFormulation {
-    /// Keys with which a body in absolute nodal coordinates can have a floating frame; nothing where it can have none.
+    /// Keys with which a body in absolute nodal coordinates can have a floating frame; `None` if it can have none.
     pub fn floating_frame(self) -> Option<&'static str> {
         match self {
             Self::FreeAtTo => None,

@@ -59,7 +59,7 @@ pub struct SweepPoint {
     pub value_si: f64,
     /// Why the run failed; then the lists below are empty.
     pub failure: Option<String>,
-    /// Turns after which the motion repeats itself; none where it did not within half of the turns looked at.
+    /// Turns after which the motion repeats itself; `None` if it did not within half of the turns looked at.
     pub period_turns: Option<u32>,
     /// By output: its deviation from the ideal motion of the same dimensions, once a turn.
     pub sections_si: Vec<Vec<f64>>,

@@ -159,7 +159,7 @@ impl<'a> Step<'_, 'a> {
         })
     }
 
-    /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.
+    /// Where the step ends, for another run to go on from; `None` if the motion is solved instead of integrated.
     pub(super) fn last_state(&mut self) -> Option<MotionState> {
         self.look(self.end_s, false);
         let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };
@@ -171,7 +171,7 @@ impl<'a> Step<'_, 'a> {
         Some(MotionState::new(&view.layout, state, self.end_s, contacts))
     }
 
-    /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. None where the work
+    /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. `None` if the work
     /// of the drives is the change of mechanical energy.
     pub(super) fn account(&mut self, time_s: f64) -> Option<EnergyTotals<f64>> {
         match &mut self.source {

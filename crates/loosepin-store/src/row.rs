@@ -33,7 +33,7 @@ impl StoredRun {
         self.outcome.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
     }
 
-    /// The numbers that these bytes are; nothing where they are none.
+    /// The numbers that these bytes are; `None` if they are none.
     pub(super) fn numbers(bytes: &[u8]) -> Option<Vec<f64>> {
         let (numbers, rest) = bytes.as_chunks::<8>();
         rest.is_empty().then(|| numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())

@@ -27,7 +27,7 @@ pub struct ShardError {
 }
 
 impl Shard {
-    /// Shard `index` of `of`, counted from 1; nothing where there is no such shard.
+    /// Shard `index` of `of`, counted from 1; `None` if there is no such shard.
     pub fn new(index: u32, of: u32) -> Option<Self> {
         (index >= 1 && index <= of && of <= MAX_SHARDS).then_some(Self { index, of })
     }
@@ -60,7 +60,7 @@ impl Shard {
         PathBuf::from(name)
     }
 
-    /// Where the study goes when this shard writes to `folder`; nothing where that has another name than its own.
+    /// Where the study goes when this shard writes to `folder`; `None` if that has another name than its own.
     pub fn results(self, folder: &Path) -> Option<PathBuf> {
         let name = folder.file_name()?.to_str()?.strip_suffix(&self.suffix())?;
         (!name.is_empty()).then(|| folder.with_file_name(name))

@@ -11,7 +11,7 @@ pub const FEWEST_RUNS: usize = 4;
 pub struct TrainingOutput {
     /// Name, as in messages and results.
     pub name: String,
-    /// One row a run; nothing where the run gave no such output.
+    /// One row a run; empty if the run gave no such output.
     pub rows: Vec<Option<Vec<f64>>>,
     /// Variance of the noise in the values of each run, where it is known, as for a mean over cycles or samples.
     pub noise: Option<Vec<f64>>,

@@ -68,7 +68,7 @@ pub(super) enum WarmStart<'a> {
 }
 
 impl Fitted {
-    /// Fits `values`, with their known variances `noise`, at the points of `design`; nothing where this kind cannot be
+    /// Fits `values`, with their known variances `noise`, at the points of `design`; `None` if this kind cannot be
     /// fitted to them. Only a process makes use of the variances.
     pub(super) fn fit(
         kind: Kind,

@@ -80,7 +80,7 @@ impl<'a> Runs<'a> {
         modes.scores(self.curves[run]).get(mode).copied().unwrap_or(0.0)
     }
 
-    /// `mode` fitted by `kind`; nothing where that cannot be fitted.
+    /// `mode` fitted by `kind`; `None` if that cannot be fitted.
     pub fn candidate(&self, mode: usize, kind: Kind) -> Option<Candidate> {
         let values: Vec<f64> = (0..self.curves.len()).map(|run| self.score(&self.modes, run, mode)).collect();
         let seed = hash(self.seed, mode as u64);

@@ -14,11 +14,11 @@ pub struct Quality {
     pub folds: usize,
     /// Root mean square of the held-out errors, over runs and places, in the unit of the output.
     pub rms: f64,
-    /// 1 - Σ error²/Σ (y - mean)² over runs and places; nothing for a constant output.
+    /// 1 - Σ error²/Σ (y - mean)² over runs and places; `None` for a constant output.
     pub q2: Option<f64>,
     /// Root mean square of the held-out errors at each place.
     pub rms_along: Vec<f64>,
-    /// 1 - Σ error²/Σ (y - mean)² at each place; nothing where the output is constant.
+    /// 1 - Σ error²/Σ (y - mean)² at each place; empty if the output is constant.
     pub q2_along: Vec<Option<f64>>,
     /// For each mode, the held-out root mean square error of each kind that was tried, in the unit of the output over all
     /// places: √Σ_t error²(t).

@@ -51,7 +51,7 @@ impl Residual {
         libm::exp(parts.map(|((c, z), m)| c * (z - m)).sum())
     }
 
-    /// The error of the run that `share` in \[0, 1) of the runs lie before, at the scale of z; nothing where the rest falls.
+    /// The error of the run that `share` in \[0, 1) of the runs lie before, at the scale of z; `None` if the rest falls.
     pub(super) fn draw(&self, scaled: &[f64], share: f64) -> Option<Vec<f64>> {
         if self.errors.is_empty() {
             return None;

@@ -73,7 +73,7 @@ pub fn oscillator(x: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The first `count` points of a scrambled Sobol' sequence in the distributions of `inputs`; none where there are more inputs
+/// The first `count` points of a scrambled Sobol' sequence in the distributions of `inputs`; empty if there are more inputs
 /// than it has dimensions.
 pub fn points(inputs: &[Input], seed: u64, replicate: u32, count: usize) -> Vec<Vec<f64>> {
     let Ok(sobol) = ScrambledSobol::try_new(seed, inputs.len()) else { return Vec::new() };

@@ -11,7 +11,7 @@ pub fn date(time: SystemTime) -> Option<String> {
     (since_1970.as_secs() < YEAR_10000_S).then(|| humantime::format_rfc3339_seconds(time).to_string())
 }
 
-/// `2026-11-25 17:00 UTC`; nothing where [`date`] gives nothing.
+/// `2026-11-25 17:00 UTC`; `None` if [`date`] gives nothing.
 pub fn date_for_reading(time: SystemTime) -> Option<String> {
     let date = date(time)?;
     let (day, clock) = date.split_once('T')?;

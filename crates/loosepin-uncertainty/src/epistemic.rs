@@ -55,7 +55,7 @@ impl Members {
         &self.values
     }
 
-    /// Which member `value` is; nothing where it is none.
+    /// Which member `value` is; `None` if it is none.
     pub fn index_of(&self, value: f64) -> Option<usize> {
         self.values.iter().position(|&member| member == value)
     }
@@ -98,7 +98,7 @@ impl EpistemicVariable {
         }
     }
 
-    /// The interval that holds all possible values; nothing where it is one of a list.
+    /// The interval that holds all possible values; `None` if it is one of a list.
     pub fn range(&self) -> Option<Interval> {
         match self {
             Self::Interval(interval) | Self::Periodic(interval) => Some(*interval),

@@ -43,7 +43,7 @@ impl SliderCrank {
     /// Reads the model of the case.
     ///
     /// # Panics
-    /// Where it is not there or another mechanism.
+    /// If it is not there or another mechanism.
     pub fn read() -> Self {
         let (mechanism, values, turn_s) = compiled("slider_crank_5000");
         let quantities = &mechanism.model.quantities;

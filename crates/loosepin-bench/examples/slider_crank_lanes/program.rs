@@ -41,7 +41,7 @@ pub fn is_possible() -> bool {
 /// Conducts a plan. Vectors that are stepped through together: one with all the work, two without, as measured.
 ///
 /// # Panics
-/// Where the processor has no AVX-512.
+/// If the processor has no AVX-512.
 #[allow(unsafe_code, reason = "instructions may be named only where the processor was found to have them")]
 pub fn run_plan(model: &SliderCrank, plan: &Plan, work: Work) -> CompletedBatch {
     assert!(is_possible(), "the processor has no AVX-512");

@@ -94,11 +94,11 @@ fn extreme_bounds(group: &[SurrogateSearchBounds]) -> Vec<&Bound> {
 /// One group at one witness: the surrogate at all inner runs, and direct runs at some of them.
 pub(crate) struct Confirmed {
     epistemic: Vec<f64>,
-    /// Replicate by replicate and run by run, ŝ of every place; nothing where the surrogate gave no answer.
+    /// Replicate by replicate and run by run, ŝ of every place; empty if the surrogate gave no answer.
     surrogate: Vec<Answers>,
     /// Replicate by replicate and run by run, the direct runs: their values, ŝ and σ.
     direct: Vec<DirectAnswers>,
-    /// σ over X; nothing where the surrogate gave no answer.
+    /// σ over X; `None` if the surrogate gave no answer.
     deviations: Option<DeviationsOverX>,
 }
 
@@ -189,13 +189,13 @@ impl Confirmed {
         self.over(|of| of.root_mean_square[place], deviation)
     }
 
-    /// Square of the mean of the error at `place`, and its mean square; nothing where runs are missing.
+    /// Square of the mean of the error at `place`, and its mean square; `None` if runs are missing.
     pub fn squares(&self, place: usize) -> Option<[f64; 2]> {
         let (mean, mean_square) = mean_and_mean_square(&self.errors(place).filter(|errors| !errors.is_empty())?);
         Some([mean * mean, mean_square])
     }
 
-    /// Errors in all replicates; nothing where runs are missing.
+    /// Errors in all replicates; `None` if runs are missing.
     fn errors(&self, place: usize) -> Option<Vec<f64>> {
         Some(self.differences(place).into_iter().collect::<Option<Vec<Vec<f64>>>>()?.concat())
     }
@@ -225,7 +225,7 @@ impl Confirmed {
         outside as f64 / inner.max(1) as f64
     }
 
-    /// The mean or probability at `place`, corrected; nothing for statistics that are no mean of a function, and where runs are missing.
+    /// The mean or probability at `place`, corrected; `None` for statistics that are no mean of a function, and where runs are missing.
     /// `known` is that of the surrogate with its error, where it is better known than from the inner runs themselves.
     pub fn corrected(
         &self,

@@ -54,7 +54,7 @@ impl LearnedFunction<'_> {
         Ok(answers.first().map(|answer| (of(&answer.values), of(&answer.deviations))).unwrap_or_default())
     }
 
-    /// σ at the first inner runs, those of one replicate, at the places; nothing where none has an answer.
+    /// σ at the first inner runs, those of one replicate, at the places; `None` if none has an answer.
     pub fn spread(&self, epistemic: &[f64]) -> Option<DeviationsOverX> {
         let runs = self.plan.direct.runs_at(0, 0, epistemic.to_vec()).filter(|inputs| inputs.replicate == 0);
         let deviations: Vec<Vec<f64>> =

@@ -33,7 +33,7 @@ pub(crate) struct SurrogateSearchBounds {
     pub bounds: Bounds,
 }
 
-/// Searches one group, k of it being `reach`, a number of places at a time; nothing where it was not learned.
+/// Searches one group, k of it being `reach`, a number of places at a time; empty if it was not learned.
 pub(crate) fn search_group(
     plan: &SurrogatePlan,
     group: &LearnedGroup,

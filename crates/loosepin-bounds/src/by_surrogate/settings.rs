@@ -16,7 +16,7 @@ pub struct ColumnGroup {
 }
 
 impl ColumnGroup {
-    /// Values of its columns in `run`; nothing where it did not deliver all of them.
+    /// Values of its columns in `run`; `None` if it did not deliver all of them.
     pub(crate) fn row(&self, table: &SampleTable, run: usize) -> Option<Vec<f64>> {
         let values: Vec<f64> = self.columns.iter().map(|&column| table.values(run)[column]).collect();
         values.iter().all(|value| value.is_finite()).then_some(values)

@@ -41,7 +41,7 @@ pub struct LearnedComparison {
     pub coverage_surrogate: [f64; 3],
 }
 
-/// The treatments of `group` where the surrogate errs by `reach` standard deviations; nothing where nothing was learned or compared.
+/// The treatments of `group` where the surrogate errs by `reach` standard deviations; `None` if nothing was learned or compared.
 pub(crate) fn treatments(
     plan: &SurrogatePlan,
     group: &LearnedGroup,

@@ -60,12 +60,12 @@ pub struct Witness {
 /// One end of a range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bound {
-    /// The estimate at the witness: it has been attained. Not a number where no run finished or the values
+    /// The estimate at the witness: it has been attained. NaN if no run finished or the values
     /// are too large for their sum.
     pub value: f64,
     /// The value moved outwards by its error: what people are shown as the bound.
     pub widened: f64,
-    /// Where the value is attained; nothing where it is not attained at one u (a mixture) or nothing finished.
+    /// Where the value is attained; `None` if it is not attained at one u (a mixture) or nothing finished.
     pub witness: Option<Witness>,
     /// By how much the value may be too narrow.
     pub error: BoundError,
@@ -85,11 +85,11 @@ pub struct BoundPair {
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
     /// What was really seen: the lower end of the confidence interval at every outer point, in the order of the outer index, failed runs
-    /// taken as low as possible; not a number where no run finished. Where several focal elements are added, both sums; for
+    /// taken as low as possible; NaN if no run finished. Where several focal elements are added, both sums; for
     /// probabilities of a random set both ends, and none where runs failed.
     pub seen: Vec<f64>,
     /// The statistic where every epistemic input is in its middle, lists at their first members, by the estimate that the bounds are made of:
-    /// failed runs taken as low as possible, and as high as possible. Nothing where no runs were made there, and where masses of several
+    /// failed runs taken as low as possible, and as high as possible. `None` if no runs were made there, and where masses of several
     /// focal elements add: then no single value of the inputs has all of the mass.
     pub central: Option<[f64; 2]>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
@@ -115,7 +115,7 @@ impl BoundPair {
 /// Bounds over what is possible to at least some degree.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutBounds {
-    /// The degree; nothing where no input is a fuzzy number.
+    /// The degree; `None` if no input is a fuzzy number.
     pub alpha: Option<f64>,
     /// One entry for each request but those for a whole distribution function, in their order.
     pub pairs: Vec<BoundPair>,

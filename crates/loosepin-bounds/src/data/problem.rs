@@ -40,7 +40,7 @@ pub struct Sampling {
 pub struct Problem {
     /// Distributions of the random inputs one by one.
     pub random: Vec<RandomVariable>,
-    /// How they depend on each other; nothing where they are independent. The interval-only treatment knows no correlation: its
+    /// How they depend on each other; `None` if they are independent. The interval-only treatment knows no correlation: its
     /// box holds every combination of the cut inputs.
     pub copula: Option<Copula>,
     /// Knowledge of the epistemic inputs.

@@ -31,14 +31,14 @@ impl Problem {
         self.parameters.iter().any(|parameter| parameter.epistemic == epistemic)
     }
 
-    /// The distribution of random input `input` at these values of the epistemic inputs; nothing where there is none.
+    /// The distribution of random input `input` at these values of the epistemic inputs; `None` if there is none.
     pub(crate) fn variable_at(&self, input: usize, epistemic: &[f64]) -> Option<RandomVariable> {
         let own = self.parameters.iter().filter(|parameter| parameter.random == input);
         let values = own.map(|parameter| (parameter.parameter, epistemic[parameter.epistemic]));
         self.random[input].with_parameters(values).ok()
     }
 
-    /// Values of the random inputs at these levels of their distributions at `epistemic`. Not a number where the parameters
+    /// Values of the random inputs at these levels of their distributions at `epistemic`. NaN if the parameters
     /// describe no distribution: such a run fails, and counts as unknown.
     pub(crate) fn random_at(&self, epistemic: &[f64], levels: &[QuantileLevel]) -> Vec<f64> {
         let value = |(input, &level): (usize, &QuantileLevel)| {

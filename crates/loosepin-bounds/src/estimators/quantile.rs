@@ -90,7 +90,7 @@ fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (Fa
     (either, slope(sorted, probability))
 }
 
-/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; nothing where even no run below it
+/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; `None` if even no run below it
 /// is likelier than that.
 ///
 /// ```text

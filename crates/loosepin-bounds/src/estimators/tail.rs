@@ -50,7 +50,7 @@ fn of_half(sorted: &[f64], tail: usize, least: f64) -> f64 {
     if half >= least { half.max(index_above(sorted, sorted.len() - tail)) } else { 0.0 }
 }
 
-/// ξ of the values from place `begin` on, above the value before; not a number where there are too few.
+/// ξ of the values from place `begin` on, above the value before; NaN if there are too few.
 fn index_above(sorted: &[f64], begin: usize) -> f64 {
     if begin == 0 || begin >= sorted.len() {
         return f64::NAN;

@@ -122,7 +122,7 @@ impl DoubleLoop {
     }
 
     /// A plan whose first round is a part of that of this one: a quarter of the inner runs and `runs` altogether at most, but two in each
-    /// replicate; nothing where this plan has no more.
+    /// replicate; `None` if this plan has no more.
     pub fn pilot(&self, runs: usize) -> Option<Self> {
         let mut problem = self.problem().clone();
         let Sampling { replicates, inner, .. } = problem.sampling;

@@ -215,7 +215,7 @@ impl Refinement {
         })
     }
 
-    /// The plan with more of `growth`; nothing where there cannot be more.
+    /// The plan with more of `growth`; `None` if there cannot be more.
     fn enlarged(&self, growth: Growth, assessment: &Assessment) -> Option<DoubleLoop> {
         let problem = self.plan.problem();
         let sampling = problem.sampling;

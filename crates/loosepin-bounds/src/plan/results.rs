@@ -49,7 +49,7 @@ impl DoubleLoop {
         })
     }
 
-    /// The pinching of the band of `columns`; nothing where a quantile has no model, as with too few points.
+    /// The pinching of the band of `columns`; `None` if a quantile has no model, as with too few points.
     ///
     /// # Errors
     ///
@@ -62,7 +62,7 @@ impl DoubleLoop {
     }
 
     /// The band in which at least `share` of the runs stay at all of `columns` together, whatever the epistemic inputs; its form is
-    /// that of `shape`, lower and upper ends column by column. Nothing where the ends are not finite or nowhere apart.
+    /// that of `shape`, lower and upper ends column by column. `None` if the ends are not finite or nowhere apart.
     ///
     /// # Errors
     ///

@@ -63,7 +63,7 @@ impl DoubleLoop {
     }
 }
 
-/// The mean at every one of `places`, those of the candidates of `models`; not a number where there is no model.
+/// The mean at every one of `places`, those of the candidates of `models`; NaN if there is no model.
 fn expected(models: &Search<'_>, mean: &Target, places: &[BoxPoint]) -> Vec<f64> {
     let branches = models.branches(mean);
     let of_branch: Vec<Vec<f64>> = branches

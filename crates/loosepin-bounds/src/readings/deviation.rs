@@ -157,7 +157,7 @@ impl Points {
         Self { means: estimates(mean), variances: estimates(variance) }
     }
 
-    /// Nothing where an element has none.
+    /// `None` if an element has none.
     fn members(&self, elements: &[Focal<'_>]) -> Option<Members> {
         let known = |point: &usize| self.means[*point].is_finite() && self.variances[*point].is_finite();
         let of_element = |element: &Focal<'_>| element.members.iter().copied().filter(known).collect();

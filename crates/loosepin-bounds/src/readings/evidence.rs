@@ -72,7 +72,7 @@ impl Experiment<'_> {
     }
 }
 
-/// Sum of mass times the extreme of the `values` at the outer points of each element; not a number where an element has none.
+/// Sum of mass times the extreme of the `values` at the outer points of each element; NaN if an element has none.
 fn sum_of_extremes(elements: &[Focal<'_>], values: &[f64], direction: Direction) -> f64 {
     let extreme = |element: &Focal<'_>| {
         let own = element.members.iter().map(|&point| values[point]).filter(|value| value.is_finite());

@@ -38,7 +38,7 @@ pub(crate) fn can_change(event: Event, samples: &[&Sample]) -> bool {
     event.holds(low - margin) || event.holds(high + margin)
 }
 
-/// The least and the greatest response at all points together; nothing where the runs at a point are too few to show them.
+/// The least and the greatest response at all points together; `None` if the runs at a point are too few to show them.
 fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
     if samples.iter().any(|sample| sample.values().len() < MIN_RUNS_FOR_RANGE) {
         return None;

@@ -60,7 +60,7 @@ struct Extreme {
 }
 
 impl Experiment<'_> {
-    /// The pinching of the band of `columns`; nothing where a quantile has no model, as with too few points.
+    /// The pinching of the band of `columns`; `None` if a quantile has no model, as with too few points.
     pub fn pinching(&self, columns: &[usize]) -> Option<Pinching> {
         let measures: Vec<[Measure; 2]> = columns
             .iter()

@@ -31,7 +31,7 @@ pub struct ProbabilityBox {
     /// The values y, increasing; empty where no run finished.
     pub values: Vec<f64>,
     /// P(Y <= y) when every interval is taken as uniform and every member of a list as equally probable, for each y, failed runs taken as not below: the
-    /// probability-only treatment, by the estimate that the bounds are made of. Nothing where the problem compares no columns, so that it was
+    /// probability-only treatment, by the estimate that the bounds are made of. `None` if the problem compares no columns, so that it was
     /// not sampled.
     pub probability_only: Option<Vec<f64>>,
     /// Largest sampling error of these, which are a sample of their own; 0 where there is none.

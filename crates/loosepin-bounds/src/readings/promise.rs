@@ -31,7 +31,7 @@ pub enum InnerRuns {
 }
 
 impl InnerRuns {
-    /// Values of u so that with `confidence` at least `share` of the box keeps the bound; nothing where no number of them suffices.
+    /// Values of u so that with `confidence` at least `share` of the box keeps the bound; `None` if no number of them suffices.
     ///
     /// ```text
     /// exact          n >= ln β / ln(1 - ε)
@@ -76,7 +76,7 @@ enum LimitKind {
 
 impl OneSidedLimit {
     /// The limit of `statistic` from `runs` runs that fails with probability `miss` at most; with a miss of 0 the statistic of the only
-    /// run. Nothing where the runs are too few, or where no runs bound the statistic: a mean without a known range has no limit at
+    /// run. `None` if the runs are too few, or where no runs bound the statistic: a mean without a known range has no limit at
     /// all (R. R. Bahadur and L. J. Savage, Annals of Mathematical Statistics 27 (1956) 1115-1122).
     pub fn new(statistic: Statistic, side: Side, runs: usize, miss: f64) -> Option<Self> {
         let kind = match statistic.event() {

@@ -53,7 +53,7 @@ pub(crate) struct RandomSet {
     elements: Vec<Ends>,
 }
 
-/// Every value of a column, by outer point, in the order of the inner runs, and the replicate of each of these; not a number where
+/// Every value of a column, by outer point, in the order of the inner runs, and the replicate of each of these; NaN if
 /// a run failed. A sample that has grown lies in the table in parts.
 pub(crate) fn values_by_run(table: &SampleTable, column: usize) -> (Vec<u32>, Vec<Vec<f64>>) {
     let mut points: BTreeMap<u32, BTreeMap<(u32, u32), f64>> = BTreeMap::new();

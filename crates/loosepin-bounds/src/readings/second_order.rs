@@ -72,7 +72,7 @@ pub struct StatisticPercentiles {
 
 /// Where the statistics are asked for by their models.
 struct Grid {
-    /// Places of the whole box, parameters changing fastest; nothing where the parameters lie outside of their range.
+    /// Places of the whole box, parameters changing fastest; empty if the parameters lie outside of their range.
     places: Vec<Option<Vec<f64>>>,
     /// Coordinates of the other inputs in their own unit box, one for each value of them.
     others: Vec<Vec<f64>>,
@@ -84,7 +84,7 @@ struct Grid {
 }
 
 impl Experiment<'_> {
-    /// Percentiles of all statistics but whole distribution functions; nothing where no parameter has a distribution.
+    /// Percentiles of all statistics but whole distribution functions; empty if no parameter has a distribution.
     pub fn percentiles(&self) -> Vec<StatisticPercentiles> {
         let Some(grid) = self.grid() else { return Vec::new() };
         let confidence = &self.setup.confidence;

@@ -107,7 +107,7 @@ impl Setup {
         !self.problem.compared_columns.is_empty() && !self.problem.random.is_empty()
     }
 
-    /// Polynomials on the inner points. Nothing where the runs are too few; nor where an input takes single values only, since runs do not
+    /// Polynomials on the inner points. `None` if the runs are too few; nor where an input takes single values only, since runs do not
     /// show what a response does at one that was never drawn.
     pub fn inner_basis(&self) -> Option<&InnerBasis> {
         let basis = || {

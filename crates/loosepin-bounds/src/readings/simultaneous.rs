@@ -83,7 +83,7 @@ pub(crate) struct BandShape {
 }
 
 impl BandShape {
-    /// The shape with these lower and upper ends; nothing where they are not finite or nowhere apart.
+    /// The shape with these lower and upper ends; `None` if they are not finite or nowhere apart.
     pub fn new(ends: &[[f64; 2]]) -> Option<Self> {
         let centres: Vec<f64> = ends.iter().map(|[lower, upper]| 0.5 * (lower + upper)).collect();
         let widest = ends.iter().fold(0.0, |widest: f64, [lower, upper]| widest.max(0.5 * (upper - lower)));

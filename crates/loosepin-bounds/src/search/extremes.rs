@@ -38,7 +38,7 @@ impl Search<'_> {
         extremes
     }
 
-    /// The extreme of `target` among `members` of `element`; nothing where there is none.
+    /// The extreme of `target` among `members` of `element`; `None` if there is none.
     fn extreme<'e>(
         &self,
         (target, branches): (&'e Target, &'e [Branch<'e>]),

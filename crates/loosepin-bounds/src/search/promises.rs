@@ -19,7 +19,7 @@ const SHARE_OF_SIDE: f64 = 0.5;
 
 impl Search<'_> {
     /// At most `count` new points for the ends of targets that are sought in each of `elements`, most promising first, by what models
-    /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution.
+    /// expect and by what they allow with `allowance`; empty if no gain, times the mass of its element, exceeds the resolution.
     pub(super) fn next_points(
         &self,
         Modelled { targets, branches }: Modelled<'_>,

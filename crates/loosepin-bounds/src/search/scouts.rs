@@ -15,7 +15,7 @@ pub(crate) struct Scouts<'a> {
 
 /// A column of the scouts, and what it is held against.
 pub(crate) struct Observed<'a> {
-    /// Values of the scouts; not a number where a run failed.
+    /// Values of the scouts; NaN if a run failed.
     pub values: &'a [f64],
     /// Mean and standard deviation of the runs at every outer point, in the order of the points.
     pub moments: &'a [(f64, f64)],

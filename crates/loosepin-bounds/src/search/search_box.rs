@@ -212,7 +212,7 @@ impl SearchBox {
         self.wide.len()
     }
 
-    /// The axis of input `index` in the unit box; nothing where it has none, as a single number or one of a list.
+    /// The axis of input `index` in the unit box; `None` if it has none, as a single number or one of a list.
     pub fn axis_of(&self, index: usize) -> Option<usize> {
         self.wide.iter().position(|&input| input == index)
     }

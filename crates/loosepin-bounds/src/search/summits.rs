@@ -35,7 +35,7 @@ impl Search<'_> {
         self.new_places(summits.into_iter().map(|(_, place)| place), count)
     }
 
-    /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; nothing where it is not worth a
+    /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; `None` if it is not worth a
     /// point, and where the target is not smooth.
     fn summit(&self, extreme: &Extreme<'_>) -> Option<(f64, BoxPoint)> {
         if extreme.model.is_regressing() {
@@ -83,7 +83,7 @@ impl Search<'_> {
         (gain > MIN_CLIMB).then_some((gain, place))
     }
 
-    /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; nothing where there
+    /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; `None` if there
     /// are no others.
     fn nearest(&self, extreme: &Extreme<'_>) -> Option<(Vec<usize>, f64)> {
         let centre = &self.points[extreme.point];

@@ -25,7 +25,7 @@ const SLOPE_RATIO: f64 = 8.0;
 
 impl Search<'_> {
     /// At most `count` places near the extremes of targets in each of `elements`, where their models promise nothing more than has
-    /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
+    /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. Empty if there
     /// are many targets: the poses of a curve.
     pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<BoxPoint> {
         if self.is_of_curves() {

@@ -10,7 +10,7 @@ pub(crate) const SEARCH_RESOLUTION: f64 = 1e-6;
 /// A quantity known at every point, whose extremes are sought.
 #[derive(Debug, Clone)]
 pub(crate) struct Target {
-    /// Value at every point; not a number where it is undefined.
+    /// Value at every point; NaN if it is undefined.
     pub values: Vec<f64>,
     /// How it is modelled.
     pub kind: TargetKind,

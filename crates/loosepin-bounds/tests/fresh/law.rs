@@ -69,7 +69,7 @@ impl Law {
         }
     }
 
-    /// A value that k may have; none where nothing depends on it.
+    /// A value that k may have; `None` if nothing depends on it.
     pub fn shape(&self, draw: &mut Draw) -> Option<f64> {
         match self {
             Self::Lognormal => Some(draw.of_size(0.3, 1.5)),

@@ -293,7 +293,7 @@ impl Problem {
     /// The question, with so many runs and a seed of its own for each repetition.
     ///
     /// # Panics
-    /// Where the problem itself is wrong.
+    /// If the problem itself is wrong.
     pub fn question(&self, repetition: u64, sampling: Sampling) -> Question {
         let random = self.law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
         let interval = |&(low, high): &(f64, f64)| Interval::try_new(low, high).expect("an interval").into();
@@ -316,7 +316,7 @@ impl Problem {
         [corners.location, spread, corners.shape]
     }
 
-    /// Where m, s and k are at these of their ends, 0 or 1 each; nothing where they depend on each other.
+    /// Where m, s and k are at these of their ends, 0 or 1 each; `None` if they depend on each other.
     pub fn corner(&self, [m, s, k]: [usize; 3]) -> Option<Vec<f64>> {
         if self.is_coupled {
             return None;
@@ -338,7 +338,7 @@ impl Problem {
     /// Responses of so many random X at a place of the unit box.
     ///
     /// # Panics
-    /// Where the problem itself is wrong.
+    /// If the problem itself is wrong.
     pub fn runs(&self, t: &[f64], count: u64) -> Vec<f64> {
         let inputs = self.law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
         let inputs: Vec<RandomVariable> = inputs.collect();

@@ -97,7 +97,7 @@ impl Term {
         }
     }
 
-    /// Its height where it is a feature, something that may be overlooked; none where it is a trend, or where that depends on the extreme.
+    /// Its height where it is a feature, something that may be overlooked; `None` if it is a trend, or where that depends on the extreme.
     pub fn height(&self) -> Option<f64> {
         match self {
             Self::Linear { .. }

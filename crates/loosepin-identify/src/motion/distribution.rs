@@ -36,7 +36,7 @@ pub(super) struct Distribution {
 }
 
 impl Distribution {
-    /// Nothing where no tested value has a likelihood.
+    /// `None` if no tested value has a likelihood.
     pub fn new(grid: &Grid, values: &[WeightedValue]) -> Option<Self> {
         let pieces: Vec<Option<LocalQuadratic>> =
             values.iter().map(|value| LocalQuadratic::new(grid, values, value)).collect();
@@ -124,7 +124,7 @@ struct LocalQuadratic {
 }
 
 impl LocalQuadratic {
-    /// Nothing where the likelihood is below the smallest number.
+    /// `None` if the likelihood is below the smallest number.
     fn new(grid: &Grid, values: &[WeightedValue], value: &WeightedValue) -> Option<Self> {
         if value.log_likelihood == f64::NEG_INFINITY {
             return None;

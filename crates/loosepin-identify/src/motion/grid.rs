@@ -253,7 +253,7 @@ impl Grid {
         1.0 / cells as f64
     }
 
-    /// The unknown along which cells are coarsest beside the consistent set; nothing where all are fine enough.
+    /// The unknown along which cells are coarsest beside the consistent set; `None` if all are fine enough.
     fn coarsest(&self) -> Option<usize> {
         let share = |unknown: usize| self.share_of_set(unknown);
         let splittable = |unknown: &usize| self.axes[*unknown] == Axis::Continuous && self.counts[*unknown] < MAX_CELLS;
@@ -263,7 +263,7 @@ impl Grid {
         (share(coarsest) > RESOLUTION).then_some(coarsest)
     }
 
-    /// The next finer cells, and which of them are to be tested; nothing where they are fine enough, or where none is open.
+    /// The next finer cells, and which of them are to be tested; `None` if they are fine enough, or where none is open.
     fn finer(&self, with_inside: bool) -> Option<(Self, Vec<usize>)> {
         let unknown = self.coarsest()?;
         let is_coarse = with_inside && self.share_of_set(unknown) > INSIDE;

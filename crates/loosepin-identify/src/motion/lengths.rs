@@ -137,7 +137,7 @@ fn drawn(
     }))
 }
 
-/// Likelihoods over their sum; nothing where none is above 0.
+/// Likelihoods over their sum; empty if none is above 0.
 fn weights(logs: &[f64]) -> Vec<f64> {
     let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if most == f64::NEG_INFINITY {

@@ -82,7 +82,7 @@ struct Student {
 }
 
 impl Student {
-    /// Beside so many runs of so many features; nothing where the covariance of these has no inverse.
+    /// Beside so many runs of so many features; `None` if the covariance of these has no inverse.
     fn new(runs: usize, features: usize) -> Option<Self> {
         let freedom = runs.checked_sub(features).filter(|freedom| *freedom > 0)? as f64;
         let (count, features) = (runs as f64, features as f64);
@@ -188,7 +188,7 @@ impl NearestNormal {
 
     /// Shares of the common errors at these levels in (0, 1), drawn one after the other, each cut to its interval, and the logarithm of their density
     /// (A. Genz, "Numerical computation of multivariate normal probabilities", Journal of Computational and Graphical Statistics 1 (1992)
-    /// 141-149). Nothing where no number is left of it.
+    /// 141-149). `None` if no number is left of it.
     fn drawn(&self, levels: &[f64], instruments: usize) -> Option<(Vec<f64>, f64)> {
         let count = self.movable.len();
         let (mut off, mut log_drawn, mut shares) = (vec![0.0; count], 0.0, vec![0.0; instruments]);

@@ -130,7 +130,7 @@ fn carried(grid: &Grid, values: &[WeightedValue], least: usize) -> Result<Distri
     if share <= MAX_FAILED { Ok(found) } else { Err(failed(share)) }
 }
 
-/// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; none where the
+/// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; empty if the
 /// others carry so much that halving does not help.
 fn carrying(grid: &Grid, values: &[WeightedValue], found: &Distribution, unknown: usize) -> Vec<usize> {
     let mut is_kept = vec![false; values.len()];

@@ -21,14 +21,14 @@ const LENGTHS: u64 = 0x6d6f_7469_6f6e;
 const ERRORS: u64 = 0x6572_726f_7273;
 const SPECIMEN: u64 = 0x7370_6563_696d;
 
-/// Features of the runs at one point: of each run one number a feature, not a number where it failed.
+/// Features of the runs at one point: of each run one number a feature, NaN if it failed.
 pub(crate) type Runs = Rc<Vec<Vec<f64>>>;
 
 /// A mechanism with what it would show.
 pub(crate) struct Mechanism {
     pub random: Vec<f64>,
     pub epistemic: Vec<f64>,
-    /// Of each feature its true value, SI; not a number where the run failed.
+    /// Of each feature its true value, SI; NaN if the run failed.
     pub features: Vec<f64>,
 }
 

@@ -75,7 +75,7 @@ pub(crate) struct Scatter {
 }
 
 impl Scatter {
-    /// Nothing where all runs failed.
+    /// `None` if all runs failed.
     pub fn new(runs: &[Vec<f64>], seen: &Observation) -> Option<Self> {
         let rows: Vec<&Vec<f64>> = runs.iter().filter(|run| run.iter().all(|value| value.is_finite())).collect();
         let failed = runs.len() - rows.len();

@@ -59,7 +59,7 @@ impl Entity {
         Entity { layer: "0".to_owned(), shape, extrusion: [0.0, 0.0, 1.0] }
     }
 
-    /// A vertex of the entity in the frame of the drawing; nothing where the plane of the entity is tilted.
+    /// A vertex of the entity in the frame of the drawing; `None` if the plane of the entity is tilted.
     ///
     /// Source: DXF Reference, "Object Coordinate Systems": of the plane with the normal -z, the x axis is the -x axis of the
     /// drawing.

@@ -99,7 +99,7 @@ impl Stepper {
         }
     }
 
-    /// Computes what dense output of the step at hand needs, once a step.
+    /// Computes what dense output of the current step needs, once a step.
     pub fn prepare_dense<T: Real>(&self, rows: &mut StepRows<'_, T>, step: T, system: &mut impl System<T>) {
         for (extra, row) in self.tableau.dense_stages.iter().enumerate() {
             self.derivative_at_point(rows, self.end_row() + 1 + extra, row, step, system);

@@ -189,7 +189,7 @@ fn guess_words(guesses: &[(String, f64)]) -> String {
     }
 }
 
-/// Where the drive is, behind an instant; nothing where that is not known.
+/// Where the drive is, behind an instant; empty if that is not known.
 fn at_words(at: Option<&DrivePlace>) -> String {
     let Some(DrivePlace { drive, position_si, dimension }) = at else { return String::new() };
     let in_turn =

@@ -52,7 +52,7 @@ pub struct PlayGeometry<T> {
     pub minimum_impact_speed_m_s: T,
     /// Impact speed beyond which the law is not meant to hold, m/s; infinite where no density is given.
     pub largest_valid_impact_speed_m_s: f64,
-    /// Restitution that a free impact delivers; none where it depends on the masses that meet.
+    /// Restitution that a free impact delivers; `None` if it depends on the masses that meet.
     pub delivered_restitution: Option<f64>,
 }
 

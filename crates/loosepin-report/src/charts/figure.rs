@@ -227,7 +227,7 @@ impl Figure {
         html! { img src=(format!("data:image/svg+xml;charset=utf-8,{source}")) alt=(self.title()) style="max-width: 100%"; }
     }
 
-    /// The numbers behind the figure as comma-separated values, after a line on where they are from; nothing for a picture that
+    /// The numbers behind the figure as comma-separated values, after a line on where they are from; `None` for a picture that
     /// stands for no numbers.
     pub fn to_csv(&self) -> Option<String> {
         let csv = self.csv.as_ref()?;

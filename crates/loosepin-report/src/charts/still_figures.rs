@@ -104,7 +104,7 @@ fn key(class: &str, stands_for: &str) -> Markup {
     }
 }
 
-/// The forces that part the samples on the rim into thirds, N, to one digit; none where no forces are known, or hardly different ones.
+/// The forces that part the samples on the rim into thirds, N, to one digit; `None` if no forces are known, or hardly different ones.
 fn force_steps(orbit: &JournalOrbit) -> Option<[f64; 2]> {
     if orbit.force_n.len() != orbit.x_m.len() {
         return None;

@@ -39,7 +39,7 @@ pub struct ChangedInput {
     pub path: String,
     /// The same in words.
     pub words: String,
-    /// What A has, with its unit; nothing where it has no such entry.
+    /// What A has, with its unit; `None` if it has no such entry.
     pub before: Option<String>,
     /// What B has.
     pub after: Option<String>,
@@ -87,7 +87,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     (found, left_out)
 }
 
-/// The text of a kind in both results; nothing where one of them has none.
+/// The text of a kind in both results; `None` if one of them has none.
 fn texts(pair: [&StudyResult; 2], role: InputRole) -> Option<[std::sync::Arc<Source>; 2]> {
     let [before, after] = pair.map(|result| result.repeat.file_of(role));
     let source = |file: &InputText| Source::new(file.name.as_str(), file.text.as_str());

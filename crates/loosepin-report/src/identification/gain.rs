@@ -90,7 +90,7 @@ fn bound_words(ends_si: [f64; 2], bound: &GainedBound, writer: &NumberWriter<'_>
     format!("{lower} to {upper}")
 }
 
-/// How much narrower a bound is; nothing where it is of one value.
+/// How much narrower a bound is; empty if it is of one value.
 fn narrower_words(bound: &GainedBound, writer: &NumberWriter<'_>) -> String {
     let [before, after] = [bound.before_si, bound.after_si].map(|ends| ends[1] - ends[0]);
     if !(before > 0.0) || !after.is_finite() {

@@ -263,7 +263,7 @@ fn with_scale(frame: Frame, font_mm: f64) -> Frame {
 const PICTURE_PX: [f64; 2] = [520.0, 420.0];
 
 /// The mechanism in one pose as an SVG file of its own, that needs no network and follows the colours of the reader's
-/// system; nothing where the record holds no poses.
+/// system; empty if the record holds no poses.
 pub fn mechanism_picture(drawing: &Drawing, name: &str) -> String {
     if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
         return String::new();

@@ -132,7 +132,7 @@ pub(crate) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f
     }
 }
 
-/// A point in the frame of its body; none where the record names one that is not there.
+/// A point in the frame of its body; `None` if the record names one that is not there.
 pub(crate) fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
     let point = drawing.bodies.get(end.body)?.points.get(end.point)?;
     Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
@@ -143,7 +143,7 @@ pub(crate) fn has_rails(joint: &DrawnJoint) -> bool {
     joint.kind.has_faces()
 }
 
-/// Where the second point of a joint is from the first in all poses, mm, in the frame of the first one's body; none where the record names
+/// Where the second point of a joint is from the first in all poses, mm, in the frame of the first one's body; `None` if the record names
 /// no such point.
 fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<Vec<(f64, f64)>> {
     let origin_mm = point_mm(drawing, joint.first)?;

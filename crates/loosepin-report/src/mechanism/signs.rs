@@ -81,7 +81,7 @@ impl DriveSign {
     }
 }
 
-/// The sign of a drive; none where the record names no such joint.
+/// The sign of a drive; `None` if the record names no such joint.
 pub(crate) fn drive_sign(drawing: &Drawing, drive: &DrawnDrive, poses: &PoseTable, pin: f64) -> Option<DriveSign> {
     let joint = drawing.joints.get(drive.joint)?;
     let is_ground = |body: usize| drawing.bodies.get(body).is_some_and(|body| body.is_ground);

@@ -124,7 +124,7 @@ impl Page {
 }
 
 /// When the page is written, to the minute. `SOURCE_DATE_EPOCH`, in seconds since 1970, sets the clock, so that a page can be made again
-/// byte for byte (<https://reproducible-builds.org/specs/source-date-epoch/>). Nothing where neither gives a date.
+/// byte for byte (<https://reproducible-builds.org/specs/source-date-epoch/>). `None` if neither gives a date.
 fn written_at() -> Option<String> {
     let now = match std::env::var("SOURCE_DATE_EPOCH") {
         Ok(seconds) => UNIX_EPOCH.checked_add(Duration::from_secs(seconds.parse().ok()?))?,

@@ -28,7 +28,7 @@ pub(super) enum Shown {
     Found,
 }
 
-/// The largest effect of play on an output; not a number where there are no positions.
+/// The largest effect of play on an output; NaN if there are no positions.
 pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayEffect {
     let answer = &output.clearance;
     if answer.worst_case_si.is_empty() {

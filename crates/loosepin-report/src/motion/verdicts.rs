@@ -7,7 +7,7 @@ use crate::words::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;
 
-/// The headline over all requirements; nothing where there are none.
+/// The headline over all requirements; `None` if there are none.
 pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
     let verdicts = || record.requirements.iter().map(|requirement| requirement.verdict);
     if record.requirements.is_empty() {

@@ -204,7 +204,7 @@ fn statistic(statistic: Statistic) -> String {
 /// A number as it stands in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaggedNumber {
-    /// What it is; nothing where that was not said.
+    /// What it is; `None` if that was not said.
     pub tag: Option<Tag>,
     /// The digits as they are shown, without unit: `97.9`, `1.2e-9`, `−0.5`, `1.2 · 10⁻⁹`.
     pub digits: String,

@@ -71,7 +71,7 @@ fn exponent(writer: &NumberWriter, part: &str, value: f64, digits: usize, roundi
     writer.with_tag(&Tag::whole("Lyapunov exponent", part)).rounded(value, &SiUnit::NONE, digits, rounding)
 }
 
-/// The section of the page; nothing where a run says nothing about it.
+/// The section of the page; `None` if a run says nothing about it.
 pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
     if record.kind.is_none() && record.lyapunov.is_none() {
         return None;

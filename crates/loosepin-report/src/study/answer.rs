@@ -137,7 +137,7 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
         .filter(|curve| !curve.mixed.lower_si.is_empty())
 }
 
-/// The band of scatter alone beside that of all unknown values; nothing for the output itself, whose size is no deviation.
+/// The band of scatter alone beside that of all unknown values; `None` for the output itself, whose size is no deviation.
 fn scatter_sentence(
     result: &StudyResult,
     curve: &DeviationCurve,
@@ -413,7 +413,7 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
 }
 
-/// How much wider or narrower than the mixed band, as far as its error lets that be told; nothing where both hardly differ.
+/// How much wider or narrower than the mixed band, as far as its error lets that be told; empty if both hardly differ.
 fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
     let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {

@@ -148,7 +148,7 @@ impl<'a> JointForces<'a> {
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
     }
 
-    /// Says where all contacts began below a least impact speed that the model has raised; nothing where it is the usual one.
+    /// Says where all contacts began below a least impact speed that the model has raised; `None` if it is the usual one.
     pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
         let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
         let floor_m_s = floors.min_by(f64::total_cmp).filter(|floor_m_s| *floor_m_s > USUAL_FLOOR_M_S)?;

@@ -30,7 +30,7 @@ fn trust_tag(statistic: &str, part: &str) -> Tag {
 }
 
 impl TrustedRun<'_> {
-    /// How long its positions can be trusted; nothing where they are not integrated.
+    /// How long its positions can be trusted; empty if they are not integrated.
     pub fn sentences(&self, writer: &NumberWriter) -> Vec<String> {
         match self.trust {
             Trust::Solved => Vec::new(),
@@ -109,7 +109,7 @@ impl TrustedRun<'_> {
         Fact::new("Accuracy of positions", [words])
     }
 
-    /// The section of the page; nothing where nothing was measured.
+    /// The section of the page; `None` if nothing was measured.
     pub fn section(&self, writer: &NumberWriter) -> Option<Markup> {
         /// Tolerances between which the statistics of the reference study were held against each other, m (`docs/theory/time.md`).
         const COARSEST_M: f64 = 1e-6;
@@ -135,7 +135,7 @@ impl TrustedRun<'_> {
     }
 }
 
-/// The run of a study with nominal dimensions, in a sentence and why its statistics do not need it; nothing where nothing was measured, or
+/// The run of a study with nominal dimensions, in a sentence and why its statistics do not need it; empty if nothing was measured, or
 /// where positions are not integrated.
 pub(crate) fn nominal_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     if !matches!(result.nominal_trust, Trust::Measured(_)) {

@@ -10,7 +10,7 @@ const MAX_TOLD: usize = 3;
 /// Digits of what later turns add.
 const DIGITS: usize = 2;
 
-/// That motions differ from turn to turn, and what that does; nothing where all repeat themselves.
+/// That motions differ from turn to turn, and what that does; `None` if all repeat themselves.
 pub(crate) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
     let share = result.settled_share.filter(|share| *share < 1.0)?;
     let finished = result.counts.runs - result.counts.failed;

@@ -267,7 +267,7 @@ pub(crate) fn failed_words(promise: &PromiseRecord, failed: u64, writer: &Number
     format!("{} of the {tried} values that were tried", count(failed, writer))
 }
 
-/// Where the bounds are that no table shows, for all `count` are points of curves; nothing where there are none.
+/// Where the bounds are that no table shows, for all `count` are points of curves; `None` if there are none.
 pub(crate) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
     (count > 0).then(|| {
         format!(

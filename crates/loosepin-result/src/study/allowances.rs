@@ -18,10 +18,10 @@ pub struct AllowanceRecord {
     /// The loosest value that was asked about.
     #[serde(with = "extended")]
     pub up_to_si: f64,
-    /// The loosest value at which all requirements are met, and met again with other random numbers; none where there is none.
+    /// The loosest value at which all requirements are met, and met again with other random numbers; `None` if there is none.
     #[serde(with = "extended")]
     pub allowed_si: Option<f64>,
-    /// The next value above it that was tried, at which they are not met or not decided; none where `allowed_si` is `up_to_si`.
+    /// The next value above it that was tried, at which they are not met or not decided; `None` if `allowed_si` is `up_to_si`.
     #[serde(with = "extended")]
     pub beyond_si: Option<f64>,
     /// Where fits were asked about: the loosest one that is allowed.

@@ -71,7 +71,7 @@ pub struct RandomContributor {
     /// variance that is left.
     #[serde(with = "extended")]
     pub band_share: f64,
-    /// Its share of the variance by the quasi-static answer without play, linear; none where there is no such answer.
+    /// Its share of the variance by the quasi-static answer without play, linear; `None` if there is no such answer.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
 }
@@ -88,7 +88,7 @@ pub struct EpistemicContributor {
     /// Error of both, by the model of the quantiles.
     #[serde(with = "extended")]
     pub error: f64,
-    /// The share of its joint in the quasi-static worst case of all clearances; none for what is no clearance.
+    /// The share of its joint in the quasi-static worst case of all clearances; `None` for what is no clearance.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
 }

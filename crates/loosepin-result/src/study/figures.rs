@@ -217,7 +217,7 @@ impl TreatmentBand {
         (self.coverage_minimum - unknown).max(0.0)
     }
 
-    /// The larger part of the error of its ends that a surrogate does not know; nothing for a band of direct runs.
+    /// The larger part of the error of its ends that a surrogate does not know; `None` for a band of direct runs.
     pub fn surrogate_error_si(&self) -> Option<f64> {
         let ends = self.ends.as_ref().filter(|_| self.is_by_surrogate)?;
         Some(ends[0].error.surrogate_si.max(ends[1].error.surrogate_si))

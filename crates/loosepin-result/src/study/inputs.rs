@@ -131,7 +131,7 @@ pub struct OutputDescription {
     pub words: String,
     /// Unit of its values.
     pub unit: SiUnit,
-    /// Which part of the error of which point it is; nothing where it is a number that can be read off the mechanism.
+    /// Which part of the error of which point it is; `None` if it is a number that can be read off the mechanism.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub path: Option<PathOutput>,
     /// The joint with play whose force it is; absent, and not written, for any other output.

@@ -175,7 +175,7 @@ pub struct StudyResult {
 }
 
 impl StudyResult {
-    /// Verdict over all requirements; nothing where nothing is required.
+    /// Verdict over all requirements; `None` if nothing is required.
     pub fn verdict(&self) -> Option<Verdict> {
         Verdict::of_all(self.requirements.iter().map(|requirement| requirement.verdict))
     }

@@ -37,7 +37,7 @@ pub struct RequirementOutcome {
     /// Values of the epistemic inputs at which a run failed, so that this promise states nothing.
     #[serde(default, skip_serializing_if = "is_zero_count")]
     pub failed_values: u64,
-    /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
+    /// Mechanisms that were counted at the witness; `None` if the share is no count at one value of the epistemic inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountedMechanisms>,
     /// The verdict.

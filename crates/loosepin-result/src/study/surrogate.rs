@@ -65,7 +65,7 @@ pub struct SurrogateOutput {
     /// Root mean square of the held-out errors, over runs and along a curve.
     #[serde(with = "extended")]
     pub held_out_si: f64,
-    /// 1 - Σ error²/Σ (y - mean)² of held-out runs; nothing for a constant.
+    /// 1 - Σ error²/Σ (y - mean)² of held-out runs; `None` for a constant.
     #[serde(with = "extended")]
     pub q2: Option<f64>,
     /// What the held-out errors say about the response.

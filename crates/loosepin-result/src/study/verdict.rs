@@ -52,7 +52,7 @@ impl Verdict {
         }
     }
 
-    /// Verdict over several requirements: the worst of them; nothing where nothing is required.
+    /// Verdict over several requirements: the worst of them; `None` if nothing is required.
     pub fn of_all(verdicts: impl IntoIterator<Item = Self>) -> Option<Self> {
         let rank = |verdict: &Self| match verdict {
             Self::Met => 0,

@@ -97,7 +97,7 @@ pub(super) fn driven_steps(
     drives.map(|drive| sample.drives.constant_speed(*drive).map(|speed| speed * half_s)).collect()
 }
 
-/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; nothing where ends are.
+/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; `None` if ends are.
 pub(super) fn why_unproven(
     mechanism: &Mechanism,
     coordinate: Option<usize>,

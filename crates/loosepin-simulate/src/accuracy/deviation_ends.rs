@@ -150,7 +150,7 @@ impl Asked<'_, '_> {
         bends.then(|| format!("an expression of the model is not linear in {path}"))
     }
 
-    /// The numbers of the model with quantities moved; nothing where a rule forbids them.
+    /// The numbers of the model with quantities moved; `None` if a rule forbids them.
     fn with_dimensions(&self, moved: &[(QuantityId, f64)]) -> Option<Values> {
         let table = &self.mechanism.model.quantities;
         let mut set: Vec<(QuantityId, f64)> =

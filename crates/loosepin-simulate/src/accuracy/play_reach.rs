@@ -67,7 +67,7 @@ impl PlayReach {
         })
     }
 
-    /// The displacement e that is furthest along `gradient`, which makes g·e largest; none where the gradient is zero.
+    /// The displacement e that is furthest along `gradient`, which makes g·e largest; `None` if the gradient is zero.
     ///
     /// The border |y| = c + b (1 - cos θ) - a |sin θ| of a guide is bent inwards (its second derivative over θ,
     /// b cos θ + a |sin θ|, is positive), so that only its four ends (±c, 0) and (0, ±θ_max) can be furthest.
@@ -196,7 +196,7 @@ fn taken_m(tilt_rad: f64, half_length_m: f64, half_height_m: f64) -> f64 {
     half_length_m * sin_cos(tilt_rad).0 - 2.0 * half_height_m * half_sine * half_sine
 }
 
-/// The smallest θ > 0 with a sin θ = c + b (1 - cos θ); none where b + c > √(a² + b²), so that the slider can turn over.
+/// The smallest θ > 0 with a sin θ = c + b (1 - cos θ); `None` if b + c > √(a² + b²), so that the slider can turn over.
 ///
 /// Newton's method from θ = c/a, which lies below the root; the function is concave there, so that no step goes beyond it.
 fn largest_tilt_rad(clearance_m: f64, half_length_m: f64, half_height_m: f64) -> Option<f64> {

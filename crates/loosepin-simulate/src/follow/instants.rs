@@ -16,7 +16,7 @@ pub(super) struct Instants {
     readings: usize,
     /// All readings at the first instant, then at the next.
     values: Vec<f64>,
-    /// The readings over the step at hand, where it passes at an even pace and they are several.
+    /// The readings over the current step, where it passes at an even pace and they are several.
     polynomials: Vec<Quintic>,
 }
 
@@ -97,7 +97,7 @@ impl Instants {
         self.values[index * self.readings + reading] = without_negative_zero(value);
     }
 
-    /// All readings at the first instant, then at the next; not a number where none was taken in.
+    /// All readings at the first instant, then at the next; NaN if none was taken in.
     pub fn take_values(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.values)
     }

@@ -158,7 +158,7 @@ impl FollowLayout {
         numbers[Self::IS_EXTREME] = is_extreme;
     }
 
-    /// The largest and the smallest value of all that is reduced with those of the step at hand, each with its place among the numbers of the
+    /// The largest and the smallest value of all that is reduced with those of the current step, each with its place among the numbers of the
     /// lane, which `get` reads and `set` changes.
     pub fn take_extremes<N>(&self, numbers: &mut N, get: impl Fn(&N, usize) -> f64, set: impl Fn(&mut N, usize, f64)) {
         for deviation in 0..self.deviations.len() {
@@ -173,7 +173,7 @@ impl FollowLayout {
         }
     }
 
-    /// The largest and the smallest value of a deviation with those of the step at hand, each with its place among the numbers of the lane,
+    /// The largest and the smallest value of a deviation with those of the current step, each with its place among the numbers of the lane,
     /// which `get` reads.
     fn extremes(&self, deviation: usize, get: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
         let first = self.deviation(deviation);

@@ -179,7 +179,7 @@ impl PathLayout {
         }
     }
 
-    /// The largest and the smallest value of each part with those of the step at hand where it is asked for, each with its place among the
+    /// The largest and the smallest value of each part with those of the current step where it is asked for, each with its place among the
     /// numbers of the lane, which `get` reads.
     pub fn extremes(&self, get: impl Fn(usize) -> f64) -> [[(usize, f64); 2]; 4] {
         let over = self.over(&get);

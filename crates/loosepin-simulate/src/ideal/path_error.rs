@@ -4,7 +4,7 @@ use loosepin_math::{Real, Vec2};
 use loosepin_result::study::PathError;
 
 /// A part of the `error` of a point: [`PathError`] has the equations. `velocity` and `acceleration` are those of the ideal point, over any
-/// variable: tangent and curvature are the same for all. Not a number where the ideal point stands still, [`PathError::Magnitude`]
+/// variable: tangent and curvature are the same for all. NaN if the ideal point stands still, [`PathError::Magnitude`]
 /// excepted.
 #[inline(always)]
 pub fn path_error<T: Real>(part: PathError, error: Vec2<T>, velocity: Vec2<T>, acceleration: Vec2<T>) -> T {

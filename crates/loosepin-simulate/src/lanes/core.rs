@@ -59,7 +59,7 @@ pub struct Core<'a> {
     reading_depths: u32,
     /// The lanes in which the root of a penetration is an unknown: their steps do not pass at an even pace.
     over_root: u32,
-    /// Whether the dense output belongs to the step at hand.
+    /// Whether the dense output belongs to the current step.
     is_dense: bool,
 }
 
@@ -314,7 +314,7 @@ impl<'a> Core<'a> {
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
-    /// Largest change of a slope between the ends of the step at hand of a lane, in allowed errors of its unknown.
+    /// Largest change of a slope between the ends of the current step of a lane, in allowed errors of its unknown.
     pub fn change_of_slopes(&self, lane: usize) -> f64 {
         let end = self.pass.stepper.end_row() * self.pass.layout.length();
         let change = |(unknown, weight): (usize, usize)| {
@@ -324,7 +324,7 @@ impl<'a> Core<'a> {
         self.pass.lane.weights().enumerate().map(change).fold(0.0, f64::max)
     }
 
-    /// Moves the end of the step at hand of a lane by a small part of it: unknowns, integrals and energy by their slopes, and what is read with two
+    /// Moves the end of the current step of a lane by a small part of it: unknowns, integrals and energy by their slopes, and what is read with two
     /// derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
     pub fn move_end(&mut self, lane: usize, by: f64) {
         self.is_dense = false;
@@ -401,7 +401,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Follows the step at hand in the chosen lanes that are recorded.
+    /// Follows the current step in the chosen lanes that are recorded.
     pub fn follow(&mut self) {
         let Self { pass, memory, backend, .. } = self;
         match backend {
@@ -410,7 +410,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Makes the readings over the step at hand polynomials, in all lanes.
+    /// Makes the readings over the current step polynomials, in all lanes.
     pub fn spread(&mut self) {
         let Self { pass, memory, backend, .. } = self;
         match backend {
@@ -419,13 +419,13 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// A reading over the step at hand of a lane, as a polynomial of its share.
+    /// A reading over the current step of a lane, as a polynomial of its share.
     pub fn reading(&self, lane: usize, reading: usize) -> Quintic {
         let first = self.pass.lane.followed().start + self.pass.follow.reading(reading);
         Quintic { coefficients: self.memory.some(Block::Lane, first, lane) }
     }
 
-    /// Puts down, from place `first` of the instants that wait on, some within the steps at hand of their lanes, whose readings are polynomials.
+    /// Puts down, from place `first` of the instants that wait on, some within the current steps of their lanes, whose readings are polynomials.
     pub fn add_pending_instants(&mut self, first: usize, awaited: &[PendingInstant]) {
         let Self { pass, memory, waiting, .. } = self;
         let followed = pass.lane.followed().start;
@@ -454,7 +454,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Reads, in all lanes, at the instants in [`FollowLayout::INSTANT`] within the steps at hand, whose readings are polynomials; the readings are
+    /// Reads, in all lanes, at the instants in [`FollowLayout::INSTANT`] within the current steps, whose readings are polynomials; the readings are
     /// in [`FollowLayout::VALUES`].
     pub fn look_in_place(&mut self) {
         let Self { pass, memory, backend, .. } = self;
@@ -546,7 +546,7 @@ impl<'a> Core<'a> {
         places.map(|(place, play)| FrictionPath { play, path_j: self.state(lane, place) }).collect()
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self) {
         if self.is_dense {
             return;
@@ -573,13 +573,13 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Value of a reading that is looked at inside the step at hand of a lane, at a point.
+    /// Value of a reading that is looked at inside the current step of a lane, at a point.
     pub fn inside(&self, lane: usize, point: usize, reading: usize) -> f64 {
         let place = self.pass.first_inside() + self.pass.follow.inside().value(point, reading);
         self.memory.get(Block::Stages, place, lane)
     }
 
-    /// Evaluations of the equations that the first look inside the step at hand costs: [`Self::prepare_dense`].
+    /// Evaluations of the equations that the first look inside the current step costs: [`Self::prepare_dense`].
     pub fn evaluations_for_dense(&self) -> u64 {
         match &self.backend {
             Backend::SingleLane(plain) if plain.is_implicit() => 0,

@@ -56,7 +56,7 @@ pub struct Search {
     pub before: (f64, f64),
 }
 
-/// Purpose of the attempt at hand.
+/// Purpose of the current attempt.
 #[derive(Debug, Clone, Copy)]
 pub enum Phase {
     /// To go on.
@@ -79,7 +79,7 @@ pub struct LaneRun {
     pub observer: RunHandle,
     /// Steps that end before this time need not be shown to the observer, s.
     pub awaited_s: f64,
-    /// Whether the step at hand lies in the recorded part.
+    /// Whether the current step lies in the recorded part.
     pub is_recorded: bool,
     /// Longest step in time, s.
     pub longest_s: f64,
@@ -95,7 +95,7 @@ pub struct LaneRun {
     pub arms: Arms,
     /// Steps end here at the latest, s: at the start and at the end of the window, and where the pieces of a drive's motion meet.
     pub stop_s: f64,
-    /// Whether the step at hand ends there.
+    /// Whether the current step ends there.
     pub reaches_stop: bool,
     /// Steps in turn during which time hardly went on.
     pub stalled: u32,
@@ -136,7 +136,7 @@ pub enum Decision {
 }
 
 impl LaneRun {
-    /// Whether the step at hand ends with the run.
+    /// Whether the current step ends with the run.
     pub fn is_at_end(&self) -> bool {
         self.reaches_stop && self.stop_s == self.window.end_s
     }

@@ -59,7 +59,7 @@ impl<'s, 'a> LaneStep<'s, 'a> {
         }
     }
 
-    /// Which way the pin of a slot can pass the end on this side, and what goes through zero there, at both ends; none where there is no slot.
+    /// Which way the pin of a slot can pass the end on this side, and what goes through zero there, at both ends; `None` if there is no slot.
     #[inline]
     pub fn passage(&self, contact: usize, sample: &Sample<f64>, side: f64) -> Option<(Crossing, [GapJet; 2])> {
         let (along, half_length_m) = self.along_slot(contact, sample)?;

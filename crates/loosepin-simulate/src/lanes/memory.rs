@@ -91,7 +91,7 @@ impl LaneLayout {
     pub const IS_WATCHED: usize = 16;
     /// 1 where the last attempt must be looked at; elsewhere it is accepted or rejected without.
     pub const ATTENTION: usize = 17;
-    /// 1 where the step at hand lies in the recorded part.
+    /// 1 where the current step lies in the recorded part.
     pub const IS_RECORDED: usize = 18;
     /// Evaluations of the equations of motion in the run so far.
     pub const EVALUATIONS: usize = 19;

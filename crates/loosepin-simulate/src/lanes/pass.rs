@@ -135,7 +135,7 @@ impl Pass {
         }
     }
 
-    /// Counts the step at hand, in the chosen lanes, where a penetration has its minimum in it and the contact holds: it falls at the start of the
+    /// Counts the current step, in the chosen lanes, where a penetration has its minimum in it and the contact holds: it falls at the start of the
     /// step and rises at its end.
     fn count_minima<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         if self.lasting_share == 1.0 {
@@ -302,14 +302,14 @@ impl Pass {
         }
     }
 
-    /// Follows the step at hand in the chosen lanes that are recorded: [`FollowLayout::follow`].
+    /// Follows the current step in the chosen lanes that are recorded: [`FollowLayout::follow`].
     pub fn follow<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
         let (own, step) = self.followed(blocks);
         self.follow.follow(own, &step, is_chosen);
     }
 
-    /// Makes the readings over the step at hand polynomials: [`FollowLayout::spread`].
+    /// Makes the readings over the current step polynomials: [`FollowLayout::spread`].
     pub fn spread<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let (own, step) = self.followed(blocks);
         self.follow.spread(own, &step);
@@ -321,7 +321,7 @@ impl Pass {
         self.follow.look(own, time, length);
     }
 
-    /// The numbers of what is followed, and the ends of the step at hand.
+    /// The numbers of what is followed, and the ends of the current step.
     fn followed<'b, T: Real>(&self, blocks: &'b mut MemoryBlocks<'_, T>) -> (&'b mut [T], StepEnds<'b, T>) {
         let (length, first) = (blocks.lane[LaneLayout::STEP], self.reads.output(0));
         let sides = [&*blocks.start_reads, &*blocks.end_reads];
@@ -330,14 +330,14 @@ impl Pass {
         (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, readings })
     }
 
-    /// Where the values inside the step at hand begin among its slopes, behind the dense output: [`InsideLayout::value`].
+    /// Where the values inside the current step begin among its slopes, behind the dense output: [`InsideLayout::value`].
     ///
     /// [`InsideLayout::value`]: crate::follow::InsideLayout::value
     pub fn first_inside(&self) -> usize {
         self.stepper.rows() * self.layout.length()
     }
 
-    /// The state at one of Lobatto's points of the step at hand, whose dense output is known; with integrals where `state` has room for them.
+    /// The state at one of Lobatto's points of the current step, whose dense output is known; with integrals where `state` has room for them.
     pub fn state_inside<T: Real>(&self, rows: &StepRows<'_, T>, point: usize, state: &mut [T]) {
         let share = T::from_f64(LOBATTO[point].0);
         for (i, value) in state.iter_mut().enumerate() {
@@ -345,7 +345,7 @@ impl Pass {
         }
     }
 
-    /// Takes the values inside the step at hand into their extremes and integrals, in the chosen lanes that are recorded.
+    /// Takes the values inside the current step into their extremes and integrals, in the chosen lanes that are recorded.
     pub fn take_inside<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
         let jet = |reads: &[T]| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]);
@@ -356,7 +356,7 @@ impl Pass {
         numbers[FollowLayout::IS_PEAK] = is_peak;
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense<T: Real>(&self, rows: &mut StepRows<'_, T>, lane: &[T], system: &mut impl System<T>) {
         self.stepper.prepare_dense(rows, lane[LaneLayout::STEP], system);
     }

@@ -37,7 +37,7 @@ pub struct PassPrograms<P = Program> {
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`]. Angles are near those in
     /// [`Block::StartReads`].
     pub slope: P,
-    /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. Nothing where no root ever
+    /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. `None` if no root ever
     /// is.
     pub slope_by_roots: Option<P>,
     /// The slope, and the numbers read at an end of a step.

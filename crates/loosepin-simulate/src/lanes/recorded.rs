@@ -202,12 +202,12 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.close_account, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Follows the step at hand, in the chosen lanes.
+    /// Follows the current step, in the chosen lanes.
     pub fn follow(&mut self, memory: &mut Memory) {
         run(&self.sequences.follow, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Makes the readings over the step at hand polynomials, in all lanes.
+    /// Makes the readings over the current step polynomials, in all lanes.
     pub fn spread(&mut self, memory: &mut Memory) {
         run(&self.sequences.spread, 0..self.used, memory, &mut self.scratch);
     }
@@ -217,17 +217,17 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.look, 0..places, memory, &mut self.scratch);
     }
 
-    /// Reads at an instant in each lane, within the step at hand.
+    /// Reads at an instant in each lane, within the current step.
     pub fn look_in_place(&mut self, memory: &mut Memory) {
         run(&self.sequences.look, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Takes in the values inside the step at hand, whose dense output is known, in the chosen lanes.
+    /// Takes in the values inside the current step, whose dense output is known, in the chosen lanes.
     pub fn look_inside(&mut self, memory: &mut Memory) {
         run(&self.sequences.inside, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self, memory: &mut Memory) {
         run(&self.sequences.prepare_dense, 0..self.used, memory, &mut self.scratch);
     }

@@ -134,7 +134,7 @@ impl<'a> SingleLane<'a> {
         }
     }
 
-    /// Computes what looks inside of the step at hand need.
+    /// Computes what looks inside of the current step need.
     pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
         let MemoryBlocks { lane, mut rows, .. } = MemoryBlocks::new(memory.blocks());
         if self.is_implicit() {
@@ -145,7 +145,7 @@ impl<'a> SingleLane<'a> {
         self.motion.set_near(false);
     }
 
-    /// Whether the step at hand is an implicit one: its dense output is to be corrected.
+    /// Whether the current step is an implicit one: its dense output is to be corrected.
     pub fn is_implicit(&self) -> bool {
         self.implicit.as_ref().is_some_and(|implicit| implicit.is_at_hand)
     }
@@ -157,7 +157,7 @@ impl<'a> SingleLane<'a> {
         implicit.correct(equations, &MemoryBlocks::new(memory.blocks()), share, state)
     }
 
-    /// Takes in the values inside the step at hand, whose dense output is known; gives the evaluations that corrections took.
+    /// Takes in the values inside the current step, whose dense output is known; gives the evaluations that corrections took.
     pub fn look_inside(&mut self, pass: &Pass, memory: &mut Memory) -> u64 {
         let Self { motion, projection, inside, state, arms, implicit, .. } = self;
         let mut implicit = implicit.as_mut().filter(|implicit| implicit.is_at_hand);

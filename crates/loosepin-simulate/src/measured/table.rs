@@ -33,7 +33,7 @@ pub struct MeasuredColumn {
     pub name: String,
     /// Its dimension.
     pub dimension: Dimension,
-    /// Its values, SI; not a number where the cell is empty.
+    /// Its values, SI; NaN if the cell is empty.
     pub values_si: Vec<f64>,
     /// Where its header stands.
     pub(super) place: Span,
@@ -203,7 +203,7 @@ impl TableReader {
         Some(MeasuredTable { abscissa, name: first.name.clone(), at_si, columns, source, places })
     }
 
-    /// All rows, that of the header first; nothing where there is none.
+    /// All rows, that of the header first; `None` if there is none.
     pub fn rows(&mut self) -> Option<Vec<Row>> {
         let source = Arc::clone(&self.source);
         // A byte order mark is no part of the first name.

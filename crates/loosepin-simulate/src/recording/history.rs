@@ -43,7 +43,7 @@ pub struct Plan {
     pub settings: Settings,
     /// Whether positions, velocities and accelerations of all bodies are recorded.
     pub with_states: bool,
-    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
+    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; `None` if it is not asked for.
     pub lyapunov_turns: Option<u32>,
     /// Whether a second run measures how long the positions can be trusted; that costs about as much again.
     pub second_run: bool,
@@ -247,7 +247,7 @@ struct Recorder<'a> {
     /// Values and ideal values by column.
     value_si: Vec<Vec<f64>>,
     ideal_si: Vec<Vec<f64>>,
-    /// Minimum (negated) and maximum of each column, then of each deviation; none where they are left out.
+    /// Minimum (negated) and maximum of each column, then of each deviation; empty if they are left out.
     extremes: Vec<[Peak; 2]>,
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,

@@ -11,7 +11,7 @@ const BAND: f64 = 0.1;
 /// Last swings over first ones below which the swings die out, and above which they grow.
 const STEADY: [f64; 2] = [0.8, 1.25];
 
-/// The swings of `error_si` about its mean over the last part of `time_s`; none where there are fewer than four whole ones, where
+/// The swings of `error_si` about its mean over the last part of `time_s`; `None` if there are fewer than four whole ones, where
 /// they die out, or where they are no wider than `resolved_si` either way.
 ///
 /// A swing lasts from one upward crossing of the middle of the range to the next; its amplitude is half its range.

@@ -52,7 +52,7 @@ pub fn section_sizes(mechanism: &Mechanism, sample: &Sample<f64>) -> Vec<f64> {
 }
 
 /// The smallest number of turns p, at most half of those looked at, after which everything is back: |e(k + p) - e(k)| within
-/// [`REPEAT_SHARE`] of its size for all turns k. None where there is none: the motion has not settled, has a longer period,
+/// [`REPEAT_SHARE`] of its size for all turns k. `None` if there is none: the motion has not settled, has a longer period,
 /// or never repeats itself.
 ///
 /// `sections`: what [`section`] reads, once a turn; `sizes`: what [`section_sizes`] says.

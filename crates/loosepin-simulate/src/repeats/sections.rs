@@ -57,7 +57,7 @@ impl SectionRecorder {
         }
     }
 
-    /// The kind of motion; nothing for a mechanism that follows its drives alone, and for less than two turns. `angle_rad`: the
+    /// The kind of motion; `None` for a mechanism that follows its drives alone, and for less than two turns. `angle_rad`: the
     /// angle of the drive, or the phase of the cycle, where each turn begins.
     pub fn kind(
         &self,

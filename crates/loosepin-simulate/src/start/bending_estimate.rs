@@ -22,8 +22,8 @@ const POSITIONS: u32 = 72;
 pub struct BendingEstimate {
     /// The body.
     pub body: BodyId,
-    /// Largest angle of a section from the frame of the body, rad; in absolute nodal coordinates from the line through its ends. Not a number
-    /// where both ends are held.
+    /// Largest angle of a section from the frame of the body, rad; in absolute nodal coordinates from the line through its ends. NaN
+    /// if both ends are held.
     pub largest_angle_rad: f64,
     /// Largest pull in it, N, >= 0.
     pub largest_tension_n: f64,

@@ -55,7 +55,7 @@ enum Held {
     Sideways,
 }
 
-/// What holds the other body of `hold` against that of the clamp `base`; nothing where neither is so.
+/// What holds the other body of `hold` against that of the clamp `base`; `None` if neither is so.
 fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Option<Held> {
     if hold.to == base.to {
         return Some(Held::Sideways);

@@ -22,9 +22,9 @@ const CORRECTIONS: u64 = 2;
 pub struct Implicit {
     /// The method.
     pub radau: Radau,
-    /// Whether the step at hand is one of it.
+    /// Whether the current step is one of it.
     pub is_at_hand: bool,
-    /// The last look inside the step at hand: its share and the corrected coordinates and rates there.
+    /// The last look inside the current step: its share and the corrected coordinates and rates there.
     looked: Option<(f64, Vec<f64>)>,
 }
 
@@ -42,7 +42,7 @@ impl Implicit {
         }
     }
 
-    /// Corrects the state at `share` of the step at hand, which is that of the cubics; gives the evaluations that it took.
+    /// Corrects the state at `share` of the current step, which is that of the cubics; gives the evaluations that it took.
     pub fn correct(
         &mut self,
         (pass, motion, projection): (&Pass, &mut Motion<'_, f64>, Option<&mut Projection<f64>>),

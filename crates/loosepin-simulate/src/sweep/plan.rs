@@ -46,7 +46,7 @@ impl SweepPlan {
         set.model.quantities.evaluate(&settings)
     }
 
-    /// The smallest clearance of all runs; none where no joint has play in any.
+    /// The smallest clearance of all runs; `None` if no joint has play in any.
     pub fn smallest_clearance(&self, set: &SetValues) -> Option<SmallestClearance> {
         let of_runs =
             (0..self.points).filter_map(|index| SmallestClearance::of(&set.model, &self.values(set, index).ok()?));

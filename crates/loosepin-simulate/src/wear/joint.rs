@@ -9,7 +9,7 @@ use loosepin_mechanics::model::{JointId, PlayId, Values, WearPressure};
 pub struct WearingJoint {
     /// The joint.
     pub joint: JointId,
-    /// Its index in [`Mechanism::plays`]; none where its clearance is zero.
+    /// Its index in [`Mechanism::plays`]; `None` if its clearance is zero.
     pub play: Option<usize>,
     /// Radii R_i of the bearing and R_j of the journal, m.
     pub radii_m: [f64; 2],
@@ -21,7 +21,7 @@ pub struct WearingJoint {
     pub cycles: f64,
     /// Sectors of each surface.
     pub sectors: usize,
-    /// The patch over which the pressure is distributed; none where all of it is in one sector.
+    /// The patch over which the pressure is distributed; `None` if all of it is in one sector.
     pub patch: Option<LinePatch>,
 }
 

@@ -173,7 +173,7 @@ impl Life {
         self.points.iter().map(|point| point.cycle.patch_sectors[index]).fold(f64::INFINITY, f64::min)
     }
 
-    /// Cycles until the largest deviation of `column` passes `limit_si`, between two jumps on a straight line, with the two; none where
+    /// Cycles until the largest deviation of `column` passes `limit_si`, between two jumps on a straight line, with the two; `None` if
     /// it never does.
     pub fn until(&self, column: usize, limit_si: f64) -> Option<(f64, [f64; 2])> {
         let value = |point: &LifePoint| point.cycle.deviations_si[column];

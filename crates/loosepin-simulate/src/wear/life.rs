@@ -34,7 +34,7 @@ pub struct LifePlan<'a> {
     pub settings: &'a Settings,
 }
 
-/// The wear of all cycles where the worn shape of `mechanism` acts back; nothing where its model holds the unworn shape. Afterwards
+/// The wear of all cycles where the worn shape of `mechanism` acts back; `None` if its model holds the unworn shape. Afterwards
 /// `sample` is worn.
 ///
 /// Each cycle starts from the ideal positions and velocities, as every run does, on a shape that is held meanwhile.

@@ -13,7 +13,7 @@ use std::fmt::Write;
 const SURFACES: [WornSurface; 2] = [WornSurface::Bearing, WornSurface::Journal];
 
 impl WearRecorder {
-    /// The life; nothing where the model holds the unworn shape.
+    /// The life; `None` if the model holds the unworn shape.
     pub fn life_record(&self, mechanism: &Mechanism) -> Option<WearLifeRecord> {
         let life = self.life.as_ref()?;
         let columns = columns(&mechanism.model);

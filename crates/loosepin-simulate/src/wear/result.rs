@@ -146,7 +146,7 @@ impl WearRecorder {
         records.collect()
     }
 
-    /// A measure of the wear of a joint after all cycles, SI; not a number where it is not known.
+    /// A measure of the wear of a joint after all cycles, SI; NaN if it is not known.
     pub fn value(&self, joint: JointId, measure: WearMeasure, report: &RunReport) -> f64 {
         let Some(place) = self.joints.iter().position(|own| own.joint == joint) else { return f64::NAN };
         match &self.life {

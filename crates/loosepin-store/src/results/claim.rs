@@ -250,7 +250,7 @@ fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, R
     Ok(replaced)
 }
 
-/// The first entry of a folder by name; none where it is empty. Files named `beside` and those of locks are left aside, and what is not
+/// The first entry of a folder by name; `None` if it is empty. Files named `beside` and those of locks are left aside, and what is not
 /// whole: its writer was stopped before it had its name.
 fn first_entry(folder: &Folder, beside: &[&str]) -> Result<Option<String>, ResultsError> {
     const MAX_ENTRIES: usize = 1 << 20;

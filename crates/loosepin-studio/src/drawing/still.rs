@@ -24,7 +24,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// From mm and degrees; nothing where it is none, or far away.
+    /// From mm and degrees; `None` if it is none, or far away.
     pub fn of_page([x, y, degrees]: [f64; 3]) -> Option<Self> {
         let is_near = [x, y, degrees].iter().all(|value| value.is_finite() && value.abs() < FURTHEST_MM);
         is_near.then(|| Self { origin_m: [x * M_PER_MM, y * M_PER_MM], angle_rad: degrees.to_radians() })

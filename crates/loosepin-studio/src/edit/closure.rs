@@ -29,7 +29,7 @@ const POSITIONS: usize = 121;
 
 /// A drag whose loops close where it left them.
 pub struct PreservedClosure {
-    /// The drag, with the new guesses; nothing where the model does not let them be written.
+    /// The drag, with the new guesses; `None` if the model does not let them be written.
     pub drag: Option<DragOutcome>,
 }
 

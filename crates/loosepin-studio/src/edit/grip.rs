@@ -39,11 +39,11 @@ const TOLERANCE: &str = "tolerance";
 pub struct DragOutcome {
     /// The same for the page.
     pub reshaped: DragResult,
-    /// The model as it is to be; nothing where it stays.
+    /// The model as it is to be; `None` if it stays.
     pub model: Option<String>,
-    /// The study as it is to be; nothing where it stays.
+    /// The study as it is to be; `None` if it stays.
     pub study: Option<String>,
-    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were. Nothing where a guide turns: all moves.
+    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were. Empty if a guide turns: all moves.
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies as the drag leaves them.
     poses: Vec<Pose>,
@@ -70,7 +70,7 @@ pub fn refused_drag(words: String) -> DragOutcome {
 struct Moved {
     /// Numbers that change, and their new values, SI.
     coordinates: Vec<(QuantityId, f64)>,
-    /// Where each joint is to be, m; nothing where that cannot be said.
+    /// Where each joint is to be, m; empty if that cannot be said.
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies afterwards.
     poses: Vec<Pose>,

@@ -15,7 +15,7 @@ pub struct Nearest {
     pub far_m: f64,
 }
 
-/// The position at which joints lie nearest to where they are expected; between two poses they go straight. Nothing where nothing is
+/// The position at which joints lie nearest to where they are expected; between two poses they go straight. `None` if nothing is
 /// expected of them.
 pub fn nearest(gripped: &DragOutcome, drawing: &Drawing) -> Option<Nearest> {
     let poses = &drawing.poses;

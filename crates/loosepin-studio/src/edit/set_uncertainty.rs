@@ -148,7 +148,7 @@ struct Number {
     dimension: Dimension,
     /// The unit in which it is written; empty for a plain number.
     unit: String,
-    /// Its value; none of a play that is not there yet.
+    /// Its value; `None` for a play that is not there yet.
     nominal: Option<WrittenQuantity>,
 }
 

@@ -16,7 +16,7 @@ pub struct Written {
 }
 
 impl Written {
-    /// Reads a plain number with its unit; nothing where the text is an expression.
+    /// Reads a plain number with its unit; `None` if the text is an expression.
     pub fn read(text: &str) -> Option<Self> {
         let text = text.trim();
         let end = text.find(|c: char| !matches!(c, '0'..='9' | '.' | '-' | '+')).unwrap_or(text.len());

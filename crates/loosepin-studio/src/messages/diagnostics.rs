@@ -29,7 +29,7 @@ pub struct Stretch {
 /// A second place that matters to a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LabelView {
-    /// The text; nothing where it is none of the two.
+    /// The text; `None` if it is none of the two.
     pub document: Option<Document>,
     /// Where in it.
     #[serde(flatten)]
@@ -41,7 +41,7 @@ pub struct LabelView {
 /// Something wrong, or worth a warning.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DiagnosticView {
-    /// The text at fault; nothing where it is none of the two.
+    /// The text at fault; `None` if it is none of the two.
     pub document: Option<Document>,
     /// Path of the file at fault.
     pub path: Option<String>,

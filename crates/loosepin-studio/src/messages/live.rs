@@ -167,7 +167,7 @@ pub struct LookAnswer {
     pub seq: u64,
     /// Everything wrong, and warnings.
     pub diagnostics: Vec<DiagnosticView>,
-    /// The mechanism; nothing where the model cannot be read, or does not move.
+    /// The mechanism; `None` if the model cannot be read, or does not move.
     pub view: Option<View>,
     /// What a drag did: `diagnostics` and `view` are of the texts with its changes.
     pub reshaped: Option<DragResult>,

@@ -132,7 +132,7 @@ pub struct ForceView {
     pub name: String,
     /// What it is, in words.
     pub kind: &'static str,
-    /// Both ends of a spring along a line; the one place of all others; nothing where no point says where.
+    /// Both ends of a spring along a line; the one place of all others; empty if no point says where.
     pub ends: Vec<PinView>,
     /// Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees.
     pub direction_deg: Option<f64>,

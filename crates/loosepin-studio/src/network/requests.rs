@@ -39,9 +39,9 @@ pub struct OpenRequest {
 /// A model, or a study with its model.
 #[derive(Serialize)]
 pub struct OpenAnswer {
-    /// Nothing where the model of the study cannot be read.
+    /// `None` if the model of the study cannot be read.
     pub model: Option<OpenedText>,
-    /// Nothing where a model was asked for.
+    /// `None` if a model was asked for.
     pub study: Option<OpenedText>,
 }
 
@@ -63,7 +63,7 @@ pub struct SaveRequest {
     pub path: String,
     /// What it says.
     pub text: String,
-    /// Of the text that it is made of; nothing of a new one.
+    /// Of the text that it is made of; `None` for a new one.
     pub tag: Option<String>,
 }
 
@@ -144,7 +144,7 @@ pub struct DrawRequest {
     /// It.
     #[serde(flatten)]
     pub drawn: Drawn,
-    /// Path of the new folder into which model and study go; nothing where only words are asked for.
+    /// Path of the new folder into which model and study go; `None` if only words are asked for.
     pub folder: Option<String>,
 }
 

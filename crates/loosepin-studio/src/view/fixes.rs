@@ -8,7 +8,7 @@ use crate::messages::{Change, Document, Fix};
 /// Marks in which messages set what is written and what was probably meant.
 const MARKS: [char; 2] = ['\'', '"'];
 
-/// The change that the hint of a diagnostic proposes; nothing where it proposes more than one word in place of another, or where that word
+/// The change that the hint of a diagnostic proposes; `None` if it proposes more than one word in place of another, or where that word
 /// does not stand exactly once at the place of the diagnostic.
 pub fn fix(diagnostic: &Diagnostic, document: Option<Document>) -> Option<Fix> {
     let place = diagnostic.place.as_ref()?;

@@ -12,7 +12,7 @@ const MAX_PACE: f64 = 1.5;
 /// The power where nothing has been seen yet: that of independent runs.
 const USUAL_PACE: f64 = 0.5;
 
-/// What came of accuracy and budget; nothing where neither was stated.
+/// What came of accuracy and budget; `None` if neither was stated.
 pub fn accuracy(material: &Material<'_>, ended: &RoundsEnd) -> Option<AccuracyRecord> {
     let budget = ended.budget?;
     let plan = &material.response.shared.plan;

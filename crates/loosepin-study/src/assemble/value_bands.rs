@@ -17,7 +17,7 @@ const FEWEST_RUNS: usize = 40;
 /// Digits that are kept: finer than any screen.
 const DIGITS: usize = 6;
 
-/// Quantiles of the finished runs at each value, counted pose by pose, within `mixed`, which holds for all of them. Nothing where no input is
+/// Quantiles of the finished runs at each value, counted pose by pose, within `mixed`, which holds for all of them. Empty if no input is
 /// epistemic, or where one has masses: there `mixed` holds for the shares of its values, not at each.
 pub fn value_bands(material: &Material<'_>, ask: &Ask, mixed: &CurveRange) -> Vec<ValueBand> {
     let epistemic = &material.study.epistemic;
@@ -79,7 +79,7 @@ impl<'v> InPart<'v> {
         Self { values, least: 0 }
     }
 
-    /// The quantile as bounds have it; not a number where there are too few values for it.
+    /// The quantile as bounds have it; NaN if there are too few values for it.
     fn quantile(&mut self, probability: f64) -> f64 {
         let count = self.values.len();
         let value = between_order_statistics(count, probability * count as f64, |place| self.at(place));

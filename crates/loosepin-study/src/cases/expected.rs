@@ -120,7 +120,7 @@ impl ExpectedReader<'_> {
         })
     }
 
-    /// The settings, checked against the model; none where the key is not written.
+    /// The settings, checked against the model; `None` if the key is not written.
     fn settings(&mut self, written: Option<&Entry<'_>>) -> Option<Option<Vec<String>>> {
         let Some(entry) = written else { return Some(None) };
         let mut settings = Vec::new();

@@ -3,7 +3,7 @@
 use super::case::{ComputedColumn, History};
 use loosepin_simulate::Simulation;
 
-/// Largest absolute difference over the rows of the columns that count as one number, SI; not a number where the run has other
+/// Largest absolute difference over the rows of the columns that count as one number, SI; NaN if the run has other
 /// rows.
 pub(super) fn largest_difference(history: &History, simulation: &Simulation) -> f64 {
     let rows = &history.reference.rows;

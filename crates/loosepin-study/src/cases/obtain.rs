@@ -33,7 +33,7 @@ impl<'c> Runs<'c> {
         Self { case, done: Vec::new() }
     }
 
-    /// The number as the program has it, SI; not a number where the run has none.
+    /// The number as the program has it, SI; NaN if the run has none.
     ///
     /// # Errors
     /// A run or the ideal motion fails.

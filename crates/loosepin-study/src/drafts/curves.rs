@@ -11,7 +11,7 @@ use loosepin_result::study::{CurveRange, DraftCurve};
 /// Most poses of a curve: as many as a small picture shows.
 const MAX_POSES: usize = 60;
 
-/// One curve for each ask for the whole cycle; none where no run is of use.
+/// One curve for each ask for the whole cycle; empty if no run is of use.
 pub(crate) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec<DraftCurve> {
     let mut runs_at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (run, inputs) in table.inputs().iter().enumerate() {

@@ -18,7 +18,7 @@ const PILOT_RUNS: usize = 512;
 pub(crate) struct Drafting<'s> {
     study: &'s Study,
     response: &'s StudyResponse,
-    /// Nothing where a pilot would be no smaller than the first round.
+    /// `None` if a pilot would be no smaller than the first round.
     pilot: Option<Pilot>,
 }
 
@@ -44,7 +44,7 @@ impl<'s> Drafting<'s> {
         Some(Pilot { plan, places })
     }
 
-    /// `plan` for what a draft tells; nothing where there is nothing of it.
+    /// `plan` for what a draft tells; `None` if there is nothing of it.
     fn without_curves(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
         let asks = || self.response.shared.plan.asks.iter();
         let curve = asks().find(|ask| ask.location == Where::Cycle);

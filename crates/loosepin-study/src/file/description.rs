@@ -208,7 +208,7 @@ impl EpistemicInput {
         }
     }
 
-    /// The interval that holds all possible values; nothing where it is one of a list.
+    /// The interval that holds all possible values; `None` if it is one of a list.
     pub fn interval(&self) -> Option<Interval> {
         self.variable.range()
     }

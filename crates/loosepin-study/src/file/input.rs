@@ -109,7 +109,7 @@ impl StudyReader {
         }
     }
 
-    /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
+    /// Reads what is known of a quantity where that is more than an interval or a list; `None` if it is neither.
     fn structured(
         &mut self,
         known: &EpistemicTable<'_>,

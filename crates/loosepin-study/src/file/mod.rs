@@ -72,7 +72,7 @@ pub fn study_schema() -> serde_json::Value {
 /// Keys at the top of study files that model files do not have.
 const STUDY_MARKS: [&str; 7] = ["model", "random", "epistemic", "ask", "require", "measured", "sampling"];
 
-/// The model that the text of a study names, as it is written; nothing where it names none, or is not TOML.
+/// The model that the text of a study names, as it is written; `None` if it names none, or is not TOML.
 pub fn named_model(source: &Arc<Source>) -> Option<String> {
     parse_toml(source).ok()?.get_ref().get("model")?.get_ref().as_str().map(str::to_owned)
 }

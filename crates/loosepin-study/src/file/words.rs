@@ -64,7 +64,7 @@ pub(crate) fn dimension_of_statistic(statistic: Statistic, of_output: Dimension)
     if statistic.is_probability() { Dimension::NUMBER } else { of_output }
 }
 
-/// The name that a statistic of one number has in study files; nothing for others.
+/// The name that a statistic of one number has in study files; `None` for others.
 pub(crate) fn statistic_name(statistic: Statistic) -> Option<&'static str> {
     statistic.is_single().then(|| statistic.word())
 }

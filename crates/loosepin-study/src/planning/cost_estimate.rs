@@ -7,7 +7,7 @@ use loosepin_bounds::PromisePlan;
 pub struct CostEstimate {
     /// As [`crate::plan_runs`].
     pub most_runs: usize,
-    /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
+    /// Processor time of a run on the lanes of one thread, s; `None` if the first steps do not tell.
     pub run_s: Option<f64>,
     /// Those of the runs that stand behind a promise, where something is promised.
     pub promise: Option<PromiseCost>,

@@ -72,7 +72,7 @@ impl Timing {
     /// preparing/prepared + stepping/Σ evaluations · mean(evaluations/share)
     /// ```
     ///
-    /// None where the runs came to less than `least_share` of their time, on average.
+    /// `None` if the runs came to less than `least_share` of their time, on average.
     fn run_s(&self, least_share: f64) -> Option<f64> {
         let count = self.runs.len() as f64;
         let all: f64 = self.runs.iter().map(|(evaluations, _)| evaluations).sum();
@@ -84,7 +84,7 @@ impl Timing {
     }
 }
 
-/// Processor time of a whole run, s, from the first runs of the plan; none where they do not tell.
+/// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not tell.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
 fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {

@@ -54,7 +54,7 @@ struct Settings {
     is_stated: bool,
     /// Turns after the recorded ones.
     turns: u32,
-    /// Runs that are made again; none where their share of the study decides.
+    /// Runs that are made again; `None` if their share of the study decides.
     runs: Option<usize>,
 }
 

@@ -3,13 +3,13 @@
 /// Extras of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunExtras {
-    /// Relative energy residual; not a number where the motion was not integrated.
+    /// Relative energy residual; NaN if the motion was not integrated.
     pub energy_residual: f64,
     /// Evaluations of the equations of motion.
     pub evaluations: f64,
     /// Accepted steps.
     pub steps: f64,
-    /// Largest relative change of a pose over the last turn; not a number where no whole turn was recorded.
+    /// Largest relative change of a pose over the last turn; NaN if no whole turn was recorded.
     pub change_over_last_turn: f64,
     /// One for each joint with play.
     pub joints: Vec<JointExtras>,
@@ -22,7 +22,7 @@ pub struct JointExtras {
     pub contacts: f64,
     /// Those that began slower than the floor of the law.
     pub floored: f64,
-    /// Impacts faster than the law is meant for; not a number where its limit is unknown.
+    /// Impacts faster than the law is meant for; NaN if its limit is unknown.
     pub beyond_validity: f64,
     /// Largest penetration, m.
     pub largest_penetration_m: f64,
@@ -30,7 +30,7 @@ pub struct JointExtras {
     pub peak_force_n: f64,
     /// Restitution as stated; not a number for a law without one.
     pub nominal_restitution: f64,
-    /// Restitution that a free impact delivers; not a number where it depends on the masses that meet.
+    /// Restitution that a free impact delivers; NaN if it depends on the masses that meet.
     pub delivered_restitution: f64,
     /// Largest penetration over the radial clearance of the run.
     pub largest_penetration_share: f64,

@@ -32,7 +32,7 @@ pub struct RecordedOutput {
     pub name: String,
     /// Unit of its values.
     pub unit: SiUnit,
-    /// Angles of the drive at the points of a curve, rad; nothing for a number.
+    /// Angles of the drive at the points of a curve, rad; `None` for a number.
     pub pose_rad: Option<Vec<f64>>,
     /// Where its values stand in a row.
     pub columns: Vec<usize>,

@@ -12,7 +12,7 @@ pub struct StudyOutput {
     pub output: usize,
     /// Name of the output; a path adds ` x`, ` y`, ` along`, ` normal`, ` magnitude` or ` contour`.
     pub name: String,
-    /// Which part of a path it is; nothing where the output is one number.
+    /// Which part of a path it is; `None` if the output is one number.
     pub component: Option<&'static str>,
     /// Its quantity in words, for example `x of slider.pin`.
     pub words: String,

@@ -372,7 +372,7 @@ impl<'r> Recorder<'r> {
     }
 
     /// Largest difference between all poses at the end and one turn before, relative to `size_m` in positions and in rad for
-    /// angles. None where less than a turn was recorded.
+    /// angles. `None` if less than a turn was recorded.
     pub fn change_over_last_turn(&self, size_m: f64) -> Option<f64> {
         let (before, end) = (self.turn_before.as_ref()?, self.at_end.as_ref()?);
         let differences = before.iter().zip(end).map(|(a, b)| {

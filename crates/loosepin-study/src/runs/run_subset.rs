@@ -34,7 +34,7 @@ impl RunSubset {
         }
     }
 
-    /// How many shards share the study; nothing where it is made as a whole.
+    /// How many shards share the study; `None` if it is made as a whole.
     pub(crate) fn shards(self) -> Option<u32> {
         match self {
             Self::Whole => None,

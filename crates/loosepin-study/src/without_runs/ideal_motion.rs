@@ -72,7 +72,7 @@ impl InputFile {
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)
     }
 
-    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it
+    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it
     /// cannot be followed.
     pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
         let model = self.model();

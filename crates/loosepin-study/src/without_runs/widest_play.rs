@@ -25,7 +25,7 @@ impl Study {
         known.filter_map(|input| widest((input.path, input.quantity, [input.low_si.max(0.0), input.high_si]))).collect()
     }
 
-    /// The sum of all clearances that depend on a quantity where it is `value_si`, m; nothing where the model cannot take that.
+    /// The sum of all clearances that depend on a quantity where it is `value_si`, m; `None` if the model cannot take that.
     fn sum_of_clearances_m(&self, id: QuantityId, value_si: f64) -> Option<f64> {
         let values = self.model.quantities.evaluate(&[(id, value_si)]).ok()?;
         Some(self.model.play_from(id).map(|(_, clearance)| values[clearance]).sum())

@@ -24,7 +24,7 @@ pub(crate) fn run_command(study: &Study, inputs: &RunInputs) -> String {
     command(study, &study.model_path.display().to_string(), &settings)
 }
 
-/// The command that runs the mechanism of a witness, with random inputs as in the model at `model_path`. Nothing where the witness
+/// The command that runs the mechanism of a witness, with random inputs as in the model at `model_path`. `None` if the witness
 /// has a parameter of a distribution, which no mechanism has.
 pub(crate) fn witness_command(study: &Study, model_path: &str, witness: &Witness) -> Option<String> {
     Some(command(study, model_path, &witness_settings(study, witness)?))

@@ -24,7 +24,7 @@ use loosepin_store::results::{
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem};
 
 /// The settings `path=value` and the plan of the run at a witness of `study`: those of the command that the study prints, random inputs as
-/// in the model. Nothing where the witness has a parameter of a distribution, which no mechanism has.
+/// in the model. `None` if the witness has a parameter of a distribution, which no mechanism has.
 pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Plan)> {
     let settings = witness_settings(study, witness)?;
     let cycle = Cycle {

@@ -30,7 +30,7 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// Factorises V (row by row, its lower triangle); nothing where it is singular to round-off.
+    /// Factorises V (row by row, its lower triangle); `None` if it is singular to round-off.
     pub fn try_new(covariance: Vec<f64>, order: usize) -> Option<Self> {
         let cholesky = Cholesky::new(covariance, order)?;
         Some(Self::of(cholesky.inverse_factor(), cholesky))
@@ -91,7 +91,7 @@ pub struct Whitened {
 }
 
 impl Whitened {
-    /// Factorises V (row by row, its lower triangle) for the columns of F; nothing where V is singular to round-off.
+    /// Factorises V (row by row, its lower triangle) for the columns of F; `None` if V is singular to round-off.
     pub fn try_new<'c>(
         covariance: Vec<f64>,
         trend: impl IntoIterator<Item = &'c Vec<f64>>,

@@ -73,7 +73,7 @@ fn observations<'a>(points: &'a [Vec<f64>], values: &'a [f64], noise: &'a [f64],
 
 impl Kriging {
     /// Fits `values`, with their known variances `noise`, at `points`; from the parameters of `like` alone where that is
-    /// given. Nothing where no covariance could be factorised.
+    /// given. `None` if no covariance could be factorised.
     pub(crate) fn fit(points: &[Vec<f64>], values: &[f64], noise: &[f64], like: Option<&Self>) -> Option<Self> {
         if let Some(like) = like {
             let is_linear = like.stored.is_trend_linear && allows_linear(points);

@@ -67,7 +67,7 @@ impl Observations<'_> {
         covariance
     }
 
-    /// Everything at `parameters`; nothing where V is singular to round-off.
+    /// Everything at `parameters`; `None` if V is singular to round-off.
     pub fn solve(&self, kernel: Kernel, parameters: &[f64]) -> Option<Solved> {
         self.solve_covariance(self.covariance(kernel, parameters, None))
     }

@@ -124,7 +124,7 @@ impl Statistic {
 }
 
 impl Statistic {
-    /// Statistic of a word and its parameter; nothing where they do not go together.
+    /// Statistic of a word and its parameter; `None` if they do not go together.
     pub fn from_word(word: &str, parameter: Option<f64>) -> Option<Self> {
         let is_named = |statistic: &Self| statistic.word() == word;
         match parameter {
@@ -161,7 +161,7 @@ impl Statistic {
         }
     }
 
-    /// Which estimator is right for it; nothing where it is more than one number.
+    /// Which estimator is right for it; `None` if it is more than one number.
     pub fn estimation(self) -> Option<Estimation> {
         self.is_single().then(|| self.with_kind(StatisticKind::estimation))
     }

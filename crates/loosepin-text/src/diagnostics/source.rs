@@ -78,7 +78,7 @@ impl Source {
         Arc::new(Source { name: name.into(), text: text.into(), files: Some(files), positions: OnceLock::new() })
     }
 
-    /// The files that were given with it; nothing where those that it names are opened.
+    /// The files that were given with it; `None` if those that it names are opened.
     pub fn files(&self) -> Option<&[Arc<Source>]> {
         self.files.as_deref()
     }

@@ -17,7 +17,7 @@ const ROUND_OFF: f64 = 1e-12;
 pub struct Difference {
     /// Keys from the top, members of lists of tables by their place from 1: `ask`, `2`, `statistic`.
     pub keys: Vec<String>,
-    /// What the first text has, quotes left out; nothing where it has no such entry.
+    /// What the first text has, quotes left out; `None` if it has no such entry.
     pub before: Option<String>,
     /// What the second text has.
     pub after: Option<String>,

@@ -546,7 +546,7 @@ impl Reader {
         Span { start: start + part.start, end: start + part.end.max(part.start + 1).min(text.len() + 1) }
     }
 }
-/// A quantity with a decimal comma, `50,5 mm`, as it is written here; nothing where that is not what stands there.
+/// A quantity with a decimal comma, `50,5 mm`, as it is written here; `None` if that is not what stands there.
 fn with_point(text: &str) -> Option<String> {
     let (before, after) = text.split_once(',')?;
     let is_number = before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit());

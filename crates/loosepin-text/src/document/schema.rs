@@ -52,7 +52,7 @@ fn property(key: &Key) -> Value {
     schema
 }
 
-/// The range of a number, in words; none where it may be any.
+/// The range of a number, in words; `None` if it may be any.
 fn range(kind: &Kind) -> Option<&'static str> {
     match kind {
         Kind::Quantity { rule: Rule::Finite, .. } | Kind::Number { rule: Rule::Finite } => None,

@@ -472,7 +472,7 @@ impl Parser<'_> {
     }
 }
 
-/// Why a function has no value at `argument`: where it must be, in words to follow "must be". Nothing where it has one.
+/// Why a function has no value at `argument`: where it must be, in words to follow "must be". `None` if it has one.
 fn broken_rule(op: Op, argument: f64) -> Option<&'static str> {
     let (keeps, rule) = match op {
         Op::Logarithm => (argument > 0.0, "> 0"),

@@ -145,7 +145,7 @@ impl IndexPlan {
     }
 
     /// The indices of a response of one or several `columns`, each with one value a point; a value that is not finite leaves its pair
-    /// out. Nothing where a replicate has no pair left or where the response does not vary.
+    /// out. `None` if a replicate has no pair left or where the response does not vary.
     pub fn indices(&self, columns: &[Vec<f64>]) -> Option<Indices> {
         let groups = self.groups.len();
         // For each replicate: the variance, then the numerators of first-order (both kinds) and total indices.

@@ -44,7 +44,7 @@ pub struct EmpiricalCopula {
 }
 
 impl EmpiricalCopula {
-    /// The copula of `rows`, each with a value for every input; nothing where there is no row, or one of another length.
+    /// The copula of `rows`, each with a value for every input; `None` if there is no row, or one of another length.
     pub fn new(rows: &[Vec<f64>]) -> Option<Self> {
         let inputs = rows.first()?.len();
         if inputs == 0 || rows.iter().any(|row| row.len() != inputs) {

@@ -160,7 +160,7 @@ fn matrix_of(group: &[usize], pairs: &[Pair]) -> Vec<Vec<f64>> {
     group.iter().map(|&a| group.iter().map(|&b| entry(a, b)).collect()).collect()
 }
 
-/// Rows of the lower triangle L with L Lᵀ = `matrix`; nothing where there is none.
+/// Rows of the lower triangle L with L Lᵀ = `matrix`; `None` if there is none.
 fn cholesky(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let mut rows: Vec<Vec<f64>> = Vec::with_capacity(matrix.len());
     for (i, given) in matrix.iter().enumerate() {

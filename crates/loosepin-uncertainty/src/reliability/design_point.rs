@@ -103,7 +103,7 @@ pub fn design_points<E>(
     Ok((found, runs))
 }
 
-/// One design point from `start`; nothing where g has no numbers or no slope there.
+/// One design point from `start`; empty if g has no numbers or no slope there.
 pub(super) fn search_design_point<E>(
     limit_state: &mut impl FnMut(&[Vec<f64>]) -> Result<Vec<f64>, E>,
     start: Vec<f64>,

@@ -47,7 +47,7 @@ pub struct IndexRange {
 }
 
 /// The extremes of the reliability index over the unit box, of the `candidates` (at least one) and then by a pattern search along
-/// the axes from the best of them; an axis that `closes` has no ends, 0 and 1 are the same there. Nothing where a candidate has no
+/// the axes from the best of them; an axis that `closes` has no ends, 0 and 1 are the same there. Empty if a candidate has no
 /// design point.
 ///
 /// The probability itself is flat at zero over most of a box and shows no way; the index is smooth. Where the event has several

@@ -53,7 +53,7 @@ pub struct EpistemicParameter {
 }
 
 impl Distribution {
-    /// The number that stands for `parameter`, of a cut distribution before the cut; nothing where the family has no such
+    /// The number that stands for `parameter`, of a cut distribution before the cut; `None` if the family has no such
     /// parameter.
     pub fn parameter_mut(&mut self, parameter: Parameter) -> Option<&mut f64> {
         match (self, parameter) {

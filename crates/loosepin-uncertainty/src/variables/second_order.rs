@@ -37,7 +37,7 @@ impl SecondOrder {
         self.range
     }
 
-    /// Its quantile at `probability`; nothing where that lies outside of the range.
+    /// Its quantile at `probability`; `None` if that lies outside of the range.
     pub fn quantile_in_range(&self, probability: f64) -> Option<f64> {
         let value = self.variable.quantile(probability);
         (value >= self.range.lower() && value <= self.range.upper()).then_some(value)

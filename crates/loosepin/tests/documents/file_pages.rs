@@ -156,7 +156,7 @@ fn every_key_of_the_schemas_is_on_a_page() {
 /// An example, and what it is a part of.
 struct Example {
     text: String,
-    /// The file that it replaces tables of; none where it is whole.
+    /// The file that it replaces tables of; `None` if it is whole.
     within: Option<String>,
 }
 

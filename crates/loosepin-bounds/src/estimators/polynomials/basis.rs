@@ -15,7 +15,7 @@ pub(crate) struct Basis {
 }
 
 impl Basis {
-    /// All terms up to `degree`; nothing where they are too many.
+    /// All terms up to `degree`; `None` if they are too many.
     pub fn try_new(axes: &[Axis], degree: usize) -> Option<Self> {
         Some(Self { axes: axes.to_vec(), degree, terms: exponents(axes.len(), degree)? })
     }
@@ -43,7 +43,7 @@ impl Basis {
     }
 }
 
-/// All exponents of `axes` variables with a sum up to `degree`, in the order of their sum; nothing where they are too many.
+/// All exponents of `axes` variables with a sum up to `degree`, in the order of their sum; `None` if they are too many.
 fn exponents(axes: usize, degree: usize) -> Option<Vec<Vec<usize>>> {
     let mut terms = vec![vec![0; axes]];
     let mut last = terms.clone();

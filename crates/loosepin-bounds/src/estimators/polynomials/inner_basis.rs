@@ -85,7 +85,7 @@ pub(crate) struct CrossFit {
 }
 
 impl InnerBasis {
-    /// Polynomials on `points` of the unit cube, replicate by replicate; nothing where the runs are too few for any.
+    /// Polynomials on `points` of the unit cube, replicate by replicate; `None` if the runs are too few for any.
     pub fn new(axes: &[Axis], points: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let coordinates: Vec<Vec<f64>> = points
             .iter()
@@ -110,7 +110,7 @@ impl InnerBasis {
 }
 
 impl DesignMatrix {
-    /// Polynomials up to `degree` at `coordinates`, replicate by replicate; nothing where the runs are too few.
+    /// Polynomials up to `degree` at `coordinates`, replicate by replicate; `None` if the runs are too few.
     pub fn new(axes: &[Axis], degree: usize, coordinates: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let count = coordinates.len();
         let basis = Basis::try_new(axes, degree)?;

@@ -35,7 +35,7 @@ impl<'m> Assessment<'m> {
         Self { assessed: Vec::new(), freedom, floor, levels, level: 0, least, least_of_level }
     }
 
-    /// The noise ratio whose models come next; nothing where no others are worth it.
+    /// The noise ratio whose models come next; `None` if no others are worth it.
     pub fn next_level(&self) -> Option<usize> {
         (self.level < self.levels).then_some(self.level)
     }

@@ -47,7 +47,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Prepares the models for `points` of the unit box; those that pass beside the values take part where it `may_pass_beside`. Nothing where
+    /// Prepares the models for `points` of the unit box; those that pass beside the values take part where it `may_pass_beside`. `None` if
     /// there are too few points for any model. The factors of an `earlier` grid are taken over where the points begin with its own.
     pub fn try_new(points: &[Vec<f64>], may_pass_beside: bool, axes: &Axes, earlier: &[Arc<Self>]) -> Option<Self> {
         let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.embed(point)).collect();
@@ -90,7 +90,7 @@ impl Grid {
         self.levels.len() * MAX_KERNELS + 1
     }
 
-    /// The model of a process with kinks everywhere, without noise; nothing where its matrix is singular to round-off. Likelihood does not choose it
+    /// The model of a process with kinks everywhere, without noise; `None` if its matrix is singular to round-off. Likelihood does not choose it
     /// (`smoother.rs`).
     pub fn with_kinks(&self) -> Option<&Model> {
         let prepare = || {

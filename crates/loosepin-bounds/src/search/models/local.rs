@@ -73,7 +73,7 @@ pub(crate) struct LocalFits<'a> {
 }
 
 impl LocalSmoothers {
-    /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. `None` if there are
     /// too few `points` for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
         Self::with(points, candidates, axes, |_, points| {
@@ -189,7 +189,7 @@ impl<'a> LocalFits<'a> {
         &self.fits
     }
 
-    /// The fit of all points together; nothing where they are divided.
+    /// The fit of all points together; `None` if they are divided.
     pub fn whole(&self) -> Option<&Fit<'a>> {
         match &self.fits[..] {
             [whole] => Some(whole),
@@ -283,8 +283,8 @@ fn divide(points: &[Vec<f64>], own: Vec<usize>, region: Region, parts: &mut Vec<
     divide(points, above, upper, parts);
 }
 
-/// The axis of the longest side of `region` along which `own` points differ, and the middle between those in their middle; nothing
-/// where all lie in one place.
+/// The axis of the longest side of `region` along which `own` points differ, and the middle between those in their middle; `None`
+/// if all lie in one place.
 fn division(points: &[Vec<f64>], own: &[usize], region: &Region) -> Option<(usize, f64)> {
     let mut axes: Vec<usize> = (0..region.lower.len()).collect();
     let side = |axis: usize| region.upper[axis] - region.lower[axis];

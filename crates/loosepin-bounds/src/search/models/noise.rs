@@ -5,7 +5,7 @@
 pub(crate) struct Noise {
     /// Its mean variance.
     pub variance: f64,
-    /// By how much each replicate of the sample differs from the value at every point, replicate by replicate; none where that is not
+    /// By how much each replicate of the sample differs from the value at every point, replicate by replicate; empty if that is not
     /// known. Where the same random numbers give nearly the same error at neighbouring points these differences are smooth in u, and
     /// no part of them is between the points.
     pub replicates: Vec<Vec<f64>>,

@@ -54,7 +54,7 @@ pub(crate) struct Branch<'a> {
     pub points: Vec<usize>,
     /// Those at which the target is defined.
     pub(in crate::search) defined: Vec<usize>,
-    /// The model; nothing where the target is defined at too few points.
+    /// The model; `None` if the target is defined at too few points.
     pub(in crate::search) model: Option<TargetModel<'a>>,
 }
 
@@ -195,7 +195,7 @@ impl<'a> Search<'a> {
         targets.par_chunks(TARGETS_AT_ONCE).flat_map_iter(of).collect()
     }
 
-    /// The model of `target` on the points at which it is `defined`; nothing where these are too few.
+    /// The model of `target` on the points at which it is `defined`; `None` if these are too few.
     pub(in crate::search) fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
         Some(TargetModel::new(self.smoothers.get(defined)?.as_ref()?, target, defined))
     }

@@ -87,7 +87,7 @@ impl Smoother {
         Self { grid, places, seen_places, are_inside, axes: axes.clone(), at_places }
     }
 
-    /// [`Self::new`] with a grid of its own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// [`Self::new`] with a grid of its own; models that pass beside the values take part where it `may_pass_beside`. `None` if there are
     /// too few points for any model.
     #[cfg(test)]
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
@@ -328,7 +328,7 @@ pub(crate) struct Kinked {
 }
 
 impl Fit<'_> {
-    /// That of a process with kinks everywhere to the same values, worked out when it is first asked for; nothing where they are known to be smooth,
+    /// That of a process with kinks everywhere to the same values, worked out when it is first asked for; `None` if they are known to be smooth,
     /// or noisy.
     pub fn with_kinks(&self) -> Option<&Kinked> {
         self.kinked.get_or_init(|| self.find_with_kinks()).as_ref()

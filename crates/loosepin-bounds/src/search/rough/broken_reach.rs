@@ -54,7 +54,7 @@ struct Neighbour {
     fall: f64,
 }
 
-/// How far a target of these `values` may go beyond its extreme among `members` in `region`; nothing where the surroundings of the
+/// How far a target of these `values` may go beyond its extreme among `members` in `region`; `None` if the surroundings of the
 /// extreme are rounded or not known, or it lies at a vertex. Of an extreme on a face only the points on this face count.
 pub(crate) fn reach_of_break(
     axes: &Axes,

@@ -79,7 +79,7 @@ pub(in crate::search) struct Regressors {
     /// 1, u - ū of each point, and the same for products with vectors.
     by_point: Vec<f64>,
     rows: FourRows,
-    /// (XᵀX)⁻¹; nothing where the points are too few or all alike.
+    /// (XᵀX)⁻¹; `None` if the points are too few or all alike.
     covariance: Option<Vec<f64>>,
 }
 

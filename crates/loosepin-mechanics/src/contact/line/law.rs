@@ -13,7 +13,7 @@ pub struct LineLaw {
     pub source: &'static str,
     /// The point-contact law whose χ it has where the model file names none.
     pub default_damping: &'static PointLaw,
-    /// The smallest and largest radial clearance that the law was fitted to, m; none for a law without a fit.
+    /// The smallest and largest radial clearance that the law was fitted to, m; `None` for a law without a fit.
     pub fitted_clearances_m: Option<[f64; 2]>,
     /// The law for a pair with the factor χ of the energy loss.
     pub contact: fn(pair: &LinePair, damping_factor: f64) -> NormalLaw<f64>,

@@ -82,7 +82,7 @@ pub(in crate::dynamics) struct JointFrictions<T> {
     defects: Vec<T>,
     /// Constraint rows for one forbidden motion.
     gradient: Vec<T>,
-    /// Deflections of bristles, m, by joint with friction: unknowns of a run. None where they have settled.
+    /// Deflections of bristles, m, by joint with friction: unknowns of a run. Empty if they have settled.
     pub bristles_m: Vec<Option<T>>,
 }
 

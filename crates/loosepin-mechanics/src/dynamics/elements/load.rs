@@ -51,7 +51,7 @@ impl<T: Real> Dynamics<'_, T> {
     }
 }
 
-/// The place of a load at the state at hand.
+/// The place of a load at the current state.
 struct LoadAtState<'s, T> {
     pose: &'s Pose<T>,
     twist: &'s Twist<T>,

@@ -12,7 +12,7 @@ pub enum WithoutValue {
 }
 
 impl Dynamics<'_, f64> {
-    /// The first drive, spring, load or control that had no finite value at the last evaluation. None where the state itself is not
+    /// The first drive, spring, load or control that had no finite value at the last evaluation. `None` if the state itself is not
     /// finite: then nothing can be told.
     pub fn element_without_value(&self) -> Option<WithoutValue> {
         let model = &self.mechanism.model;

@@ -198,7 +198,7 @@ pub(in crate::dynamics) struct Pressed<T> {
     pub normal_n: T,
     /// Direction in which they slide, a unit vector.
     pub tangent: Vec2<T>,
-    /// What pushes along the wall beside it, N; none where nothing does.
+    /// What pushes along the wall beside it, N; `None` if nothing does.
     pub push_n: Option<Vec2<T>>,
 }
 

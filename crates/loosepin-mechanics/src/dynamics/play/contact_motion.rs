@@ -77,7 +77,7 @@ pub struct ContactForce<T> {
     pub bristle_rate_m_s: T,
     /// Sliding velocity v_T that friction goes by, m/s; zero where there is neither friction nor wear.
     pub sliding_m_s: T,
-    /// F_N |v_T| summed over the sectors of an elastic foundation, W; none of a contact at one point.
+    /// F_N |v_T| summed over the sectors of an elastic foundation, W; `None` for a contact at one point.
     pub spread_path_w: Option<T>,
     /// Normal force here over that of the contact's law, and on an elastic foundation the force itself, N: one but for the ends of a slot,
     /// which are stiffer, the inner flank of a circular slot, which is less stiff, and the edges of a guide, on which the block leans.

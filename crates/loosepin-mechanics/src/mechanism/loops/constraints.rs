@@ -214,7 +214,7 @@ impl RowOwner {
 pub struct LargestResidual {
     /// Path of the joint or coupling.
     pub path: String,
-    /// How far it stays open, m or rad; not a number where lengths are so large that none holds it.
+    /// How far it stays open, m or rad; NaN if lengths are so large that none holds it.
     pub gap: f64,
     /// Dimension of the residual.
     pub dimension: Dimension,

@@ -85,7 +85,7 @@ impl KnownChain {
         Ok(Some(Self { tree, geometry }))
     }
 
-    /// The control of driven coordinate `k`, as an index of the model's list; none for a drive.
+    /// The control of driven coordinate `k`, as an index of the model's list; `None` for a drive.
     pub fn control_of(&self, model: &Model, k: usize) -> Option<usize> {
         self.tree.drives[k].0.checked_sub(model.drives.len())
     }

@@ -80,7 +80,7 @@ impl Drives<f64> {
         self.motions[index].at(time_s, &mut vec![Dual::constant(Dual::constant(0.0)); law.workspace_length()])
     }
 
-    /// The constant speed of a drive, m/s or rad/s; none for any other motion.
+    /// The constant speed of a drive, m/s or rad/s; `None` for any other motion.
     pub fn constant_speed(&self, drive: DriveId) -> Option<f64> {
         self.motions[drive.0].constant_speed()
     }

@@ -28,7 +28,7 @@ pub trait PlayForm<T: Real> {
     /// How deep the parts may go into each other before one is through the other, m, with the clearance `clearance_m`.
     fn thickness_m(&self, clearance_m: T) -> T;
 
-    /// Radius of the hole, or half the width of the slot, in which a pin is, m; none where there is none.
+    /// Radius of the hole, or half the width of the slot, in which a pin is, m; `None` if there is none.
     fn hole_radius_m(&self) -> Option<T> {
         None
     }
@@ -50,7 +50,7 @@ pub trait PlayForm<T: Real> {
         [None; 2]
     }
 
-    /// Where its walls are, in words, with the stiffness there over that of the contact's law; none where it is the same everywhere.
+    /// Where its walls are, in words, with the stiffness there over that of the contact's law; `None` if it is the same everywhere.
     fn wall_shares(&self) -> Option<[(&'static str, f64); 2]> {
         None
     }

@@ -58,7 +58,7 @@ play_shapes! {
 pub(crate) use ask_shape;
 
 impl<T> PlayShape<T> {
-    /// The hole in which a pin has an orbit; none of other parts.
+    /// The hole in which a pin has an orbit; `None` for other parts.
     #[inline(always)]
     pub fn hole(&self) -> Option<&PinShape<T>> {
         if let Self::Pin(pin) = self { Some(pin) } else { None }
@@ -126,7 +126,7 @@ impl<T: Real> PlayShape<T> {
         ask_shape!(self, parts => parts.wall_shares())
     }
 
-    /// Where the faces of a guide begin and end along its line, m; none where they have no ends, or there are none.
+    /// Where the faces of a guide begin and end along its line, m; `None` if they have no ends, or there are none.
     #[inline(always)]
     pub fn face_ends_m(&self) -> Option<[T; 2]> {
         self.block().and_then(|block| block.ends_m)

@@ -118,7 +118,7 @@ pub(in crate::mechanism) struct Sections {
     pub(in crate::mechanism) shapes: Shapes,
 }
 
-/// The sections of the flexible `body`, from its `from` or, `is_reversed`, from its `to`; nothing for a rigid body.
+/// The sections of the flexible `body`, from its `from` or, `is_reversed`, from its `to`; `None` for a rigid body.
 pub(in crate::mechanism) fn sections_of(
     model: &Model,
     body: BodyId,
@@ -161,7 +161,7 @@ pub(in crate::mechanism) fn sections_of(
     Some(Sections { places, basis, shapes })
 }
 
-/// Place of a point of a flexible body along its axis from `from`, as a share of the length; not a number where the body is rigid.
+/// Place of a point of a flexible body along its axis from `from`, as a share of the length; NaN if the body is rigid.
 pub(in crate::mechanism) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
     let body = &model.bodies[point.body.0];
     let Some(beam) = &body.beam else { return f64::NAN };

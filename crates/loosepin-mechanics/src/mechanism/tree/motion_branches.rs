@@ -27,7 +27,7 @@ pub struct MotionBranches {
 /// too. In the direction w with wᵀ J = 0 it does not contain q̈: wᵀ Φ̈(q̇₀ + α ν) = 0 is a quadratic equation in α, whose two
 /// roots are the two branches that cross.
 ///
-/// Nothing where the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
+/// `None` if the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
 pub fn motion_branches(
     tree: &Tree,
     geometry: &Geometry<f64>,

@@ -71,7 +71,7 @@ pub enum Attachment {
 }
 
 impl Attachment {
-    /// The joint by which a body hangs on its parent, and its direction along the tree; none for a body that hangs on nothing.
+    /// The joint by which a body hangs on its parent, and its direction along the tree; `None` for a body that hangs on nothing.
     pub fn joint(&self) -> Option<(JointId, bool)> {
         match *self {
             Self::Free { .. } | Self::Section { .. } | Self::Node { .. } => None,

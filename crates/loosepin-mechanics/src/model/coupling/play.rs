@@ -14,7 +14,7 @@ use loosepin_text::units::{Dimension as D, Rule};
 pub struct CouplingPlay {
     /// Backlash j, m, >= 0; zero makes the coupling ideal. None of a follower that may lift off its cam.
     pub backlash_m: Option<QuantityId>,
-    /// Radius on which the angle of the second joint counts as a length, m; none where its coordinate is a length.
+    /// Radius on which the angle of the second joint counts as a length, m; `None` if its coordinate is a length.
     pub second_radius_m: Option<QuantityId>,
     /// The contact between the flanks, or between cam and follower.
     pub contact: ContactId,

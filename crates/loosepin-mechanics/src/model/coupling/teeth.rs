@@ -42,7 +42,7 @@ impl Mesh {
         matches!(self, Self::Rack { .. })
     }
 
-    /// How far the centres of the wheels must be apart, m; none where the model does not say where the teeth are.
+    /// How far the centres of the wheels must be apart, m; `None` if the model does not say where the teeth are.
     pub fn distance_m(self, [first_m, second_m]: [f64; 2]) -> Option<f64> {
         match self {
             Self::External => Some(first_m + second_m),

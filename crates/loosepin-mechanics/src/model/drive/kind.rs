@@ -87,7 +87,7 @@ pub trait MotionLaw<T: Real> {
         None
     }
 
-    /// How fast it changes, 1/s: its velocity over `scale`, and what its acceleration and its frequency say about it. None where that takes a
+    /// How fast it changes, 1/s: its velocity over `scale`, and what its acceleration and its frequency say about it. `None` if that takes a
     /// look at the motion.
     fn pace_1_s(&self, scale: T) -> Option<T> {
         let _ = scale;

@@ -62,7 +62,7 @@ pub trait KindOfJoint: Sized {
     /// What it connects, in words.
     fn words(&self, names: &dyn Names) -> String;
 
-    /// What its play is, in words; nothing where it states none.
+    /// What its play is, in words; `None` if it states none.
     fn play_words(&self, names: &dyn Names) -> Option<String> {
         let _ = names;
         None
@@ -159,7 +159,7 @@ pub struct JointPlay {
     pub clearance_m: QuantityId,
     /// The contact.
     pub contact: ContactId,
-    /// The radius that it is part of, m: the clearance is smaller, and in practice far smaller. None where it is part of none.
+    /// The radius that it is part of, m: the clearance is smaller, and in practice far smaller. `None` if it is part of none.
     pub radius_m: Option<QuantityId>,
 }
 

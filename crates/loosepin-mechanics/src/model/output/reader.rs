@@ -15,7 +15,7 @@ pub trait OutputReader: PartReader {
     /// Whether a joint wears.
     fn wears(&self, joint: JointId) -> bool;
 
-    /// What a flexible body is like; nothing of a rigid one.
+    /// What a flexible body is like; `None` for a rigid one.
     fn beam_facts(&self, body: BodyId) -> Option<BeamFacts>;
 }
 

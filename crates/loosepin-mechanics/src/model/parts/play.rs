@@ -13,7 +13,7 @@ impl Model {
         joints.map(|index| PlayId::Joint(JointId(index))).chain(couplings.map(PlayId::Coupling))
     }
 
-    /// The clearance (of a coupling its backlash), m, of what may have play. None where there is none: a cam from which its
+    /// The clearance (of a coupling its backlash), m, of what may have play. `None` if there is none: a cam from which its
     /// follower may lift off.
     pub fn play_clearance(&self, play: PlayId) -> Option<QuantityId> {
         match play {

@@ -65,7 +65,7 @@ pub struct Model {
     pub initial_offsets: Vec<InitialOffset>,
     /// The part of the motion that is run and recorded.
     pub cycle: Cycle,
-    /// For how long wear is stated; none where no joint wears.
+    /// For how long wear is stated; `None` if no joint wears.
     pub wear: Option<WearLife>,
     /// Outputs in file order.
     pub outputs: Vec<Output>,

@@ -121,7 +121,7 @@ impl ModelReader {
         Some(read)
     }
 
-    /// The piston of a force whose table is of pressures, by its area and back pressure; none where it is of forces.
+    /// The piston of a force whose table is of pressures, by its area and back pressure; `None` if it is of forces.
     fn piston(
         &mut self,
         table: &Table<'_>,

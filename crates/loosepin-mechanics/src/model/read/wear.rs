@@ -86,7 +86,7 @@ impl ModelReader {
         Some(self.derived(path, Dimension::WEAR_COEFFICIENT, Rule::NonNegative, ops, &[archard, hardness]))
     }
 
-    /// For how long wear is stated. Nothing where no joint wears.
+    /// For how long wear is stated. `None` if no joint wears.
     pub(super) fn read_life(&mut self, entry: &Option<Entry<'_>>, outputs: &[Output]) -> Option<WearLife> {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
         let life = match entry {
@@ -123,7 +123,7 @@ impl ModelReader {
         Some(WearGeometry::Fixed)
     }
 
-    /// Reports joints that wear with the unworn shape and do not go with it; nothing where one does not.
+    /// Reports joints that wear with the unworn shape and do not go with it; `None` if one does not.
     fn fixed_joints(&mut self) -> Option<()> {
         let mut is_sound = true;
         for (name, contact, pressure, _) in self.wearing_joints() {

@@ -9,7 +9,7 @@ use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::units::quoted;
 
 impl Model {
-    /// The contact whose law has this path, `contact.NAME.law`; nothing where the path is none of a law.
+    /// The contact whose law has this path, `contact.NAME.law`; `None` if the path is none of a law.
     ///
     /// # Errors
     /// The model has no such contact.

@@ -73,7 +73,7 @@ impl Model {
         }
     }
 
-    /// A setting of a law; nothing where the text sets something else.
+    /// A setting of a law; `None` if the text sets something else.
     fn law_setting(&self, text: &str) -> Option<Result<(ContactId, NormalDescription), Diagnostic>> {
         let (path, name) = text.split_once('=')?;
         let contact = self.contact_of_law(path.trim())?;

@@ -359,7 +359,7 @@ fn preconditioned(
     product
 }
 
-/// Solves a system near the identity with `m` right-hand sides, row by row; nothing where a pivot may be zero.
+/// Solves a system near the identity with `m` right-hand sides, row by row; `None` if a pivot may be zero.
 fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: usize) -> Option<Vec<Interval>> {
     for j in 0..n {
         if !(matrix[j * n + j].low() > 0.0) {
@@ -389,7 +389,7 @@ fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: u
     Some(right)
 }
 
-/// The inverse of the first `n` columns of a matrix with `n` rows; nothing where they are singular.
+/// The inverse of the first `n` columns of a matrix with `n` rows; `None` if they are singular.
 fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; n * n];
     for column in 0..n {

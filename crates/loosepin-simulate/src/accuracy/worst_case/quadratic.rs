@@ -119,7 +119,7 @@ impl Quadratic<'_> {
         best.1.iter().map(|value| value * (1.0 + 1e-12) + 1e-15 * largest).collect()
     }
 
-    /// Λ - H; nothing where it is not positive definite.
+    /// Λ - H; `None` if it is not positive definite.
     fn shifted(&self, multipliers: &[f64], hessian: &[f64]) -> Option<Vec<f64>> {
         let n = self.gradient.len();
         let mut matrix: Vec<f64> = hessian.iter().map(|entry| -entry).collect();
@@ -132,7 +132,7 @@ impl Quadratic<'_> {
     }
 }
 
-/// L D Lᵀ of a symmetric matrix, D on the diagonal; nothing where a pivot is not positive.
+/// L D Lᵀ of a symmetric matrix, D on the diagonal; `None` if a pivot is not positive.
 fn factor(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
     let mut factors = matrix.to_vec();
     for j in 0..n {

@@ -11,7 +11,7 @@ use loosepin_mechanics::dynamics::WithoutValue;
 use loosepin_mechanics::mechanism::{GapMeasure, SliderBlock, is_front_corner};
 
 impl Batch<'_> {
-    /// The drive, spring, load or control that has no value where the step at hand of a lane begins, or where it would end if all
+    /// The drive, spring, load or control that has no value where the current step of a lane begins, or where it would end if all
     /// bodies went straight on.
     pub(super) fn element_without_value(&mut self, lane: usize) -> Option<WithoutValue> {
         let run = self.runs[lane].as_ref()?;

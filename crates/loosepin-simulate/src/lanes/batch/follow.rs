@@ -6,7 +6,7 @@ use crate::lanes::core::{Core, PendingInstant, lanes_of};
 use crate::lanes::memory::LaneLayout;
 use crate::lanes::reads::ReadLayout;
 
-/// Lanes over a root with an instant in the step at hand from which on these are read in place, in all lanes: the others are computed in vain,
+/// Lanes over a root with an instant in the current step from which on these are read in place, in all lanes: the others are computed in vain,
 /// and that costs less than putting them by.
 const FEWEST_IN_PLACE: u32 = 8;
 
@@ -73,7 +73,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Locates the extremes of a reading inside the step at hand of a lane, where its values allow new ones.
+    /// Locates the extremes of a reading inside the current step of a lane, where its values allow new ones.
     fn take_peak(&mut self, lane: usize, reading: usize) {
         let Self { core, runs, view, view_projection, view_state, viewed, .. } = self;
         let (Some(run), Some(read)) = (&runs[lane], self.inside.get(reading)) else { return };
@@ -118,7 +118,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Reads at the instants in the steps at hand. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
+    /// Reads at the instants in the current steps. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
     /// and each may hold many: those are read at once. Of the others the first ones are read in place where there are many of them; what is
     /// left waits until it fills all lanes. Of some lanes that are `due` it is known that it `is_instant` what is due.
     fn look_at_instants(&mut self, due: u32, is_instant: u32) {

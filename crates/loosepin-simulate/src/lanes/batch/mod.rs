@@ -88,7 +88,7 @@ pub(crate) struct Batch<'a> {
     inside: Vec<Reading>,
     /// What is followed in the run of each lane.
     follows: Vec<LaneFollow>,
-    /// The events at the ends of the steps at hand, in the lanes that are looked at in this pass.
+    /// The events at the ends of the current steps, in the lanes that are looked at in this pass.
     events: Vec<Option<Event>>,
     /// Instants that wait to be read at.
     waiting: Vec<PendingInstant>,

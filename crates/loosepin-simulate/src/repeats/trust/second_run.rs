@@ -27,7 +27,7 @@ pub(super) fn second_settings(settings: &Settings) -> Settings {
 pub struct SecondRun {
     /// Largest distances from the first run at its instants, m, as far as the second came.
     pub differences_m: Vec<f64>,
-    /// Why it came to no end; none where it did, or parted from the first run.
+    /// Why it came to no end; `None` if it did, or parted from the first run.
     pub failure: Option<RunFailure>,
     /// Evaluations of the equations of motion, where it came to its end.
     pub evaluations: Option<u64>,

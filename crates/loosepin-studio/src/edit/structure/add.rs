@@ -51,7 +51,7 @@ pub struct DraftOutcome {
 
 /// An end with its place.
 struct Attached {
-    /// `body.point`; nothing of a free place.
+    /// `body.point`; `None` for a free place.
     point: Option<String>,
     body: Option<String>,
     at_m: [f64; 2],

@@ -96,7 +96,7 @@ fn is_gone(gone: &BTreeSet<Named>, of: &Named) -> bool {
     gone.contains(of) || of.point.is_some() && gone.contains(&Named::new(&of.table, &of.name))
 }
 
-/// The entry of the model that goes with what a place names; nothing where the place alone does.
+/// The entry of the model that goes with what a place names; `None` if the place alone does.
 fn holder(mention: &NameReference) -> Option<Named> {
     match mention.path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["assembly" | "initial" | "wear", ..] => None,

@@ -59,7 +59,7 @@ impl<'t> Replacements<'t> {
         !self.pieces.is_empty()
     }
 
-    /// The new text; nothing where it is the old one.
+    /// The new text; `None` if it is the old one.
     pub fn text(&self) -> Option<String> {
         let mut new = String::with_capacity(self.old.len());
         let mut from = 0;

@@ -70,7 +70,7 @@ pub struct Statement {
     pub keys: Vec<Key>,
     /// Keys from the top of the file; an element of a list of tables is `#0`, `#1`, ...
     pub path: Vec<String>,
-    /// Value of an entry; none of a header.
+    /// Value of an entry; `None` for a header.
     pub value: Option<Value>,
 }
 
@@ -111,7 +111,7 @@ pub fn element(index: usize) -> String {
     format!("#{index}")
 }
 
-/// The statements of a text; nothing where it is not TOML.
+/// The statements of a text; `None` if it is not TOML.
 pub fn scan(text: &str) -> Option<Scanned> {
     // Whatever is not right, or too deep, is found here.
     parse_toml(&loosepin::diagnostics::Source::new("", text)).ok()?;

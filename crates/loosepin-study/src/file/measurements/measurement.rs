@@ -10,7 +10,7 @@ use loosepin_text::units::SiUnit;
 pub struct Measured {
     /// Name in messages: as written, or `reading 3`.
     pub name: String,
-    /// The mechanism that was measured; nothing where the file does not say.
+    /// The mechanism that was measured; `None` if the file does not say.
     pub specimen: Option<String>,
     /// The instrument, which has the common error.
     pub instrument: String,
@@ -77,7 +77,7 @@ pub enum ReadingScatter {
 pub struct MeasuredMotion {
     /// Name in messages: as written, or output and feature.
     pub name: String,
-    /// The mechanism that was measured; nothing where the file does not say.
+    /// The mechanism that was measured; `None` if the file does not say.
     pub specimen: Option<String>,
     /// The instrument, which has the common error.
     pub instrument: String,
@@ -98,7 +98,7 @@ pub struct MeasuredMotion {
 }
 
 impl MeasuredMotion {
-    /// Mean over the repeats, SI; nothing where it was not measured.
+    /// Mean over the repeats, SI; `None` if it was not measured.
     pub fn mean_si(&self) -> Option<f64> {
         let count = self.values_si.len();
         (count > 0).then(|| self.values_si.iter().sum::<f64>() / count as f64)

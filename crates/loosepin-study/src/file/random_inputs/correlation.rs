@@ -20,7 +20,7 @@ record! {
 }
 
 impl StudyReader {
-    /// Reads all `[[correlation]]` tables; nothing where there are none, or something is wrong.
+    /// Reads all `[[correlation]]` tables; `None` if there are none, or something is wrong.
     pub fn read_correlations(&mut self, written: Option<&Entry<'_>>) -> Option<Correlation> {
         let had_errors = self.reader.diagnostics.has_errors();
         let entries = self.double_brackets(written);

@@ -154,7 +154,7 @@ impl StudyReader {
         Some(FitPlace { diameter_m, entry: diameter_entry, is_play, per_radial: per_radial.unwrap_or(1.0) })
     }
 
-    /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. None where it is
+    /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. `None` if it is
     /// neither of the joints that depend on it.
     fn per_radial(&self, quantity: QuantityId) -> Option<f64> {
         let quantities = &self.model.quantities;

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 pub struct Timing {
     /// When the study began, RFC 3339 in UTC; empty where the clock stands before 1970 or after 9999.
     pub started_utc: String,
-    /// From start to end, in wall time; not a number where the clock was set back meanwhile.
+    /// From start to end, in wall time; NaN if the clock was set back meanwhile.
     #[serde(with = "extended")]
     pub elapsed_s: f64,
     /// Finished runs per second and thread.

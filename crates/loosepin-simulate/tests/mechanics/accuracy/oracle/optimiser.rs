@@ -20,7 +20,7 @@ pub(super) struct Poised<'r> {
 }
 
 impl<'r> Poised<'r> {
-    /// Turned there from the start in small steps; nothing where it does not close on the way.
+    /// Turned there from the start in small steps; `None` if it does not close on the way.
     pub fn new(rig: &'r Rig, crank_rad: f64) -> Option<Self> {
         let mut ideal = rig.start();
         let reaches = rig.reaches();
@@ -35,7 +35,7 @@ impl<'r> Poised<'r> {
         Some(Self { rig, crank_rad, ideal, side, reaches })
     }
 
-    /// The deviation at a place of the play, two numbers for each joint; nothing where the links cannot follow from the middle.
+    /// The deviation at a place of the play, two numbers for each joint; `None` if the links cannot follow from the middle.
     fn deviation(&self, at: &[f64]) -> Option<f64> {
         let full: Vec<[f64; 2]> = self.reaches.iter().zip(at.chunks(2)).map(|(reach, at)| place(*reach, at)).collect();
         let mut q = self.ideal.clone();
