@@ -27,7 +27,7 @@ pub struct Case {
     clearances: Vec<(QuantityId, f64)>,
 }
 
-/// What is run.
+/// Settings of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan {
     /// Number of runs.
@@ -43,7 +43,7 @@ pub struct Plan {
 /// A finished run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FinishedRun {
-    /// What it counted.
+    /// Counters of the run.
     pub counters: RunCounters,
     /// The position at the times of the plan, m or rad.
     pub readings: Vec<f64>,
@@ -122,7 +122,7 @@ fn in_order(mut finished: Vec<(usize, FinishedRun)>) -> Vec<FinishedRun> {
     finished.into_iter().map(|(_, run)| run).collect()
 }
 
-/// A run by its number; nothing is looked at within its steps.
+/// A run by its number; no values within its steps are read.
 struct Numbered(usize);
 
 impl Observer for Numbered {

@@ -27,7 +27,7 @@ pub struct Panel {
 /// All panels and what they share.
 #[derive(Debug, Clone)]
 pub struct Diagram {
-    /// What the picture shows, for readers who do not see it.
+    /// Description of the picture for readers who do not see it.
     pub description: String,
     /// Title of the x axes.
     pub x_title: String,
@@ -35,7 +35,7 @@ pub struct Diagram {
     pub y_title: String,
     /// A value of x with a line of its own.
     pub marked_x: f64,
-    /// What is below the panels.
+    /// Note below the panels.
     pub note: String,
     /// The panels, row by row.
     pub panels: Vec<Panel>,

@@ -21,14 +21,14 @@ pub struct Mechanisms {
 
 /// The mechanisms of a set that finished at one value of u.
 pub struct Sample {
-    /// What is unknown.
+    /// Values of the unknown inputs.
     pub at: Vec<f64>,
     /// Their columns, in the order of what the study asks for; finished runs only.
     pub columns: Vec<Vec<f64>>,
 }
 
 impl Mechanisms {
-    /// So many points of a low-discrepancy set in each of so many independent scramblings, one scrambling after the other.
+    /// `in_each` points of a low-discrepancy set in each of `replicates` independent scramblings, one scrambling after the other.
     ///
     /// # Panics
     /// If the study has too many random inputs for such a set.
@@ -68,7 +68,7 @@ impl<'s> FreshRuns<'s> {
         Self { study, rows, made: 0, failed: 0 }
     }
 
-    /// Runs a set at each value of u; `batch_done` hears how many runs have been made in all.
+    /// Runs a set at each value of u; `batch_done` is called with the number of runs made so far.
     ///
     /// # Panics
     /// If a batch cannot be made.

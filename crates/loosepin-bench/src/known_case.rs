@@ -9,11 +9,11 @@ pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
 
 /// A response and the true bounds of some of its statistics.
 pub struct KnownCase {
-    /// What it is called in tables.
+    /// Name in tables.
     pub name: String,
     /// Distributions of X.
     pub random: Vec<Distribution>,
-    /// What is known of u.
+    /// The unknown inputs u.
     pub epistemic: Vec<EpistemicVariable>,
     /// Which of u are parameters of distributions of X.
     pub parameters: Vec<EpistemicParameter>,

@@ -1,4 +1,4 @@
-//! What the benches and campaigns share.
+//! Functions shared by the benches and campaigns.
 
 #![allow(clippy::disallowed_methods, reason = "a program of developers")]
 
@@ -79,7 +79,7 @@ pub fn surrogate_choice(word: &str) -> Option<Choice> {
     }
 }
 
-/// Nobody watches.
+/// Ignores all progress.
 struct Silent;
 
 impl Progress for Silent {
@@ -128,7 +128,7 @@ impl Watch {
     }
 }
 
-/// Processor time of all threads of this process so far, s; `None` if the system does not tell.
+/// Processor time of all threads of this process so far, s; `None` if the system does not report it.
 fn processor_time_s() -> Option<f64> {
     Some(processor_time::of_threads_ns()).filter(|ns| *ns > 0).map(|ns| ns as f64 * 1e-9)
 }

@@ -17,9 +17,9 @@ pub struct Case {
     pub name: &'static str,
     /// File of the model, from the root of the repository.
     pub file: &'static str,
-    /// Parts of its text, and what stands in their place.
+    /// Parts of its text, and their replacements.
     pub changes: &'static [(&'static str, &'static str)],
-    /// What makes it a case of its own.
+    /// What distinguishes this case.
     pub about: &'static str,
     /// The point whose position is watched, `body.point`.
     pub point: &'static str,

@@ -4,7 +4,7 @@ use crate::precision::{Case, Method};
 use loosepin::integrate::{DOP853, DORMAND_PRINCE_5, TSITOURAS_5};
 use loosepin::simulate::Integrator;
 
-/// What differs from one sample to the next, as a share of its nominal value: enough for other sequences of contacts.
+/// Scatter from one sample to the next, as a share of the nominal value: enough for other sequences of contacts.
 pub const CLEARANCE: f64 = 0.05;
 /// Likewise.
 pub const RESTITUTION: f64 = 0.02;

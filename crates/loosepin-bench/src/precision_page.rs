@@ -15,7 +15,7 @@ const CHECK: f64 = 10.0;
 /// Evaluations after which a run counts as failed: some thirty times the most that a median run needs.
 const MAX_EVALUATIONS: u64 = 10_000_000;
 
-/// What the default setting promises, m.
+/// Accuracy promised by the default setting, m.
 pub const PROMISED_M: f64 = 1e-8;
 
 /// Errors at which the methods are compared, m.

@@ -36,7 +36,7 @@ pub fn values_at(study: &Study, fractions: &[f64]) -> Vec<f64> {
     study.epistemic.iter().zip(fractions).map(|(input, &fraction)| input.variable.at(fraction)).collect()
 }
 
-/// The study with the unknown inputs known: so many mechanisms at one value of u.
+/// The study with the unknown inputs fixed at one value of u, with this number of mechanisms.
 ///
 /// # Panics
 /// If a value is not finite, or the study has no result.
@@ -51,7 +51,7 @@ pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyR
     crate::run(&known)
 }
 
-/// The values of a column in the runs of the double loop; failed ones are not a number.
+/// The values of a column in the runs of the double loop; NaN for failed runs.
 ///
 /// # Panics
 /// If there is no such column of numbers.

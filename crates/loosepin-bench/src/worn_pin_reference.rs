@@ -6,11 +6,11 @@ use loosepin::study::{Deviation, Reduction, Study, Where};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// What is bounded, by the name that the file has for it.
+/// A bounded quantity, with the name that the file has for it.
 pub struct Asked {
     /// In the file.
     pub name: &'static str,
-    /// Of the total deviation of the slider over the turn.
+    /// Reduction of the total deviation of the slider over the turn.
     pub reduction: Reduction,
     /// Over mechanisms.
     pub statistic: Statistic,
@@ -53,7 +53,7 @@ pub fn study() -> Study {
     study
 }
 
-/// A statistic of values; not a number of too few.
+/// A statistic of values; NaN if there are too few.
 pub fn estimate(statistic: Statistic, values: &[f64]) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -79,7 +79,7 @@ fn quantile(values: &[f64], probability: f64) -> f64 {
     sorted[below as usize] + (rank - below) * (above - sorted[below as usize])
 }
 
-/// The standard error of an estimate from so many independent parts of equal size, one after the other in `values`: the jackknife
+/// The standard error of an estimate from this number of independent parts of equal size, one after the other in `values`: the jackknife
 /// that leaves one part out at a time (M. H. Quenouille 1956). It serves quantiles too, since a part has more than √N values.
 pub fn standard_error(statistic: Statistic, values: &[f64], parts: usize) -> f64 {
     let size = values.len() / parts;
@@ -100,7 +100,7 @@ pub struct ReferenceEnd {
     pub end: usize,
     /// The statistic at the witness.
     pub value_si: f64,
-    /// Of the value.
+    /// Standard error of the value.
     pub standard_error_si: f64,
     /// Clearance, m, and restitution.
     pub witness: [f64; 2],
@@ -108,7 +108,7 @@ pub struct ReferenceEnd {
     pub mechanisms: usize,
 }
 
-/// Where the reference is kept.
+/// Path of the stored reference.
 pub fn file() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("references/worn_pin.csv")
 }

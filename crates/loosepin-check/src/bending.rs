@@ -21,7 +21,7 @@ const MAX_LEFT_OUT: f64 = 0.05;
 /// Angles, rad, and shares of the buckling load that are round-off of zero.
 const ROUND_OFF: f64 = 1e-12;
 
-/// What is known of a body's bending before a run: numbers, then warnings with what to do.
+/// Bending of a body, as far as known before a run: numbers, then warnings with what to do.
 pub fn bending_lines(model: &Model, estimate: &BendingEstimate, is_driven: bool) -> Vec<String> {
     let Some(beam) = &model.bodies[estimate.body.0].beam else { return Vec::new() };
     let force = |force_n: f64| {

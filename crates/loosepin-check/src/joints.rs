@@ -50,7 +50,7 @@ fn joint_lines(
     lines
 }
 
-/// What the play of each coupling is; no line for those that have none.
+/// Lines on the play of each coupling; none for couplings without play.
 pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
     let model = &mechanism.model;
     let sample = Sample::<f64>::new(mechanism, values).ok();

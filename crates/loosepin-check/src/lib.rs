@@ -1,5 +1,5 @@
-//! What is known of a model or a study before it runs: what each part is, whether the loops close, whether the first steps of a run
-//! succeed, how long a study takes. As an article, which a terminal or a page shows.
+//! The report of `check`: what each part is, whether the loops close, whether the first steps of a run succeed, how long a study takes. As
+//! an article, which a terminal or a page shows.
 //!
 //! | Words on | File |
 //! |---|---|
@@ -31,7 +31,7 @@ use loosepin_study::{InputFile, Study};
 use loosepin_text::article::Article;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 
-/// What is read in a file and may not be meant, although the file is sound.
+/// Warnings about likely mistakes in a valid file.
 pub fn warnings(file: &InputFile) -> &[Diagnostic] {
     match file {
         InputFile::Model(model) => &model.warnings,
@@ -39,7 +39,7 @@ pub fn warnings(file: &InputFile) -> &[Diagnostic] {
     }
 }
 
-/// Moves the mechanism of a file for the first time, and says what is known of it then.
+/// Moves the mechanism of a file for the first time, and reports its loops, limits and first steps.
 ///
 /// # Errors
 /// What keeps it from running.

@@ -20,7 +20,7 @@ const SHOWN_ASSEMBLIES: usize = 16;
 /// Lengths of positions are shown to this, m.
 const SHOWN_LENGTH_M: f64 = 1e-8;
 
-/// All that is known of a mechanism before it runs.
+/// The report on a mechanism before it runs.
 pub fn article(mechanism: &Mechanism, values: &Values, tried: &TrialResult) -> Article {
     let model = &mechanism.model;
     let mut sections = vec![bodies(model, values)];
@@ -54,7 +54,7 @@ fn bodies(model: &Model, values: &Values) -> Section {
     Section::of_facts("bodies", heading, moving.iter().map(of_body).chain([Fact::nameless(gravity)]))
 }
 
-/// Loops, degrees of freedom, and what holds them.
+/// Loops, degrees of freedom, and the constraints that remove them.
 fn mobility(mechanism: &Mechanism) -> Section {
     let model = &mechanism.model;
     let name = |play: &PlayId| format!("'{}'", model.play_name(*play));
@@ -125,7 +125,7 @@ fn offset_words(model: &Model, values: &Values) -> String {
     if all.is_empty() { String::new() } else { format!(", also {}", listed(&all, "and")) }
 }
 
-/// Where the bodies start, and how else they could be assembled.
+/// Initial positions of the bodies, and other ways to assemble them.
 fn start(mechanism: &Mechanism, values: &Values, tried: &TrialResult) -> Section {
     let model = &mechanism.model;
     let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
@@ -223,7 +223,7 @@ fn ending_words(mechanism: &Mechanism, tried: &TrialResult) -> String {
     }
 }
 
-/// What the model lacks for a run, a line for each entry.
+/// Entries that the model lacks for a run, one per line.
 pub fn missing(model: &Model) -> Section {
     let lines = model.missing_for_runs.iter().map(|missing| {
         let line =

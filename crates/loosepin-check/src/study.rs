@@ -165,7 +165,7 @@ fn unknown_heading(study: &Study) -> String {
     }
 }
 
-/// What is known of an input.
+/// Description of an input.
 fn known_words(study: &Study, input: &EpistemicInput) -> String {
     if let Some(of) = input.members_written(&study.model) {
         return format!("any of {}", of.join(", "));

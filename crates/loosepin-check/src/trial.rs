@@ -37,7 +37,7 @@ pub struct TrialResult {
     pub is_run: bool,
 }
 
-/// Where a body is at the start.
+/// Initial position of a body.
 #[derive(Debug)]
 pub struct BodyStart {
     /// Angle of the body's x axis from the ground's, rad.

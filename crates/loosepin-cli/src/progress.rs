@@ -16,7 +16,7 @@ use crate::console::message;
 /// Interval between updates of the remaining time.
 const TICK: Duration = Duration::from_millis(500);
 
-/// A progress bar with the remaining time on standard error; nothing if that is not a terminal.
+/// A progress bar with the remaining time on standard error; it shows nothing if that is not a terminal.
 pub struct Bar {
     bar: ProgressBar,
     pace: Arc<Mutex<Pace>>,

@@ -1,4 +1,4 @@
-//! What is known of a file without reading it.
+//! Information about a file without reading it.
 
 use std::ffi::OsString;
 use std::io;
@@ -28,16 +28,16 @@ pub struct Identity {
     pub number: u64,
 }
 
-/// What is known of a file without reading it.
+/// Information about a file without reading it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FileInfo {
     /// Its kind.
     pub kind: FileKind,
     /// Its size, bytes.
     pub size_bytes: u64,
-    /// When its content changed last, where the system tells.
+    /// Time of the last change of its content, if the system reports it.
     pub modified: Option<SystemTime>,
-    /// By which it is known.
+    /// Identity of the file.
     pub identity: Identity,
     /// Its permissions: the lower twelve bits of the mode. Of Windows, 0o444 or 0o666.
     pub mode: u32,

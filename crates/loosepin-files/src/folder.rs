@@ -36,7 +36,7 @@ impl Folder {
         &self.path
     }
 
-    /// What is known of the folder itself.
+    /// Information about the folder itself.
     ///
     /// # Errors
     /// An error of the file system.
@@ -110,7 +110,7 @@ impl Folder {
         Ok((self.open_below(relative.parent().unwrap_or(Path::new("")))?, name))
     }
 
-    /// What is known of the entry at `relative`, a link itself included; `None` if there is none.
+    /// Information about the entry at `relative`, a link itself included; `None` if there is none.
     ///
     /// # Errors
     /// The path leads elsewhere, or through a link; an error of the file system.
@@ -123,7 +123,7 @@ impl Folder {
         found_or_none(self.directory.info(name))
     }
 
-    /// Opens a plain file to be read; what is known of it is asked of the open file.
+    /// Opens a plain file to be read; its information is that of the open file.
     ///
     /// # Errors
     /// There is none, it is a link or no plain file; the path leads elsewhere.
@@ -135,7 +135,7 @@ impl Folder {
         Ok((file, info))
     }
 
-    /// The content of a plain file of at most so many bytes.
+    /// The content of a plain file of at most `limit_bytes`.
     ///
     /// # Errors
     /// As for [`Self::open_file`]; a file that is larger.
@@ -190,7 +190,7 @@ fn names(relative: &Path) -> io::Result<impl DoubleEndedIterator<Item = &OsStr>>
     Ok(relative.iter())
 }
 
-/// The content of an open file of at most so many bytes.
+/// The content of an open file of at most `limit_bytes`.
 pub(crate) fn read_limited(file: File, info: &FileInfo, limit_bytes: u64) -> io::Result<Vec<u8>> {
     let too_large = |size_bytes| io::Error::from(Refused::TooLarge { limit_bytes, size_bytes });
     if info.size_bytes > limit_bytes {

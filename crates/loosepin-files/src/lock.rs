@@ -26,10 +26,10 @@ pub struct FolderLock {
     made: MadeFolders,
 }
 
-/// What a folder is locked for. The two locks of a folder do not exclude each other.
+/// The purpose of a lock. The two locks of a folder do not exclude each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LockKind {
-    /// A result, for as long as it is made.
+    /// A result, while it is being made.
     Result,
     /// Texts, for the moment in which they are written.
     Text,

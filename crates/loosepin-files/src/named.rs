@@ -16,7 +16,7 @@ use crate::write::PRIVATE_MODE;
 /// How long another process that writes beside the file is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The content of the plain file at `path`, of at most so many bytes.
+/// The content of the plain file at `path`, of at most `limit_bytes`.
 ///
 /// # Errors
 /// There is none; it is a folder ([`io::ErrorKind::IsADirectory`]), no plain file or larger.
@@ -27,7 +27,7 @@ pub fn read_named(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
     read_limited(file, &info, limit_bytes)
 }
 
-/// The text of the plain file at `path`, of at most so many bytes.
+/// The text of the plain file at `path`, of at most `limit_bytes`.
 ///
 /// # Errors
 /// As for [`read_named`]; no UTF-8 ([`io::ErrorKind::InvalidData`]).
@@ -46,7 +46,7 @@ pub fn replace_named(path: &Path, contents: &[u8]) -> io::Result<()> {
     lock_where_possible(&folder)?.write(name, contents)
 }
 
-/// The content of whatever is at `path`, of at most so many bytes: a pipe or `/dev/stdin` as well, which is waited for.
+/// The content of whatever is at `path`, of at most `limit_bytes`: also a pipe or `/dev/stdin`, read until it ends.
 ///
 /// # Errors
 /// It cannot be opened or read, or is larger.
@@ -152,7 +152,7 @@ pub fn create_private(folder: &Path, beginning: &str, extension: &str, contents:
 }
 
 impl PrivateFile {
-    /// Where it is.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }

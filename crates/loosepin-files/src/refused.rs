@@ -17,7 +17,7 @@ pub enum Refused {
     TooLarge {
         /// The largest size, bytes.
         limit_bytes: u64,
-        /// Its size, or what was read of it, bytes.
+        /// Its size, or the number of bytes read from it.
         size_bytes: u64,
     },
     /// A file whose mode lets nobody write it.

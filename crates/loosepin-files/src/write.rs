@@ -1,4 +1,4 @@
-//! What the holder of the lock of a folder writes in it.
+//! Writing into a folder by the holder of its lock.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
@@ -12,7 +12,7 @@ use crate::system::{file_info, keep_owner_and_mode};
 
 /// Of a new file, before the mask of the process.
 const NEW_MODE: u32 = 0o666;
-/// Of a file that only its owner can read: until it has the mode of the one that it replaces, or for good.
+/// Mode of a file that only its owner can read: until it gets the mode of the file that it replaces, or permanently.
 pub(crate) const PRIVATE_MODE: u32 = 0o600;
 
 impl FolderLock {
@@ -153,7 +153,7 @@ impl FolderLock {
         self.folder.directory.sync()
     }
 
-    /// A flushed file under a name of its own; nothing of it stays where that fails.
+    /// Writes and flushes a file under a temporary name; on failure it is removed.
     fn write_temporary(&self, contents: &[u8], mode: u32, replaced: Option<&FileInfo>) -> io::Result<Temporary> {
         let name = self.temporary_kind().new_name()?;
         let mut file =

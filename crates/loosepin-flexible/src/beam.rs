@@ -71,7 +71,7 @@ impl<T: Real> Inertia<T> {
         }
     }
 
-    /// Adds a matrix over the shapes, row by row, to that part of M; nothing where it is empty.
+    /// Adds a matrix over the shapes, row by row, to that part of M; an empty one adds nothing.
     pub fn add_to_shapes(&mut self, added: &[T]) {
         let count = self.size - 3;
         for (row, of_row) in added.chunks_exact(count.max(1)).enumerate() {
@@ -132,7 +132,8 @@ impl<T: Real> Beam<T> {
         -(self.length_m * form(&station.shortening, b, b))
     }
 
-    /// What (F2) adds to the acceleration of the frame and -ω² d where q̈ = 0: 2ω k×(D q̇) + (-f ḃᵀHḃ, 0), m/s², for D q̇ = `rate_m_s`.
+    /// Relative acceleration, m/s², that (F2) adds to the acceleration of the frame and -ω² d where q̈ = 0: 2ω k×(D q̇) + (-f ḃᵀHḃ, 0), for
+    /// D q̇ = `rate_m_s`.
     pub fn relative_acceleration_m_s2(
         &self,
         station: &Station,

@@ -28,7 +28,8 @@ impl Cuts {
         Self::of_spans(&basis.spans(), basis.stations(shares), points)
     }
 
-    /// Cuts of a beam of so many elements in absolute nodal coordinates at `shares` of its length, ascending. The stations have no shapes.
+    /// Cuts of a beam of `elements` elements in absolute nodal coordinates at `shares` of its length, ascending. The stations have no
+    /// shapes.
     pub fn of_elements(elements: usize, shares: &[f64]) -> Self {
         let length = 1.0 / elements as f64;
         let span = |element: usize| Span {

@@ -59,7 +59,7 @@ fn functions(start: f64, end: f64, inner: usize, s: f64) -> Vec<[f64; 3]> {
     found
 }
 
-/// Numbers of the unknowns of each span among those of the beam; none where the frame holds it.
+/// Numbers of the unknowns of each span among those of the beam; `None` where the frame holds it.
 struct Unknowns {
     spans: Vec<Vec<Option<usize>>>,
     /// Unknowns that are displacements of points inside.

@@ -23,7 +23,7 @@ pub struct MassPoint {
 pub struct Shapes {
     axial: usize,
     lateral: usize,
-    /// Where the mass sits: points of Gauss. Mass matrix and bias forces of finitely many points belong to one and the same kinetic
+    /// Distribution of the mass: Gauss points. Mass matrix and bias forces of finitely many points belong to one and the same kinetic
     /// energy, so that energy and momenta are exact whatever their number.
     pub points: Vec<MassPoint>,
     /// The end at s = 0.

@@ -4,7 +4,7 @@
 /// push differ by.
 const ALIKE: f64 = 1e-7;
 
-/// What the nominal factors of all readings tell apart.
+/// Sums of plays that the nominal factors of all readings can identify.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct IdentifiableSums {
     /// Sums that the readings fix, as weights of the plays: a basis of the row space of the factors in reduced echelon form, so that each
@@ -23,7 +23,7 @@ impl IdentifiableSums {
     }
 }
 
-/// What `factors` (a row for each reading, a column for each play of the widths `widths_si`) tell apart.
+/// Sums of plays that `factors` can identify (a row for each reading, a column for each play of the widths `widths_si`).
 pub(crate) fn identifiable_sums(factors: &[Vec<f64>], widths_si: &[f64]) -> IdentifiableSums {
     let plays = widths_si.len();
     // Rows of order one over plays of order one: a row counts by its shape.

@@ -18,7 +18,7 @@ use super::rig::Rig;
 pub(crate) struct ReadingRow {
     /// Factors of the play inputs: least, nominal, largest.
     pub factors: Vec<[f64; 3]>,
-    /// What does not depend on the plays, SI: least and largest.
+    /// Terms that do not depend on the plays, SI: least and largest.
     pub constant_si: [f64; 2],
     /// Mean of the reading, with the independent error taken and added, SI.
     pub interval_si: [f64; 2],
@@ -168,7 +168,7 @@ impl ConsistentSet {
         self.intervals_si.iter().zip(point).map(|([low, high], share)| low + share * (high - low)).collect()
     }
 
-    /// What a further reading of `row` could say, SI: from the least to the largest travel, its common error included. The readings
+    /// Possible values of a further reading of `row`, SI: from the least to the largest travel, its common error included. The readings
     /// that `leaves_out` names do not count.
     pub fn expected_si(&self, row: &ReadingRow, leaves_out: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
         let program = self.program(leaves_out);
@@ -187,7 +187,7 @@ impl ConsistentSet {
         Some(ends)
     }
 
-    /// What the intervals of the study alone allow for a reading without any error, SI.
+    /// Values of an error-free reading that the intervals of the study alone allow, SI.
     pub fn allowed_si(&self, row: &ReadingRow) -> [f64; 2] {
         let mut ends = row.constant_si;
         for (factors, interval) in row.factors.iter().zip(&self.intervals_si) {

@@ -31,9 +31,9 @@ pub(crate) struct Friction {
     pub turns_rad: Vec<f64>,
     /// Share by which friction may change the load of each joint.
     load_shares: Vec<f64>,
-    /// By how much it may change that load under a unit push.
+    /// Largest change of that load under a unit push.
     pub load_changes: Vec<f64>,
-    /// By how much it may change each of its two components.
+    /// Largest change of each of its two components.
     pub component_changes: Vec<Vec2<f64>>,
     /// B_jk sin φ_k, rad: how the moment of joint k turns the force in joint j.
     across_rad: Vec<Vec<f64>>,

@@ -61,7 +61,7 @@ struct Usual {
     friction: Option<f64>,
 }
 
-/// The readings that were looked at, and the best; nothing where none narrows. Poses in which the mechanism cannot be locked are left out.
+/// The examined readings, and the best; `None` if none narrows a bound. Poses in which the mechanism cannot be locked are left out.
 pub(crate) fn further(
     rig: &Rig<'_>,
     set: &ConsistentSet,

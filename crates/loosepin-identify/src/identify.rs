@@ -48,7 +48,7 @@ pub struct Options {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set of a motion (default: no).
     pub with_posterior: bool,
-    /// Whether mechanisms that agree with what was measured of a motion are drawn (default: no).
+    /// Whether mechanisms that agree with the measured motion are drawn (default: no).
     pub with_lengths: bool,
 }
 
@@ -354,7 +354,7 @@ fn all_bounds(set: &ConsistentSet, objectives: &[Vec<f64>]) -> Option<Vec<[End; 
     objectives.iter().map(|weights| set.bounds(weights)).collect()
 }
 
-/// The ends of a bound, cut to what was known before.
+/// The ends of a bound, cut to the interval known before.
 fn within(before_si: [f64; 2], [lower, upper]: &[End; 2]) -> [f64; 2] {
     [lower.value_si.max(before_si[0]), upper.value_si.min(before_si[1])]
 }

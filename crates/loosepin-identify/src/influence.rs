@@ -23,7 +23,7 @@ pub(crate) struct Influence {
     /// 2 max(|g_y|, |g_θ|/a) at guides, where one corner may give way further than the other: the block then lies across and tilted. Zero
     /// at other joints.
     guide_factors: Vec<f64>,
-    /// What the exact loops differ by from Σ |nominal| · (clearance + yield), as a share, at most.
+    /// Largest difference of the exact loops from Σ |nominal| · (clearance + yield), as a share.
     pub linearisation_share: f64,
 }
 
@@ -66,7 +66,7 @@ impl Influence {
         Ok(influence)
     }
 
-    /// By what share of Σ |factor| · (clearance + yield) the exact loops miss the linear model at some plays.
+    /// Share of Σ |factor| · (clearance + yield) by which the exact loops miss the linear model at some plays.
     pub fn missed_share(&self, rig: &Rig<'_>, test: &Test, plays_si: &[f64]) -> Result<f64, AccuracyError> {
         let clearances_m = rig.clearances_m(plays_si);
         let radii_m: Vec<f64> =

@@ -24,7 +24,7 @@ pub(crate) struct Largest {
     /// A number that no point of the set exceeds: bᵀλ + Σ max(0, c - Aᵀλ), the dual objective at the multipliers λ >= 0 that
     /// the simplex method ended with. It bounds from above for any λ >= 0, so that round-off widens it at most.
     pub value: f64,
-    /// Where it is attained, to round-off.
+    /// The point where it is attained, to round-off.
     pub point: Vec<f64>,
 }
 

@@ -19,9 +19,9 @@ const DIGITS: i32 = 6;
 pub struct NarrowedInterval {
     /// Path in the model.
     pub path: String,
-    /// What was written: lower and upper end.
+    /// The old text: lower and upper end.
     pub before: [String; 2],
-    /// What is written now.
+    /// The new text.
     pub after: [String; 2],
 }
 
@@ -70,7 +70,7 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<NarrowedInt
     (changed, all)
 }
 
-/// What is known of the inputs of the one specimen of `answer`: by its dead travels, by its motion, or by both together.
+/// Bounds of the inputs of the one specimen of `answer`: by its dead travels, by its motion, or by both together.
 ///
 /// # Errors
 /// Several specimens, or one that nothing explains.

@@ -40,7 +40,7 @@ pub(crate) struct OtherInput {
     pub is_random: bool,
 }
 
-/// The mechanism with everything that is known of it.
+/// The mechanism with its inputs and their bounds.
 #[derive(Debug)]
 pub(crate) struct Rig<'s> {
     pub study: &'s Study,
@@ -119,8 +119,8 @@ impl<'s> Rig<'s> {
         Ok(self.mechanism.model.quantities.evaluate(&set)?)
     }
 
-    /// Where a quantity that does not depend on the pose is evaluated: each input that is no play alone at both ends, then all corners of
-    /// up to six of them.
+    /// Values at which a quantity that does not depend on the pose is evaluated: each input that is no play alone at both ends, then all
+    /// corners of up to six of them.
     pub fn other_values(&self) -> Result<(Vec<[Values; 2]>, Vec<Values>), AccuracyError> {
         let end = |other: &OtherInput, which: usize| (other.quantity, other.interval_si[which]);
         let mut alone = Vec::new();
@@ -288,7 +288,7 @@ fn clearances_of(mechanism: &Mechanism, values: &Values) -> Result<Vec<f64>, Sam
     Ok(Sample::<f64>::new(mechanism, values)?.plays.iter().map(|play| play.clearance_m).collect())
 }
 
-/// Where a table of the study begins.
+/// Start of a table of the study.
 pub(crate) fn place_of_table(study: &Study, table: &str) -> std::ops::Range<usize> {
     let toml = parse_toml(study.source()).ok();
     let found =

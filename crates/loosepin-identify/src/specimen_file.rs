@@ -1,4 +1,4 @@
-//! The narrowed study of a specimen, with the mechanisms that agree with what was measured of it.
+//! The narrowed study of a specimen, with the mechanisms that agree with its measurement.
 
 use super::error::IdentifyProblem;
 use super::narrowed_interval::{NarrowedInterval, known_bounds, narrowed};
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A study with what is known of its specimen.
+/// A study narrowed to its specimen.
 #[derive(Debug)]
 pub struct SpecimenStudy {
     /// Its text.

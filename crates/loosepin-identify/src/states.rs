@@ -1,4 +1,4 @@
-//! What the inputs that are no play may be together, and the linear model at each of these values.
+//! Combinations of the inputs that are no play, and the linear model at each of them.
 //!
 //! Inputs: every length, stiffness and coefficient of the study that is no play, and the locked angle with its error. Of up to six of them
 //! all corners are looked at; of more the two, for each joint, at which every input stands where it alone widens the factor. The changes

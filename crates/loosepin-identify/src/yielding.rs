@@ -67,7 +67,7 @@ pub(crate) fn yields_m(
 }
 
 /// Least and largest yield of a joint, m, under a load that friction changes by at most `change`, and each component by `components`;
-/// nothing where the contact law does not carry it.
+/// `None` if the contact law does not carry it.
 fn of_joint(play: &PlayGeometry<f64>, load: Vec2<f64>, change: f64, components: Vec2<f64>) -> Option<[f64; 2]> {
     let ends = |size: f64, change: f64| [(size - change).max(0.0), size + change];
     // In a hole the load may have any direction, in a slot it is across its line.

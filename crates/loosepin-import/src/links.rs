@@ -81,7 +81,7 @@ impl Links {
     }
 }
 
-/// The link of each shape, numbered in the order of the drawing; nothing for shapes of the ground.
+/// The link of each shape, numbered in the order of the drawing; `None` for shapes of the ground.
 fn link_of_shapes(sketch: &Sketch) -> Vec<Option<usize>> {
     let count = sketch.shapes.len();
     // Each shape knows an earlier one of its link, the first of them itself.

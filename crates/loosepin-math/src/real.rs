@@ -38,7 +38,7 @@ pub trait Real:
     fn powf(self, exponent: f64) -> Self;
     /// eˣ, of any number: [`crate::full_range_exponential`].
     fn exponential(self) -> Self;
-    /// The natural logarithm; not a number for zero and below: [`crate::full_range_logarithm`].
+    /// The natural logarithm; NaN for zero and below: [`crate::full_range_logarithm`].
     fn logarithm(self) -> Self;
     /// `self` raised to any exponent: [`crate::full_range_power`].
     fn power(self, exponent: Self) -> Self;

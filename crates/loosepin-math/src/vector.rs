@@ -3,7 +3,7 @@
 use super::Real;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// A vector in the plane, its components in the unit that the name of the variable tells.
+/// A vector in the plane, its components in the unit of the variable's name.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Vec2<T> {
     /// Component along x.

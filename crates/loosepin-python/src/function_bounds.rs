@@ -52,11 +52,11 @@ pub struct Runs {
     confidence: f64,
 }
 
-/// By how much bounds may be widened, and how many runs may be made for it, as Python states them.
+/// Requested accuracy of bounds and the limit of runs for it, as Python states them.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Accuracy {
-    /// One number for each request; nothing for those that do not matter.
+    /// One number for each request; `None` for those that do not matter.
     most: Vec<Option<f64>>,
     budget: Option<usize>,
 }

@@ -1,4 +1,4 @@
-//! What readings and motion of a rig say of the unknowns of a study.
+//! Identification of the unknowns of a study from readings and motion of a rig.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -47,7 +47,7 @@ impl Identification {
     }
 }
 
-/// What is asked of readings and motion.
+/// Request for an identification from readings and motion.
 pub struct IdentificationRequest {
     /// Values that are tested, confidence, threads.
     pub values: MotionValues,
@@ -70,7 +70,7 @@ pub fn identified(
     Ok(Identification { answer, study: study.clone() })
 }
 
-/// What features of the motion of `study` would tell: JSON, and the table of the terminal.
+/// Expected information in features of the motion of `study`: JSON, and the table of the terminal.
 pub fn planned(
     py: Python<'_>,
     study: &study::Study,
@@ -85,7 +85,7 @@ pub fn planned(
     Ok((json, text))
 }
 
-/// Does `work`, which hears of values that have their runs, while Python listens to Ctrl-C.
+/// Does `work`, with a callback for values whose runs are made, while Python listens to Ctrl-C.
 fn with_progress<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,

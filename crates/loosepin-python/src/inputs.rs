@@ -86,7 +86,7 @@ impl Inputs {
         Ok(())
     }
 
-    /// The copula of rank correlations between random inputs; nothing where none is stated.
+    /// The copula of rank correlations between random inputs; `None` if none is stated.
     pub fn copula(&self, ranks: &[(String, String, f64)]) -> PyResult<Option<GaussianCopula>> {
         if ranks.is_empty() {
             return Ok(None);
@@ -104,7 +104,7 @@ impl Inputs {
     }
 }
 
-/// Description of an epistemic input; nothing where the object is none.
+/// Description of an epistemic input; `None` if the object is none.
 fn epistemic(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Option<EpistemicVariable>> {
     let number = |key: &str| input.getattr(key)?.extract::<f64>();
     let interval = |lower, upper| {
@@ -136,7 +136,7 @@ fn epistemic(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Option<EpistemicV
     Ok(Some(variable))
 }
 
-/// A distribution, uncertain parameters in the middle of what is known of them.
+/// A distribution, with uncertain parameters in the middle of their ranges.
 fn distribution(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Distribution> {
     let n = |key: &str| {
         let stated = input.getattr(key)?;

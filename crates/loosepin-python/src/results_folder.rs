@@ -1,4 +1,4 @@
-//! A study in a folder of results: what the command `loosepin study` leaves there, and goes on with.
+//! A study in a folder of results, as the command `loosepin study` writes and resumes it.
 
 use std::path::PathBuf;
 use std::time::SystemTime;

@@ -17,7 +17,7 @@ use crate::error::{Diagnostic, raise, raise_problem};
 pub struct Simulation(simulate::Simulation, Option<Diagnostics>, Vec<diagnostics::Diagnostic>);
 
 impl Simulation {
-    /// The run as Python sees it, why it counts as failed though it came to its end, and warnings about what was asked for.
+    /// The run for Python, the reason why it counts as failed although it reached its end, and warnings about the requests.
     pub fn new(
         simulation: simulate::Simulation,
         failure: Option<Diagnostics>,
@@ -35,7 +35,7 @@ impl Simulation {
         &self.0.record.model
     }
 
-    /// Warnings about what was asked for.
+    /// Warnings about the requests.
     #[getter]
     fn warnings(&self) -> Vec<Diagnostic> {
         self.2.iter().map(Diagnostic::new).collect()
@@ -60,7 +60,7 @@ impl Simulation {
         self.0.record.outputs.iter().map(|output| (output.name.as_str(), output.unit.symbol())).collect()
     }
 
-    /// The outputs of the ideal mechanism, then the differences from them; none for an output that has no ideal.
+    /// The outputs of the ideal mechanism, then the differences from them; empty for an output without an ideal.
     fn ideal_and_deviation(&self, py: Python<'_>) -> [Vec<Column>; 2] {
         let columns = |of: fn(&OutputHistory) -> &Vec<f64>| {
             let outputs = self.0.record.outputs.iter().filter(|output| !of(output).is_empty());

@@ -1,9 +1,9 @@
-//! What the force of a contact rests on: it stands beside every contact force that is shown.
+//! Assumptions behind the force of a contact: shown with every contact force.
 
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
-/// What the force of a contact law rests on, beside the law's name and its restitution.
+/// Assumptions behind the force of a contact law, besides the law's name and its restitution.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactBasis {
     /// Which bodies the law has in mind.

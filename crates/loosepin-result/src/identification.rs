@@ -7,7 +7,7 @@ use crate::repeat::Repeat;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 
-/// What the readings of a study say of its plays.
+/// Identification of the plays of a study from its readings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Identification {
     /// Name of the study.
@@ -28,10 +28,10 @@ pub struct Identification {
     /// The specimens whose motion was measured, in the order of the file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub motion: Vec<MotionSpecimen>,
-    /// What features of the motion would tell, where that was asked for.
+    /// Expected information in features of the motion, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<MotionPlan>,
-    /// What the narrower intervals gain, where that was asked for.
+    /// Gain by the narrower intervals, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gain: Option<Gain>,
     /// How it is made again.
@@ -57,11 +57,11 @@ pub struct Specimen {
     pub name: Option<String>,
     /// Its readings, in the order of the file.
     pub readings: Vec<TestReading>,
-    /// What is consistent with them.
+    /// Values consistent with them.
     pub outcome: Outcome,
 }
 
-/// What is consistent with all readings of a specimen.
+/// Values consistent with all readings of a specimen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
@@ -98,11 +98,11 @@ pub struct TestReading {
     pub compliance_si: [f64; 2],
     /// Share by which the exact loops differ from the linear model, at most.
     pub linearisation_share: f64,
-    /// What the study's own intervals allow, SI.
+    /// Range that the study's own intervals allow, SI.
     pub allowed_before_si: [f64; 2],
 }
 
-/// What is known of the plays.
+/// Bounds of the plays.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ConsistentPlays {
     /// Each play by itself.
@@ -143,7 +143,7 @@ pub struct Combination {
 /// A reading that was not made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FurtherReading {
-    /// What is read: an output of the model, or a coordinate of a point that the model has no output for.
+    /// The measured quantity: an output of the model, or a coordinate of a point that the model has no output for.
     pub reads: String,
     /// Whether the model has an output for it.
     pub has_output: bool,
@@ -187,9 +187,9 @@ pub struct InconsistentReading {
     pub reading: usize,
     /// Whether the study's own intervals exclude it, without any other reading.
     pub is_alone: bool,
-    /// What the others leave for it, SI.
+    /// Range of the reading by the others, SI.
     pub expected_si: [f64; 2],
-    /// What it says with its errors, SI.
+    /// Range of the reading by itself, with its errors, SI.
     pub found_si: [f64; 2],
     /// How far the two are apart, SI, > 0.
     pub apart_si: f64,

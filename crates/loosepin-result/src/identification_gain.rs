@@ -19,7 +19,7 @@ pub struct Gain {
 /// The bound of a statistic, before and after.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GainedBound {
-    /// Of what, in words.
+    /// The response, in words.
     pub response: String,
     /// Which statistic, in words.
     pub statistic: String,

@@ -1,4 +1,4 @@
-//! Records of results: plain data in SI, and what can be told from it alone. Pages, tables and files are made of them; nothing is
+//! Records of results: plain data in SI, and numbers that follow from it alone. Pages, tables and files are made of them; nothing is
 //! computed here that needs a mechanism or a sample.
 
 pub mod cases;

@@ -1,4 +1,4 @@
-//! What the ideal motion and the quasi-static answer leave behind for pages, tables and files: plain data in SI.
+//! Record of the ideal motion and the quasi-static answer for pages, tables and files: plain data in SI.
 
 use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ pub struct MotionRecord {
     /// The requirements of the study, judged without dynamics, in file order; one for each pose.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub requirements: Vec<MotionRequirement>,
-    /// What may be loosened by the study, judged without dynamics, in file order.
+    /// Tolerances that the study may loosen, judged without dynamics, in file order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub allowances: Vec<MotionAllowance>,
     /// The mechanism and its ideal poses.
@@ -108,7 +108,7 @@ pub enum MotionVerdict {
     Met,
     /// Play and parts within their limits break it.
     NotMetInTheWorstCase,
-    /// The limit lies between what was found and what is proven, or too few mechanisms lie within the limits of the parts.
+    /// The limit lies between the found and the proven value, or too few mechanisms lie within the limits of the parts.
     Undecided,
     /// It cannot be judged without dynamics.
     NeedsDynamics,
@@ -141,7 +141,7 @@ pub struct SingularPosition {
     /// Angle of the drive.
     #[serde(with = "extended")]
     pub drive_angle_rad: f64,
-    /// What happens there, in words.
+    /// Description of the position in words.
     pub words: String,
 }
 
@@ -160,7 +160,7 @@ pub struct GuideOverhang {
 pub struct OutputMotion {
     /// Name of the output.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
@@ -195,12 +195,12 @@ pub struct PathMotion {
     pub part: PathError,
 }
 
-/// What a drive must do to make the ideal motion at its speed.
+/// Effort of a drive for the ideal motion at its speed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EffortMotion {
     /// Name of the output.
     pub name: String,
-    /// What it is in words, for example `torque of drive crank`.
+    /// Description, for example `torque of drive crank`.
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
@@ -234,7 +234,7 @@ pub struct ClearanceAnswer {
     /// A proven end: no play makes a deviation above it; infinite where nothing is proven. Empty in previews.
     #[serde(with = "extended", default)]
     pub proven_highest_si: Vec<f64>,
-    /// Where the joints are in the worst case over the cycle; absent in previews and where play moves nothing.
+    /// Positions of the joints in the worst case over the cycle; absent in previews and where play moves nothing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub witness: Option<WorstCaseWitness>,
     /// Standard deviation when the journals are anywhere in their discs.
@@ -243,11 +243,11 @@ pub struct ClearanceAnswer {
     /// Standard deviation when the journals are on the rims.
     #[serde(with = "extended")]
     pub rim_standard_deviation_si: Vec<f64>,
-    /// What each joint contributes.
+    /// Contribution of each joint.
     pub contributors: Vec<JointContributor>,
 }
 
-/// Where the joints with play are when an output deviates most.
+/// Positions of the joints with play at the largest deviation of an output.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WorstCaseWitness {
     /// Angle of the drive.
@@ -281,7 +281,7 @@ pub struct UnprovenSpan {
     pub words: String,
 }
 
-/// What one clearance joint contributes to the first-order sum.
+/// Contribution of one clearance joint to the first-order sum.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointContributor {
     /// Name of the joint.

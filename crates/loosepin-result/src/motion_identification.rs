@@ -5,7 +5,7 @@ use loosepin_text::units::{SiUnit, listed};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What the features of a measured motion say of a specimen.
+/// Identification of a specimen from the features of a measured motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionSpecimen {
     /// Its name; `None` if the file does not say.
@@ -14,7 +14,7 @@ pub struct MotionSpecimen {
     pub features: Vec<MotionFeature>,
     /// The unknowns: interval of the study, and outer interval of the consistent set. Of an empty set both are that of the study.
     pub unknowns: Vec<PlayBounds>,
-    /// Of each unknown that is one of a list its members.
+    /// Members of each unknown that is one of a list.
     pub lists: Vec<ConsistentMembers>,
     /// Share of the box that is consistent: cells whose middle is, and these with all cells beside them.
     pub share_of_box: [f64; 2],
@@ -37,12 +37,12 @@ pub struct MotionSpecimen {
     /// How probable the values are, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub posterior: Option<MotionPosterior>,
-    /// Mechanisms that agree with what was measured, where that was asked for.
+    /// Mechanisms that agree with the measurement, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lengths: Option<SpecimenLengths>,
 }
 
-/// The random inputs of the specimen, given what was measured: prior of the unknowns uniform over the consistent set.
+/// The random inputs of the specimen, given the measurement: prior of the unknowns uniform over the consistent set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SpecimenLengths {
@@ -52,7 +52,7 @@ pub enum SpecimenLengths {
     Refused(LengthsRefusal),
 }
 
-/// Mechanisms that agree with what was measured, each as probable as any other.
+/// Mechanisms that agree with the measurement, each with the same probability.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MechanismRows {
     /// The random inputs, in the order of the study.
@@ -69,7 +69,7 @@ pub struct MechanismRows {
     pub effective_rows: f64,
     /// Lengths that trade off against an unknown.
     pub tied: Vec<TiedLength>,
-    /// Unknowns that trade off against lengths together, though none of these by itself is told.
+    /// Unknowns that trade off against lengths together, though no single one of these is determined.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tied_together: Vec<TiedToLengths>,
 }
@@ -109,7 +109,7 @@ pub struct TiedToLengths {
     pub rank_correlation: f64,
 }
 
-/// Why there are no mechanisms that agree with what was measured.
+/// Why there are no mechanisms that agree with the measurement.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LengthsRefusal {
@@ -131,7 +131,7 @@ pub enum LengthsRefusal {
     Failed {
         /// How many.
         failed: usize,
-        /// Of so many.
+        /// Total number of runs.
         runs: usize,
         /// Largest share that is allowed.
         most: f64,
@@ -164,7 +164,7 @@ pub struct Posterior {
     pub probability: f64,
     /// Number of equally probable values that would carry as much as the tested ones do: 1/Σ p².
     pub effective_values: f64,
-    /// Runs at so many values.
+    /// Effective number of values with runs.
     pub effective_runs: f64,
     /// The distribution of each unknown by itself, in their order.
     pub marginals: Vec<Marginal>,
@@ -198,11 +198,11 @@ pub enum PosteriorRefusal {
     Misfit,
     /// Neither a random input nor an independent error scatters.
     NothingScatters,
-    /// Too few runs at each value for the covariance of so many features.
+    /// Too few runs at each value for the covariance of the features.
     FewRuns {
         /// Runs that ended, at the value with the fewest.
         runs: usize,
-        /// Runs that so many features need, at least.
+        /// Least number of runs for these features.
         least: usize,
     },
     /// Too many of the runs that carry the weight failed.
@@ -315,18 +315,18 @@ pub struct InconsistentFeature {
     pub apart_si: f64,
 }
 
-/// What features would tell, before anything is measured.
+/// Expected information in features, before anything is measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionPlan {
     /// Name of the study.
     pub study: String,
     /// The unknowns.
     pub unknowns: Vec<PlannedUnknown>,
-    /// What each feature alone would leave, the most telling first.
+    /// Remaining range by each feature alone, the most informative first.
     pub features: Vec<PlannedFeature>,
-    /// What all features together would leave.
+    /// Remaining range by all features together.
     pub together: PlannedFeature,
-    /// Pairs of members of a list that the features do not tell apart.
+    /// Pairs of members of a list that the features do not distinguish.
     pub not_distinguishable: Vec<IndistinguishableMembers>,
     /// Values that were tried.
     pub points: usize,
@@ -349,7 +349,7 @@ pub struct PlannedUnknown {
     pub is_list: bool,
 }
 
-/// What a feature would leave.
+/// Expected result of a feature.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlannedFeature {
     /// Its name.
@@ -367,6 +367,6 @@ pub struct IndistinguishableMembers {
     pub unknown: usize,
     /// The true member and the one that is taken for it, as the file writes them: laws by their names.
     pub members: [String; 2],
-    /// Share of measurements of the true one in which the other one is told to be wrong.
+    /// Share of measurements of the true member in which the other one is recognised as wrong.
     pub told: f64,
 }

@@ -25,14 +25,14 @@ pub struct Repeat {
 pub struct InputText {
     /// Its name, with the folders by which the files name each other: `parts/pin.csv`. Parts are separated by `/`, and none is `..`.
     pub name: String,
-    /// What it is.
+    /// Role of the file.
     #[serde(default)]
     pub role: InputRole,
-    /// What it says, byte for byte.
+    /// Text of the file, byte for byte.
     pub text: String,
 }
 
-/// What an input file is.
+/// Role of an input file.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputRole {
@@ -100,7 +100,7 @@ impl Repeat {
     }
 }
 
-/// Where a file stands against the folder of the first one.
+/// Path of a file relative to the folder of the first one.
 struct RelativePath {
     /// Steps up from that folder.
     above: usize,

@@ -1,4 +1,4 @@
-//! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
+//! Record of one run for pages, tables and files: plain data in SI, no physics.
 
 mod control;
 mod drawing;
@@ -118,7 +118,7 @@ pub struct BendingRecord {
     /// Whether it is described in absolute nodal coordinates; the angle is then that of any node from the way from root to tip.
     #[serde(default)]
     pub is_nodal: bool,
-    /// What the other formulation asks for.
+    /// Demands of the other formulation.
     #[serde(default)]
     pub other_formulation: OtherFormulation,
     /// Its condensed shapes; absent, and not written, where none may be condensed.
@@ -266,7 +266,7 @@ pub struct RunCounters {
 pub struct OutputHistory {
     /// Name of the output.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
@@ -319,7 +319,7 @@ pub struct ImpactRecord {
     pub separation_speed_m_s: Option<f64>,
 }
 
-/// What happened in one clearance joint.
+/// Summary of one clearance joint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointSummary {
     /// Name of the joint.
@@ -329,7 +329,7 @@ pub struct JointSummary {
     pub radial_clearance_m: f64,
     /// Name of the contact law.
     pub law: String,
-    /// What its force rests on; absent in records of older versions.
+    /// Assumptions behind its force; absent in records of older versions.
     #[serde(default)]
     pub basis: Option<ContactBasis>,
     /// The largest force as a line-contact law would have it; absent beside other than point-contact laws of pins.
@@ -434,7 +434,7 @@ pub struct EnergyAccount {
     /// Work of drives and loads up to the sample time.
     #[serde(with = "extended")]
     pub supplied_j: Vec<f64>,
-    /// What does not add up at the sample times.
+    /// Residual of the energy account at the sample times.
     #[serde(with = "extended")]
     pub residual_j: Vec<f64>,
 }

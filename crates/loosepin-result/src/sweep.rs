@@ -1,4 +1,4 @@
-//! What a sweep found, as pages and files read it. SI.
+//! Result of a sweep, as pages and files read it. SI.
 
 use crate::repeat::Repeat;
 use crate::simulation::Override;
@@ -12,7 +12,7 @@ pub struct SweepRecord {
     pub model: String,
     /// Version of the program.
     pub version: String,
-    /// What was set on the command line.
+    /// Values set on the command line.
     pub overrides: Vec<Override>,
     /// How it is made again; empty in records of older versions.
     #[serde(default, skip_serializing_if = "Repeat::is_empty")]
@@ -46,7 +46,7 @@ pub struct SweepRecord {
 pub struct SweptOutput {
     /// Its name.
     pub name: String,
-    /// What it is, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Its unit.
     pub unit: SiUnit,

@@ -111,7 +111,7 @@ pub fn demand_dynamics(model: &Model) -> Result<(), RunFailure> {
     }
 }
 
-/// How the runs of `mechanism` are made where `execution` is at hand.
+/// Execution of the runs of `mechanism` with the available `execution`.
 fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
     let points = mechanism.model.loads.iter().map(|load| match &load.course {
         Some(TimeCourse::Table(table)) => table.points.len(),
@@ -309,8 +309,8 @@ fn longest_step_s(mechanism: &Mechanism, sample: &Sample<f64>, window: &Window) 
     MAX_STEP_TURNS * std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s)
 }
 
-/// Evaluations without which no run comes to the end of `window`: those of the longest steps. A step along a motion that its drives
-/// determine counts as much as one that is integrated.
+/// Least number of evaluations of a run over `window`: those of the longest steps. A step along a motion that its drives determine counts
+/// as much as one that is integrated.
 pub(super) fn least_evaluations(
     mechanism: &Mechanism,
     sample: &Sample<f64>,

@@ -28,7 +28,7 @@ problems! {
             } else {
                 "look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off"
             });
-        /// A position, a velocity or what a person has written as an expression is not a number.
+        /// A position, a velocity or a user's expression is not a number.
         NotFinite {
             time_s: f64,
             /// Path of the drive, load or control whose expression has no value, or of the beam that no step follows.
@@ -85,7 +85,7 @@ problems! {
             joint: String,
             /// Abscissa of the corner along the guide, m.
             along_m: f64,
-            /// Where the faces begin and end, m.
+            /// Ends of the faces, m.
             ends_m: [f64; 2],
             time_s: f64,
         } => Code::SliderBeyondGuide,
@@ -97,7 +97,7 @@ problems! {
                 length(ends_m[1])
             ),
             hint("give the guide other ends, or none: nothing supports a slider that has left its faces");
-        /// The penetration is deeper than the contact law can tell a force for.
+        /// The penetration is deeper than the range of the contact law.
         BeyondLaw { joint: String, law: &'static str, penetration_m: f64, limit_m: f64, time_s: f64 } =>
             Code::BeyondContactLaw,
             says(
@@ -146,7 +146,7 @@ problems! {
         /// More numbers than a history can hold.
         TooManyNumbers {
             rows: f64,
-            /// Of each row.
+            /// Numbers in each row.
             numbers: usize,
             most: usize,
         } => Code::BadCount,
@@ -183,7 +183,7 @@ problems! {
         WearNotFinite { joint: String } => Code::RunNotFinite,
             says("the wear of joint '{joint}' is not a finite number"),
             hint("check its coefficients, and the cycles in [wear]: dry steel has about 1e-13 m^2/N");
-        /// Whoever looked at the run has stopped it.
+        /// The observer of the run has stopped it.
         Stopped { time_s: f64 } => Code::Interrupted,
             says("stopped at {} of its time", time(*time_s));
         /// Flexible bodies that are to start settled have no stable static shape.
@@ -200,7 +200,7 @@ problems! {
                 describe_path(path)
             ),
             hint("all other parts of this loop are rigid: omit start, or give one of its joints play");
-        /// Nothing presses a journal that is to rest at the start.
+        /// No force presses a journal that is to rest at the start.
         NothingPresses { joint: String } => Code::StartNotPossible,
             says("joint '{joint}' carries no force at the start, so its journal does not rest on any side"),
             hint("give an offset instead of start; without one, the journal is centred");
@@ -280,7 +280,7 @@ fn of_beam(path: &str) -> Option<&str> {
 }
 
 impl RunFailure {
-    /// Of a run in which `lost` has no value, or the state itself is none.
+    /// The failure of a run in which `lost`, or the state itself, has no value.
     pub(crate) fn without_value(time_s: f64, lost: Option<WithoutValue>) -> Self {
         match lost {
             Some(WithoutValue::Spring(spring)) => Self::SpringWithoutDirection { spring, time_s },

@@ -1,4 +1,4 @@
-//! Observers of a run while it goes on.
+//! Observers of a run in progress.
 
 use super::resume::MotionState;
 use crate::recording::work::KinematicAccount;
@@ -78,7 +78,7 @@ pub struct Step<'s, 'a> {
     pub outputs: &'s [[[f64; 3]; 2]],
 }
 
-/// Where the states of a step come from.
+/// Source of the states of a step.
 pub(super) enum Source<'s, 'a> {
     /// Dense output of an integrated step, put into the equations of motion of one lane.
     Integrated {
@@ -146,7 +146,7 @@ impl<'a> Step<'_, 'a> {
     }
 
     /// The elastic foundation of a joint with play whose contact is `contact`, its motion at `time_s` within the step, and 1/v0, s/m;
-    /// none where it has no foundation.
+    /// `None` if it has no foundation.
     pub(super) fn foundation(&mut self, contact: usize, play: usize, time_s: f64) -> Option<FoundationAt> {
         let dynamics = self.look(time_s, false);
         let foundation = dynamics.sample().plays[play].foundation.clone()?;
@@ -159,7 +159,7 @@ impl<'a> Step<'_, 'a> {
         })
     }
 
-    /// Where the step ends, for another run to go on from; `None` if the motion is solved instead of integrated.
+    /// State at the end of the step, from which another run can resume; `None` if the motion is solved instead of integrated.
     pub(super) fn last_state(&mut self) -> Option<MotionState> {
         self.look(self.end_s, false);
         let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };

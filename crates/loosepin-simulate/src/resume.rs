@@ -1,4 +1,4 @@
-//! Where a run ends, for another one to go on from.
+//! State at the end of a run, from which another one can resume.
 
 use crate::stepping::motion::Layout;
 use loosepin_mechanics::contact::PlayState;

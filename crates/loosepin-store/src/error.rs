@@ -23,7 +23,7 @@ problems! {
         OfOther { path: PathBuf, what: &'static str, found: String, expected: String } => Code::StoreOfOther,
             says("{} contains runs of another {what} ({found}; this one is {expected})", path.display()),
             hint("give another folder with --out; --force starts again and deletes these runs");
-        /// Its content is not what was written.
+        /// Its content was changed after writing.
         Damaged { path: PathBuf, reason: String } => Code::StoreDamaged,
             says("{} is damaged: {reason}", path.display()),
             hint("restore it from a copy; --force starts again");

@@ -9,7 +9,7 @@ pub const STORE_FILE: &str = "runs.sqlite";
 /// Names of the files that may stand beside it while it is open, or after it was left by force.
 pub const STORE_COMPANIONS: [&str; 2] = ["runs.sqlite-wal", "runs.sqlite-journal"];
 
-/// Name of the copy that shards of a study read of what was merged, beside the store.
+/// Name of the copy of the merged store that shards of a study read, beside the store.
 pub const PUBLISHED_FILE: &str = "merged.sqlite";
 
 /// Removes the files of the store in a folder, which is not open, and the copy beside it, as far as they are there.

@@ -40,7 +40,7 @@ impl StoredRun {
     }
 }
 
-/// Of a row: its list and place, the key of its inputs, the reason of failure, its numbers.
+/// Checksum of a row: its list and place, the key of its inputs, the reason of failure, its numbers.
 pub(super) fn checksum(list: u32, place: u64, inputs: &[u8], failure: Option<u16>, numbers: &[u8]) -> [u8; 16] {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&list.to_le_bytes()).update(&place.to_le_bytes()).update(inputs);

@@ -33,7 +33,7 @@ pub enum ExistingRuns {
 }
 
 impl ExistingRuns {
-    /// As whoever calls has stated: to replace what is there, or to go on with it.
+    /// Policy from the options of the caller: replace existing runs, or resume with them.
     pub fn from_options(with_force: bool, with_resume: bool) -> Self {
         match (with_force, with_resume) {
             (true, _) => Self::Anew,
@@ -155,7 +155,7 @@ impl RunStore {
         Ok((Self::serve(lock, file, None)?, added))
     }
 
-    /// Where it is.
+    /// Path of the store.
     pub fn path(&self) -> &Path {
         &self.path
     }

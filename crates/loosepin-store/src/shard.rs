@@ -53,14 +53,14 @@ impl Shard {
         (place % u64::from(of)) as u32 + 1
     }
 
-    /// Where it writes when the study goes to `results`: `results.shard-2-of-7`.
+    /// Folder of the shard when the study goes to `results`: `results.shard-2-of-7`.
     pub fn folder(self, results: &Path) -> PathBuf {
         let mut name = results.as_os_str().to_owned();
         name.push(self.suffix());
         PathBuf::from(name)
     }
 
-    /// Where the study goes when this shard writes to `folder`; `None` if that has another name than its own.
+    /// Destination of the study when this shard writes to `folder`; `None` if that has another name than its own.
     pub fn results(self, folder: &Path) -> Option<PathBuf> {
         let name = folder.file_name()?.to_str()?.strip_suffix(&self.suffix())?;
         (!name.is_empty()).then(|| folder.with_file_name(name))

@@ -35,19 +35,19 @@ pub(super) enum Request {
         list: u32,
         /// The places.
         places: Range<u64>,
-        /// Where the answer goes.
+        /// Receiver of the answer.
         reply: SyncSender<Result<Vec<Option<StoredRun>>, StoreError>>,
     },
     /// To write everything, and a copy of it for others.
     Publish {
         /// The lock of its folder.
         lock: Arc<FolderLock>,
-        /// Where the answer goes.
+        /// Receiver of the answer.
         reply: SyncSender<Result<(), StoreError>>,
     },
     /// To write everything now.
     Settle {
-        /// Where the number of runs goes.
+        /// Receiver of the number of runs.
         reply: SyncSender<Result<u64, StoreError>>,
     },
 }

@@ -1,4 +1,4 @@
-//! What the page asks takes time that grows as the texts do, and no faster: texts that somebody wrote to be slow.
+//! Requests of the page take time in proportion to the length of the texts, also for texts that were written to be slow.
 //!
 //! `LOOSEPIN_MEASURE_LENGTHS=1 cargo test -p loosepin-studio --lib lengths -- --ignored --nocapture` prints the times of longer texts.
 
@@ -278,7 +278,7 @@ fn grown((before, piece, behind): (&str, NumberedText, &str), bytes: usize) -> S
 }
 
 impl Shape {
-    /// Model and study of about so many bytes.
+    /// Model and study of about `bytes` bytes.
     fn texts(&self, bytes: usize) -> (String, String) {
         let four_bar = find_template("four-bar").unwrap().model;
         let (head, tables) = four_bar.split_once("[parameter]").unwrap();
@@ -302,7 +302,7 @@ impl Shape {
     }
 }
 
-/// What is asked of texts.
+/// A request on texts.
 type Question = (&'static str, fn(&Folder, &str, &str));
 
 fn sent(path: &str, text: &str) -> SentText {

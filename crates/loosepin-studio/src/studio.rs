@@ -1,4 +1,4 @@
-//! What all connections of a server share.
+//! State shared by all connections of a server.
 
 use std::sync::Arc;
 
@@ -10,12 +10,12 @@ use crate::network::tickets::Tickets;
 use crate::network::times::Timeouts;
 use crate::network::token::Token;
 
-/// What all connections share.
+/// State shared by all connections.
 #[derive(Clone)]
 pub struct Studio {
     /// The secret of its address.
     pub token: Token,
-    /// What is served.
+    /// The served folder.
     pub folder: Folder,
     /// Studies in the background.
     pub jobs: Arc<Jobs>,
@@ -25,6 +25,6 @@ pub struct Studio {
     pub seats: Arc<Semaphore>,
     /// Requests whose bodies may still be read at once.
     pub bodies: Arc<Semaphore>,
-    /// How long whoever is connected is waited for.
+    /// Timeouts of connections.
     pub times: Timeouts,
 }

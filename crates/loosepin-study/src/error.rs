@@ -38,7 +38,7 @@ pub enum StudyError {
     /// The runs of its surrogate are not possible.
     #[error("surrogate: {0}")]
     Surrogate(#[from] SurrogatePlanError),
-    /// Nothing can be promised.
+    /// A promise is impossible.
     #[error("promise: {0}")]
     Promise(#[from] PromiseError),
     /// Shares of the variance are not possible.
@@ -71,7 +71,7 @@ pub enum StudyError {
     /// A row did not fit.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// It was interrupted; what was finished is in the table.
+    /// It was interrupted; the finished runs are in the table.
     #[error("interrupted after {} of at most {most_runs} runs", finished.columns.first().map_or(0, |column| column.data.len()))]
     Interrupted {
         /// The finished runs.
@@ -79,13 +79,13 @@ pub enum StudyError {
         /// How many there would have been at most.
         most_runs: usize,
     },
-    /// A round waits for runs that are made elsewhere; what was made here is in the store.
+    /// A round waits for runs that are made elsewhere; the runs made here are in the store.
     #[error("{0}")]
     RoundOpen(OpenRound),
-    /// Runs that were to be made outside of this process; what was made is in the store.
+    /// Runs outside of this process failed to be made; the finished ones are in the store.
     #[error("the runs could not be made: {reason}")]
     NotMade {
-        /// Why, in the words of whoever was to make them.
+        /// The reason in words, from the provider of the runs.
         reason: String,
     },
     /// A budget of time where shards make the runs.
@@ -97,7 +97,7 @@ pub enum StudyError {
         /// Runs of the study at most.
         runs: usize,
     },
-    /// More numbers than the memory at hand holds.
+    /// More numbers than the available memory holds.
     #[error(
         "{runs} runs of {numbers} numbers each on {} need about {} of {}",
         counted(*threads, "thread"),
@@ -122,7 +122,7 @@ pub enum StudyError {
         /// What there is.
         at_hand_gib: f64,
     },
-    /// More runs failed than may; what was run is in the table, and in the store.
+    /// Too many runs failed; the finished ones are in the table, and in the store.
     #[error("{0}")]
     TooManyFailed(Box<TooManyFailed>),
     /// Every run failed.

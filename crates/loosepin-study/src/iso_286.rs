@@ -120,9 +120,9 @@ pub struct Fit {
 /// Lower and upper limits of the diameters of a fit, as deviations from the nominal one, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitLimits {
-    /// Of the hole.
+    /// Limits of the hole.
     pub hole_m: [f64; 2],
-    /// Of the shaft.
+    /// Limits of the shaft.
     pub shaft_m: [f64; 2],
 }
 

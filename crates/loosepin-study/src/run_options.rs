@@ -1,4 +1,4 @@
-//! With what a study is run.
+//! Options for running a study.
 
 use crate::drafts::progress::Progress;
 use crate::runs::external_runs::RunProvider;
@@ -6,7 +6,7 @@ use crate::runs::run_subset::RunSubset;
 use loosepin_store::RunStore;
 use std::sync::atomic::AtomicBool;
 
-/// With what a study is run. The result is the same for any of them.
+/// Options for running a study. The result is the same for any of them.
 #[derive(Clone, Copy)]
 pub struct RunOptions<'a> {
     /// Number of threads.
@@ -24,7 +24,7 @@ pub struct RunOptions<'a> {
 }
 
 impl<'a> RunOptions<'a> {
-    /// All runs made here, on so many threads, and kept nowhere.
+    /// All runs made here, on `threads` threads, without a store.
     pub fn new(threads: usize, progress: &'a dyn Progress, stop: &'a AtomicBool) -> Self {
         Self { threads, progress, stop, store: None, run_subset: RunSubset::Whole, provider: None }
     }

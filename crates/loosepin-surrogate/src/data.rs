@@ -88,12 +88,12 @@ impl TrainingData {
         &self.inputs
     }
 
-    /// Where the runs were made.
+    /// Inputs of the runs.
     pub fn points(&self) -> &[Vec<f64>] {
         &self.points
     }
 
-    /// What came out.
+    /// Outputs of the runs.
     pub fn outputs(&self) -> &[TrainingOutput] {
         &self.outputs
     }

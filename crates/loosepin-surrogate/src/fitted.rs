@@ -35,7 +35,7 @@ impl Kind {
     }
 }
 
-/// A fitted number: mean + deviation times what was fitted to the scaled values.
+/// A fitted number: mean + deviation times the fit to the scaled values.
 #[derive(Clone, Serialize, Deserialize)]
 pub struct Fitted {
     mean: f64,
@@ -43,7 +43,7 @@ pub struct Fitted {
     form: Form,
 }
 
-/// What was fitted.
+/// The fitted form.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
@@ -57,7 +57,7 @@ pub enum Form {
     Network(Ensemble),
 }
 
-/// What a fit may take over from one to all runs: not what it learned of them, but where its search begins.
+/// Start of a fit to all runs from a fit to some of them: not its results, but where its search begins.
 pub(super) enum WarmStart<'a> {
     /// Kernel, trend and first parameters of a process.
     Process(&'a Kriging),
@@ -110,7 +110,7 @@ impl Fitted {
         (self.mean + self.deviation * value, self.deviation * spread)
     }
 
-    /// What was fitted.
+    /// The fitted form.
     pub fn form(&self) -> &Form {
         &self.form
     }
@@ -130,7 +130,7 @@ impl Fitted {
         (self.mean, self.deviation)
     }
 
-    /// Where a fit to some of the runs may begin.
+    /// Start for a fit to some of the runs.
     pub(super) fn warm_start(&self) -> WarmStart<'_> {
         match &self.form {
             Form::Kriging(process) => WarmStart::Process(process),

@@ -37,7 +37,7 @@ pub(super) struct Runs<'a> {
 pub(super) struct Fold {
     pub held_out: Vec<usize>,
     pub learned: Vec<usize>,
-    /// Of the learned runs alone.
+    /// Modes of the learned runs alone.
     pub modes: Modes,
 }
 

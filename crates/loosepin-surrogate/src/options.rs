@@ -1,4 +1,4 @@
-//! What may be chosen about a fit.
+//! Options of a fit.
 
 use super::fitted::Kind;
 

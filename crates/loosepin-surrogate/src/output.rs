@@ -33,7 +33,7 @@ pub struct OutputSurrogate {
     pub fits: Vec<Fitted>,
     /// Held-out error.
     pub quality: Quality,
-    /// What is left.
+    /// The residual.
     pub residual: Residual,
     spread: Spread,
 }

@@ -1,4 +1,4 @@
-//! What is left of the runs, and whether more runs would make it smaller.
+//! Residual of the runs, and whether more runs would make it smaller.
 //!
 //! The held-out errors of fits to a quarter, a half and all of the runs that may be learned from, at the same held-out runs:
 //! where the step from half to all does not make them smaller, or the three errors continue to a limit that is not far below
@@ -31,7 +31,7 @@ const SCALE_SIGNIFICANCE: f64 = 3.0;
 /// The rest as part of a surrogate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
-    /// What the errors say.
+    /// Verdict of the errors.
     pub verdict: SurrogateVerdict,
     /// Learned runs and held-out root mean square error, for each of [`SHARES`]; empty where too few runs.
     pub learning: Vec<(usize, f64)>,

@@ -21,12 +21,12 @@ const REACH: f64 = 0.25;
 pub struct Surrogate {
     format: u32,
     inputs: Vec<Input>,
-    /// Where the surrogate answers: one interval an input.
+    /// Valid range of the surrogate: one interval an input.
     ranges: Vec<(f64, f64)>,
     outputs: Vec<OutputSurrogate>,
 }
 
-/// What a surrogate says at a point about one output.
+/// Prediction of a surrogate at a point for one output.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prediction {
     /// One value a place; a number is a curve of one place.
@@ -52,8 +52,8 @@ impl Surrogate {
         Ok(Self { format: FORMAT, inputs: data.inputs().to_vec(), ranges, outputs })
     }
 
-    /// Where the surrogate answers: the range of the runs in each input and a quarter of it on either side, no further than
-    /// the input itself can be.
+    /// Valid range of the surrogate: the range of the runs in each input and a quarter of it on either side, no further than the input
+    /// itself can be.
     pub fn ranges(&self) -> &[(f64, f64)] {
         &self.ranges
     }
@@ -74,8 +74,8 @@ impl Surrogate {
         Ok(answers.map(|(values, deviations)| Prediction { values, deviations }).collect())
     }
 
-    /// What the rest of output number `output` adds to its values at `point`, for `share` in \[0, 1) of its distribution;
-    /// nothing where the rest is not part of the surrogate, since it falls with more runs.
+    /// Residual that is added to the values of output number `output` at `point`, for `share` in \[0, 1) of its distribution; zero if the
+    /// residual is not part of the surrogate, since it falls with more runs.
     ///
     /// # Errors
     ///
@@ -130,7 +130,7 @@ impl Surrogate {
     }
 }
 
-/// What a file of version `format` holds; the version is looked at before the rest.
+/// Content of a file of version `format`; the version is checked before the rest.
 ///
 /// # Errors
 ///

@@ -8,17 +8,17 @@ use serde::{Deserialize, Serialize};
 pub enum SurrogateVerdict {
     /// All runs gave the same.
     Constant,
-    /// Nothing is left that would matter.
+    /// The residual is negligible.
     Resolved,
     /// The error falls with more runs.
     Falling,
     /// Part of the response is learned, and the rest does not fall with more runs, or only to a limit not far below: noise, or chaos.
     Floor,
-    /// Nothing is learned: to this surrogate the response is noise.
+    /// Nothing is learned: the response is noise for this surrogate.
     Nothing,
     /// The response jumps: few errors are large, most are small.
     Jump,
-    /// Too few runs to tell; the rest is kept as if it did not fall.
+    /// Too few runs for a verdict; the residual is kept as if it did not fall.
     Unknown,
 }
 

@@ -67,7 +67,7 @@ impl Members {
     }
 }
 
-/// All that is known of an epistemic input.
+/// Structure of an epistemic input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum EpistemicVariable {
     /// It lies between two ends.

@@ -14,9 +14,9 @@ use crate::estimators::estimate::{Confidence, replicate_error};
 use crate::measures::of_statistic::estimator;
 use loosepin_terms::Statistic;
 
-/// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
+/// ŝ for the runs of a replicate; `None` if the surrogate gave no answer.
 type Answers = Vec<Option<Vec<f64>>>;
-/// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; nothing where a run failed.
+/// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; `None` if a run failed.
 type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
 
 /// Which direct runs the bounds on the surrogates are to be held against.
@@ -200,7 +200,7 @@ impl Confirmed {
         Some(self.differences(place).into_iter().collect::<Option<Vec<Vec<f64>>>>()?.concat())
     }
 
-    /// Differences of direct runs from ŝ, replicate by replicate; nothing in those where runs are missing.
+    /// Differences of direct runs from ŝ, replicate by replicate; `None` for replicates with missing runs.
     fn differences(&self, place: usize) -> Vec<Option<Vec<f64>>> {
         let difference = |row: &Option<[Vec<f64>; 3]>| row.as_ref().map(|[direct, own, _]| direct[place] - own[place]);
         self.direct.iter().map(|rows| rows.iter().map(difference).collect()).collect()

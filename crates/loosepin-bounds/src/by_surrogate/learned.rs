@@ -60,7 +60,7 @@ impl SurrogatePlan {
 }
 
 impl LearnedGroup {
-    /// Whether what is left of the runs is part of the surrogate.
+    /// Whether the residual of the runs is part of the surrogate.
     pub fn keeps_residual(&self) -> bool {
         self.surrogates.iter().flatten().any(draws_residual)
     }

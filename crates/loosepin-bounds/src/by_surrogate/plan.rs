@@ -45,7 +45,7 @@ pub struct SurrogatePlan {
     pub(crate) space: TrainingSpace,
     /// Goals of the bounds on the surrogates alone, where the double loop on them is to grow.
     pub(crate) goals: Vec<Goal>,
-    /// Confidence that bounds are stated with; errors may be told with more, as where one looks repeatedly.
+    /// Confidence of the stated bounds; errors may be computed for a higher one, as where one looks repeatedly.
     pub(crate) stated_confidence: f64,
 }
 

@@ -1,4 +1,4 @@
-//! By how many of its standard deviations σ the surrogate is taken to err where errors average out.
+//! Number of standard deviations σ by which the surrogate is taken to err where errors average out.
 //!
 //! A quantile or a probability moves furthest where every run errs as much as the worst one, to the same side: by the k of the group.
 //! A mean moves by the mean of the error over X, and a deviation by that of the error at most; direct runs at the witnesses
@@ -53,8 +53,8 @@ impl SharesOfReach {
     }
 }
 
-/// Of the root mean square of the error at `place`, the share that is the same at all X, over all witnesses:
-/// √(Σ E(g - ŝ)²/Σ E((g - ŝ)²)). All of it where runs are missing.
+/// Share of the root mean square error at `place` that is the same at all X, over all witnesses: √(Σ E(g - ŝ)²/Σ E((g - ŝ)²)). All of it
+/// where runs are missing.
 fn share_at_all_x(confirmed: &[Confirmed], place: usize) -> f64 {
     let squares: Option<Vec<[f64; 2]>> = confirmed.iter().map(|at| at.squares(place)).collect();
     let sum = |squares: &[[f64; 2]], of: usize| squares.iter().map(|both| both[of]).sum::<f64>();

@@ -99,7 +99,7 @@ impl<'a> BandResponse<'a> {
         Self { of, reach, is_at_least_own: false, is_at_single_values, deviations: Mutex::default() }
     }
 
-    /// This response for points that the random inputs do not come to, such as the corners of what they are cut to.
+    /// This response for points outside the distribution of the random inputs, such as the corners of their cut intervals.
     pub fn at_least_own(self) -> Self {
         Self { is_at_least_own: true, ..self }
     }

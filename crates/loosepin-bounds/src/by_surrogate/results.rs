@@ -280,7 +280,7 @@ fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     BoundPair::new(request.column, request.statistic, ends, failed_runs)
 }
 
-/// By how much a statistic may be off of which nothing is known, to either side.
+/// Error of a statistic about which nothing is known, to either side.
 fn nothing_known_error(statistic: Statistic) -> f64 {
     if statistic.is_probability() { 1.0 } else { f64::INFINITY }
 }

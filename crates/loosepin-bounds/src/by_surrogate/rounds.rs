@@ -49,7 +49,7 @@ pub struct SurrogateRounds {
     training: usize,
     /// Numbers of the training runs of the present step.
     first: usize,
-    /// Where its runs are concentrated.
+    /// Points around which its runs are concentrated.
     near: Vec<Vec<f64>>,
     /// Error of the surrogates over what is allowed, after each step of training runs.
     unknown: Vec<f64>,
@@ -59,7 +59,7 @@ pub struct SurrogateRounds {
 
 /// One end of a bound that is widened by more than is asked.
 struct Wide<'a> {
-    /// Widening over what is asked.
+    /// Widening over the requested accuracy.
     share: f64,
     /// Of that, what the surrogate does not know.
     surrogate: f64,
@@ -195,7 +195,7 @@ impl SurrogateRounds {
         }
     }
 
-    /// The largest widening over what is asked, and all ends that are too wide.
+    /// The largest widening over the requested accuracy, and all ends that are too wide.
     fn wide<'f>(&self, found: &'f SurrogateBounds) -> (f64, Vec<Wide<'f>>) {
         let (mut largest, mut wide) = (0.0_f64, Vec::new());
         for Goal { request, most } in &self.goals {

@@ -25,7 +25,7 @@ pub struct SurrogateSection {
 }
 
 impl SurrogatePlan {
-    /// The section of what was learned of one group in one combination of the members of lists; `None` if nothing was.
+    /// The section of the surrogates of one group in one combination of the members of lists; `None` if none was learned.
     pub fn section(&self, group: &GroupBounds, combination: usize, table: &SampleTable) -> Option<SurrogateSection> {
         let surrogate = group.learned.surrogates.as_ref().ok()?.get(combination)?;
         let along = &surrogate.outputs().first()?.quality.rms_along;

@@ -37,7 +37,7 @@ pub struct LearnedTreatments {
 pub struct LearnedComparison {
     /// The bands on the surrogate.
     pub comparison: TreatmentComparison,
-    /// By how much the least share inside can be smaller when the surrogate errs: probability only, interval only, mixed.
+    /// Largest decrease of the least share inside by the error of the surrogate: probability only, interval only, mixed.
     pub coverage_surrogate: [f64; 3],
 }
 

@@ -105,7 +105,7 @@ fn failed_runs_leave_it_unbounded() {
     assert!(found.pairs[0].unbounded_by_failures && found.pairs[0].lower.value > 0.5);
 }
 
-/// Nothing is claimed of mixtures and of random sets: it is not negative, no more.
+/// Bounds of mixtures and of random sets are only checked to be non-negative.
 fn is_open(found: &Bounds) {
     let [lower, upper] = [&found.pairs[0].lower, &found.pairs[0].upper];
     assert_eq!((lower.widened, upper.widened), (0.0, f64::INFINITY), "{:?}", found.pairs[0]);

@@ -14,7 +14,7 @@ pub(crate) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
     Problem::new(random, epistemic, requests)
 }
 
-/// Pairs of what was found and what is expected; fails where one of them is longer.
+/// Pairs of found and expected values; fails if one list is longer.
 #[track_caller]
 pub(crate) fn paired<F, E>(
     found: &[F],
@@ -27,7 +27,7 @@ pub(crate) fn paired<F, E>(
 
 pub(crate) const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
 
-/// Fails where `exact` lies outside the widened bounds or an error exceeds `most_error`; tells all numbers.
+/// Fails where `exact` lies outside the widened bounds or an error exceeds `most_error`; prints all numbers.
 #[track_caller]
 pub(crate) fn check(pair: &BoundPair, exact: (f64, f64), most_error: f64) {
     let covers = pair.lower.widened <= exact.0 + ROUND_OFF && pair.upper.widened >= exact.1 - ROUND_OFF;

@@ -15,7 +15,7 @@ fn second_order(distribution: Distribution) -> EpistemicVariable {
     SecondOrder::try_new(RandomVariable::try_new(distribution).unwrap()).unwrap().into()
 }
 
-/// X normal, its parameters by what is known of them; `others` follow.
+/// X normal, with structures for its parameters; `others` follow.
 fn normal_box(
     mean: EpistemicVariable,
     deviation: Option<EpistemicVariable>,

@@ -1,5 +1,5 @@
-//! Where a sample shows little or nothing: tails beyond its values, events that never happened, scatter at one u only. A bound holds, or
-//! has no end.
+//! Cases in which a sample shows little or nothing: tails beyond its values, events that never happened, scatter at one u only. A bound
+//! holds, or has no end.
 
 use crate::Function;
 use crate::cases::exact::{STANDARD_NORMAL, check, problem};

@@ -44,7 +44,7 @@ impl BoundError {
     }
 }
 
-/// Where a bound is attained.
+/// The point where a bound is attained.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Witness {
     /// Purpose of the runs at the witness.
@@ -65,9 +65,9 @@ pub struct Bound {
     pub value: f64,
     /// The value moved outwards by its error: what people are shown as the bound.
     pub widened: f64,
-    /// Where the value is attained; `None` if it is not attained at one u (a mixture) or nothing finished.
+    /// The point where the value is attained; `None` if it is not attained at one u (a mixture) or no run finished.
     pub witness: Option<Witness>,
-    /// By how much the value may be too narrow.
+    /// Largest amount by which the value may be too narrow.
     pub error: BoundError,
     /// Guarantee of the bound.
     pub guarantee: Guarantee,
@@ -84,9 +84,9 @@ pub struct BoundPair {
     pub lower: Bound,
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
-    /// What was really seen: the lower end of the confidence interval at every outer point, in the order of the outer index, failed runs
-    /// taken as low as possible; NaN if no run finished. Where several focal elements are added, both sums; for
-    /// probabilities of a random set both ends, and none where runs failed.
+    /// Lower end of the confidence interval at every outer point, in the order of the outer index, failed runs taken as low as possible;
+    /// NaN if no run finished. Where several focal elements are added, both sums; for probabilities of a random set both ends, and none
+    /// where runs failed.
     pub seen: Vec<f64>,
     /// The statistic where every epistemic input is in its middle, lists at their first members, by the estimate that the bounds are made of:
     /// failed runs taken as low as possible, and as high as possible. `None` if no runs were made there, and where masses of several
@@ -100,7 +100,7 @@ pub struct BoundPair {
 }
 
 impl BoundPair {
-    /// Bounds without what was seen at single points.
+    /// Bounds without the values seen at single points.
     pub(crate) fn new(column: usize, statistic: Statistic, [lower, upper]: [Bound; 2], failed_runs: usize) -> Self {
         let unbounded_by_failures = !statistic.is_by_shares() && failed_runs > 0;
         Self { column, statistic, lower, upper, seen: Vec::new(), central: None, failed_runs, unbounded_by_failures }

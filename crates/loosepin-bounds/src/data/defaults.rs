@@ -15,5 +15,6 @@ impl Default for Sampling {
     }
 }
 
-/// Where an accuracy is asked for and no budget is stated, samples end at so many times the runs of the plan without an accuracy.
+/// Growth limit of samples, in multiples of the runs of the plan without an accuracy, where an accuracy is requested and no budget is
+/// stated.
 pub const USUAL_GROWTH: usize = 100;

@@ -1,4 +1,4 @@
-//! What between the points of a study was not seen.
+//! Gaps between the points of a study.
 
 /// How finely the box of the epistemic inputs was seen: a peak of a statistic within a gap may have been missed, whatever its height. Shares of
 /// the volume of the box.

@@ -1,4 +1,4 @@
-//! Runs: what goes in, what comes out, one row each.
+//! Runs: inputs and outputs, one row each.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -144,8 +144,8 @@ impl SampleTable {
         self.failures[run]
     }
 
-    /// What is kept beside the rows for as long as the table lives. Rows are only ever added, so that what is known of some of them stays
-    /// true; a copy of the table begins without.
+    /// Derived values stored with the rows for the lifetime of the table. Rows are only ever added, so that what is known of some of them
+    /// stays true; a copy of the table begins without.
     pub(crate) fn kept<K: Any + Send + Sync + Default>(&self) -> Arc<K> {
         self.beside.get()
     }

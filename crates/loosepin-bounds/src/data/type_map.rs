@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub(super) struct TypeMap(Mutex<BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>>);
 
 impl TypeMap {
-    /// What is kept of this type; a new one where nothing is.
+    /// The stored value of this type; a new one if there is none.
     pub fn get<K: Any + Send + Sync + Default>(&self) -> Arc<K> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let own = kept.entry(TypeId::of::<K>()).or_insert_with(|| Arc::new(K::default()));

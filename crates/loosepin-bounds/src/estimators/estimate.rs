@@ -2,7 +2,7 @@
 
 use loosepin_uncertainty::{normal_cdf, normal_quantile, student_factor};
 
-/// Factors that turn a standard error into the half-width of a confidence interval, and what is known of tails beforehand.
+/// Factors that turn a standard error into the half-width of a confidence interval, and prior knowledge of tails.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Confidence {
     /// Student's factor for the spread of the replicates.
@@ -67,7 +67,7 @@ pub(crate) struct FailureExtremes {
 }
 
 impl FailureExtremes {
-    /// Nothing is known.
+    /// An undefined estimate.
     pub const UNDEFINED: Self = Self { low: Estimate::UNDEFINED, high: Estimate::UNDEFINED };
 
     /// An estimate that does not depend on failed runs.
@@ -85,7 +85,7 @@ pub(crate) fn replicate_error(values: &[f64], confidence: &Confidence) -> (f64, 
     (error * (1.0 + (-skewness).max(0.0)), error * (1.0 + skewness.max(0.0)))
 }
 
-/// Mean of `values`; not a number of none.
+/// Mean of `values`; NaN if there are none.
 pub(crate) fn mean_of(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
@@ -115,7 +115,7 @@ impl PowerSums {
         Self { count: values.len() as f64, mean, square, cube }
     }
 
-    /// Standard deviation of the values, over their number; not a number of none.
+    /// Standard deviation of the values, over their number; NaN if there are none.
     pub fn deviation(&self) -> f64 {
         (self.square / self.count).sqrt()
     }

@@ -26,7 +26,7 @@ pub(super) struct PointSamples {
 pub(super) struct GatheredSamples(Mutex<BTreeMap<(Purpose, u32), Arc<PointSamples>>>);
 
 impl GatheredSamples {
-    /// Those of `point` that were gathered from as many runs as it has now; none where it has more by now.
+    /// The samples of `point` gathered from its current number of `runs`; empty if the point has more runs by now.
     pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> Arc<PointSamples> {
         let known = self.points().get(&(purpose, point)).filter(|known| known.runs == runs).cloned();
         known.unwrap_or_else(|| Arc::new(PointSamples { runs, samples: BTreeMap::new() }))

@@ -10,7 +10,7 @@ pub(super) fn value(key: i64) -> f64 {
     f64::from_bits(flipped(key) as u64)
 }
 
-/// Of a negative number all bits but the sign; twice is as before.
+/// Flips all bits of a negative number but the sign; applied twice it is the identity.
 fn flipped(bits: i64) -> i64 {
     bits ^ (((bits >> 63) as u64) >> 1) as i64
 }

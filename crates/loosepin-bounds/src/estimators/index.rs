@@ -1,4 +1,4 @@
-//! The index of a probability: what is searched in its place, since it tells where to go where the probability is flat at 0 or 1.
+//! The index of a probability: searched in place of the probability, since it has a slope where the probability is flat at 0 or 1.
 //!
 //! ```text
 //! x = asinh z,   z = Φ⁻¹(P)
@@ -73,7 +73,7 @@ pub(crate) fn probability_of_index(index: f64) -> f64 {
     normal_cdf(libm::sinh(index))
 }
 
-/// By how much the index changes where the probability changes by `change`, at an index.
+/// Change of the index for a `change` of the probability, at a given index.
 pub(crate) fn index_resolution(index: f64, change: f64) -> f64 {
     let z = libm::sinh(index);
     let slope = Axis::Hermite.density(z) * libm::cosh(index);

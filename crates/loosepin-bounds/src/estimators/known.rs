@@ -1,12 +1,12 @@
-//! What has been worked out of a sample. Its values never change, so that nothing is worked out twice, in whatever round, for whatever
-//! answer it is asked.
+//! Cache of the results of a sample. Its values never change, so that nothing is worked out twice, in whatever round, for whatever answer
+//! it is asked.
 
 use std::sync::{Mutex, PoisonError};
 
 use super::estimate::{Confidence, FailureExtremes};
 use loosepin_terms::Statistic;
 
-/// What is asked of a sample.
+/// A query of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SampleQuery {
     Mean,
@@ -17,21 +17,20 @@ pub(crate) enum SampleQuery {
     Sampled(Statistic),
 }
 
-/// What is found.
+/// The result of a query.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SampleResult {
     pub estimate: FailureExtremes,
-    /// Of a quantile: how fast it rises with the probability.
+    /// Slope of a quantile over the probability.
     pub slope: f64,
 }
 
-/// All that is known of one sample. A copy begins without.
+/// All cached results of one sample. A copy begins without.
 #[derive(Debug, Default)]
 pub(crate) struct SampleCache(Mutex<Vec<(SampleQuery, Confidence, SampleResult)>>);
 
 impl SampleCache {
-    /// What has been found before; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find
-    /// the same.
+    /// The cached result; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find the same.
     pub fn or_find(
         &self,
         asked: SampleQuery,

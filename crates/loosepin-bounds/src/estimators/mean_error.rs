@@ -80,7 +80,7 @@ fn error(means: &[f64], sorted: &[f64], sums: &PowerSums, excess: [f64; 2], conf
     (towards(-1.0, excess[0]), towards(1.0, excess[1]))
 }
 
-/// By how much `of` one more run lies beyond its mean over the largest values, one for each replicate; 0 where these are all equal.
+/// Distance, in terms of `of`, of one more run beyond the mean of the largest values, one for each replicate; 0 if these are all equal.
 fn excess(sorted: &[f64], replicates: usize, index: f64, of: impl Fn(f64) -> f64) -> f64 {
     let Some((outermost, beyond)) = extrapolated_extreme(sorted, replicates, index) else { return 0.0 };
     let outermost: Vec<f64> = outermost.iter().map(|&value| of(value)).collect();

@@ -130,7 +130,7 @@ impl Pool {
         self
     }
 
-    /// The sample of `column` at each point; none for a column that was not gathered.
+    /// The sample of `column` at each point; empty for a column that was not gathered.
     pub fn samples(&self, column: usize) -> Vec<&Sample> {
         self.slots
             .get(&column)

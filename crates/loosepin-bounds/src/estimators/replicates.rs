@@ -1,11 +1,10 @@
-//! By how much each replicate of a sample differs from all of them together: what part of a sampling error neighbouring points share
-//! shows in it.
+//! Differences of the replicates of a sample from their mean: they show the part of a sampling error that neighbouring points share.
 
 use super::estimate::{mean_of, variance_of_mean};
 use super::sample::Sample;
 
-/// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
-/// run, or where the samples have polynomials, so that nothing is sampled to speak of.
+/// `of` each replicate less their mean, replicate by replicate, at every one of `samples`; empty if a replicate has no finished run, or if
+/// the samples have polynomials, so that there is no sampling noise.
 pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64) -> Vec<Vec<f64>> {
     let count = samples.first().map_or(0, |sample| sample.planned_replicates());
     let is_known = |sample: &&Sample| {
@@ -43,7 +42,7 @@ pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], slop
     differences
 }
 
-/// The mean variance, over the points, of what `differences` are of; nothing without them.
+/// The mean variance of `differences` over the points; `None` if there are none.
 pub(crate) fn variance_of_replicates(differences: &[Vec<f64>]) -> Option<f64> {
     let points = differences.first()?.len();
     let of = |point: usize| -> Vec<f64> { differences.iter().map(|replicate| replicate[point]).collect() };

@@ -50,7 +50,7 @@ impl SampleBuilder {
         self.replicate_ends.push(self.values.len());
     }
 
-    /// The sample; what comes next belongs to another one.
+    /// Returns the sample; values put in afterwards belong to the next one.
     pub fn finish(&mut self) -> Sample {
         let sample = Sample::of(Numbers::InMemory(self.values[..].into()), self.replicate_ends[..].into(), self.failed);
         self.values.clear();
@@ -127,7 +127,7 @@ impl Sample {
         }
     }
 
-    /// What has been worked out of it so far.
+    /// The cached results of the sample.
     pub fn known(&self) -> &SampleCache {
         &self.known
     }
@@ -201,7 +201,7 @@ impl Sample {
         self.replicate_ranges().map(move |own| &values[own])
     }
 
-    /// Where the finished values of each replicate that has any stand among all.
+    /// Range of the finished values of each non-empty replicate among all values.
     pub fn replicate_ranges(&self) -> impl Iterator<Item = Range<usize>> {
         let begins = std::iter::once(0).chain(self.replicate_ends.iter().copied());
         begins.zip(self.replicate_ends.iter().copied()).map(|(begin, end)| begin..end).filter(|own| !own.is_empty())

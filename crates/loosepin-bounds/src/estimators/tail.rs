@@ -20,7 +20,8 @@ const MAX_INDEX: f64 = 0.9;
 /// Plotting positions (k - 0.35)/n.
 const POSITION: f64 = 0.35;
 
-/// The index that the error of a mean goes by, for the upper tail of `sorted`, in increasing order; `tail`: so many values are its outermost ones.
+/// Tail index for the error of a mean, for the upper tail of `sorted`, which is in increasing order; `tail` is the number of its outermost
+/// values.
 pub(crate) fn index_for_mean(sorted: &[f64], tail: usize, confidence: &Confidence) -> f64 {
     of_half(sorted, tail, THIRD_MOMENT).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
@@ -31,8 +32,8 @@ pub(crate) fn index_for_mean_square(both: [&[f64]; 2], tail: usize, confidence: 
     of_sample[0].max(of_sample[1]).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
 
-/// Where one of so many times the values above `from` lies, `scale` their mean excess: s (m^ξ - 1)/ξ with s = (1 - ξ) scale, never nearer than by
-/// an exponential tail.
+/// Expected place of one of `times` as many values above `from`, with the mean excess `scale`: s (m^ξ - 1)/ξ with s = (1 - ξ) scale, never
+/// nearer than by an exponential tail.
 pub(crate) fn beyond(from: f64, scale: f64, times: f64, index: f64) -> f64 {
     let logarithm = libm::log(times);
     let exponential = scale * logarithm;

@@ -69,7 +69,7 @@ impl Margin {
         Some(Self { target, event, means, spreads, size })
     }
 
-    /// By how much the sample at `point` must be moved for its margin to become `margin`.
+    /// Shift of the sample at `point` that makes its margin equal to `margin`.
     pub fn shift(&self, point: usize, margin: f64) -> f64 {
         let (mean, spread) = (self.means[point], self.spreads[point]);
         match self.event {

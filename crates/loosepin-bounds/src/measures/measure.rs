@@ -25,7 +25,7 @@ pub(crate) trait Estimator {
     }
 }
 
-/// What is measured: how the target that is searched for it relates to it, and how far it may go. What is left out has the answer of a
+/// A measured quantity: its relation to the target that is searched for it, and its possible range. What is left out has the answer of a
 /// statistic that is its own target and has no limit.
 pub(crate) trait Measured: Debug + Send + Sync {
     /// The event whose probability it is.
@@ -67,7 +67,7 @@ pub(crate) trait Measured: Debug + Send + Sync {
 /// A statistic at every outer point.
 #[derive(Debug)]
 pub(crate) struct Measure {
-    /// What it is of.
+    /// The measured quantity.
     pub of: Box<dyn Measured>,
     /// With every failed run taken as low as possible, and as high as possible.
     pub low: Vec<Estimate>,
@@ -76,7 +76,7 @@ pub(crate) struct Measure {
     pub target_errors: Vec<(f64, f64)>,
     /// Quantity that is searched: the statistic itself, or one that is smooth where the statistic is not.
     pub target: Target,
-    /// For counted probabilities: a margin that still tells where to go where the probability is flat at 0 or 1.
+    /// Margin of counted probabilities: it has a slope where the probability is flat at 0 or 1.
     pub margin: Option<Margin>,
 }
 

@@ -27,7 +27,8 @@ pub(crate) fn estimator(statistic: Statistic) -> Option<Box<dyn Estimator>> {
     })
 }
 
-/// Works out what `requests` need of every sample of `pool`, column by column: what is asked of the same sample shares the order of its values.
+/// Computes everything that `requests` need of each sample of `pool`, column by column: queries of the same sample share the order of its
+/// values.
 pub(crate) fn work_out(pool: &Pool, requests: &[Request], confidence: &Confidence) {
     let mut columns: BTreeMap<usize, Vec<Statistic>> = BTreeMap::new();
     for request in requests {

@@ -36,7 +36,7 @@ pub(super) fn errors(estimates: &[Estimate]) -> Vec<(f64, f64)> {
     estimates.iter().map(|estimate| (estimate.below, estimate.above)).collect()
 }
 
-/// Mean of the finite values, 0 of none.
+/// Mean of the finite values; 0 if there are none.
 pub(super) fn finite_mean(values: &[f64]) -> f64 {
     let (sum, count) = values
         .iter()

@@ -181,7 +181,7 @@ impl DoubleLoop {
         self.setup.epistemic_box.values_at(&BoxPoint { combination, at: at.to_vec() })
     }
 
-    /// The most runs that the plan may come to.
+    /// Upper limit of the number of runs of the plan.
     pub fn most_runs(&self) -> usize {
         let outer =
             if self.setup.has_no_epistemic_inputs() { self.first_outer.len() } else { self.problem().sampling.outer };

@@ -19,7 +19,7 @@ pub enum PlanError {
     #[error("random input {input}, cut at {standard_deviations} standard deviations: {source}")]
     Cut {
         input: usize,
-        /// Where it is cut.
+        /// Cut, in standard deviations.
         standard_deviations: f64,
         /// Reason why the quantiles are no interval.
         source: IntervalError,

@@ -25,7 +25,7 @@ pub const PROMISE_MISS: f64 = 0.01;
 const VALUES: u64 = 0x7072_6f6d_6973_6500;
 const SAMPLES: u64 = 0x7072_6f6d_6973_6501;
 
-/// What is promised, and from how many runs.
+/// The promise, and the number of its runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PromiseSettings {
     /// Share of the box that keeps a bound, each of them at least, in (0, 1).
@@ -54,7 +54,7 @@ pub struct PromiseRequest {
 /// A promised bound.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PromisedBound {
-    /// What was asked for.
+    /// The request.
     pub asked: PromiseRequest,
     /// The bound; infinite, for a probability 0 or 1, where a run failed at some u.
     pub bound: f64,
@@ -208,7 +208,7 @@ impl PromisePlan {
         self.boxes().saturating_mul(self.values).saturating_mul(self.settings.inner)
     }
 
-    /// What is promised.
+    /// The settings of the promise.
     pub fn settings(&self) -> PromiseSettings {
         self.settings
     }
@@ -246,7 +246,7 @@ impl PromisePlan {
         self.search_box.values_at(&BoxPoint { combination: own_box / self.elements.len(), at })
     }
 
-    /// What the runs in `table` promise, end by end in the order in which they were asked for.
+    /// The promised bounds from the runs in `table`, in the order of the requests.
     ///
     /// # Errors
     ///

@@ -38,7 +38,7 @@ pub struct Goal {
     pub most: f64,
 }
 
-/// How far the widening was from what is asked, at the end of a plan.
+/// Widening over the requested accuracy at the end of a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assessment {
     /// Rounds that were made.
@@ -248,7 +248,7 @@ fn at_look(plan: DoubleLoop, look: u32) -> DoubleLoop {
     plan.with_errors_at(1.0 - miss)
 }
 
-/// By how much the bound that is shown lies outside of what was attained; not less than infinite where nothing is known.
+/// Distance of the shown bound outside of the attained value; infinite if nothing is known.
 fn widening(bound: &Bound) -> f64 {
     let widening = (bound.widened - bound.value).abs();
     if widening.is_nan() { f64::INFINITY } else { widening }

@@ -49,7 +49,7 @@ mod tests {
 
     const OF_A_POSE: [Statistic; 3] = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.9)];
 
-    /// Curves of so many poses, with a single number behind them.
+    /// Curves with `poses` poses, followed by a single number.
     fn searched(poses: usize) -> Vec<SoughtExtremes> {
         let of = |column, statistic| (Request { column, statistic }, Direction::BOTH.to_vec());
         let curves = (0..poses).flat_map(|column| OF_A_POSE.map(|statistic| of(column, statistic)));

@@ -35,7 +35,7 @@ pub(crate) struct QuantileJob {
     pub direction: Direction,
 }
 
-/// The event whose probability tells whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
+/// The event whose probability decides whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
 fn quantile_event(y: f64, direction: Direction) -> Event {
     match direction {
         Direction::Maximum => Event::UpTo(y),

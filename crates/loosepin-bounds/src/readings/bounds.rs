@@ -16,7 +16,7 @@ pub struct Bounds {
     pub pairs: Vec<BoundPair>,
     /// Where an input is a fuzzy number: the bounds over every α-cut, degrees increasing; else nothing.
     pub levels: Vec<CutBounds>,
-    /// Where a parameter of a distribution has a distribution itself: one entry for each of `pairs`; else nothing.
+    /// Percentiles of bounds where a parameter of a distribution has a distribution itself: one entry for each of `pairs`; else empty.
     pub percentiles: Vec<StatisticPercentiles>,
     /// One entry for each request for a whole distribution function, in their order.
     pub boxes: Vec<ProbabilityBox>,

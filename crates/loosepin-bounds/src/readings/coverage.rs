@@ -26,13 +26,13 @@ pub struct CoveragePoint {
 pub struct Coverage {
     /// Every outer point, in the order of the outer index.
     pub points: Vec<CoveragePoint>,
-    /// The least `lower` of all points; not a number without points.
+    /// The least `lower` of all points; NaN if there are none.
     pub minimum: f64,
     /// How far the share there may lie above `minimum`: failed runs and sampling.
     pub minimum_error: f64,
-    /// The greatest `upper` of all points; not a number without points.
+    /// The greatest `upper` of all points; NaN if there are none.
     pub maximum: f64,
-    /// Where the minimum is attained; of several elements, in that of the largest mass.
+    /// The point where the minimum is attained; of several elements, in that of the largest mass.
     pub minimum_witness: Option<Witness>,
 }
 

@@ -1,4 +1,4 @@
-//! The extreme of a statistic over a box, or a part of it: attained, with what was not resolved.
+//! The extreme of a statistic over a box, or a part of it: the attained value, with the unresolved rest.
 
 use super::experiment::{Experiment, Focal};
 use super::limits::{can_change, furthest_conceded};
@@ -30,7 +30,7 @@ pub(crate) struct Modelled<'a> {
     scores: [Vec<f64>; 2],
 }
 
-/// Where a statistic goes furthest.
+/// The attained extreme of a statistic.
 struct Attained {
     /// Outer point.
     point: usize,
@@ -82,7 +82,7 @@ impl<'a> Modelled<'a> {
         Self::with(search, measure, samples, [search.branches(&measure.target), margin_branches])
     }
 
-    /// [`Self::new`] of several measures, whose models are made together; nothing in the place of nothing.
+    /// [`Self::new`] for several measures, whose models are made together; `None` stays `None`.
     pub fn all(
         search: &'a Search<'a>,
         measures: &'a [Option<Measure>],
@@ -178,7 +178,7 @@ impl<'a> Modelled<'a> {
         direction.further(value, of.reached(value, target.values[point], direction.further(least, reach)))
     }
 
-    /// How far the models of a counted probability let it go, where so many points lie between 0 and 1: a share of all, `least_between`.
+    /// Extreme of a counted probability by its models, where at least the share `least_between` of the points lies between 0 and 1.
     fn furthest_by_shares(
         &self,
         direction: Direction,

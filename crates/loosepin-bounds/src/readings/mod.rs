@@ -1,5 +1,5 @@
-//! Answers: what the runs say, by what is known of the epistemic inputs and how it is read.
-//! A file for each reading: intervals, mixtures, random sets, distributions. Estimators and searches are asked, not changed.
+//! Results of the runs, for each structure of the epistemic inputs and each way of reading it. A file for each reading: intervals,
+//! mixtures, random sets, distributions. Estimators and searches are asked, not changed.
 
 mod added_quantile;
 pub(crate) mod bounds;

@@ -52,7 +52,7 @@ pub struct PinchedInput {
     pub error: f64,
 }
 
-/// Where a model of a quantile goes furthest.
+/// The extreme of the model of a quantile.
 #[derive(Debug, Clone, Copy)]
 struct Extreme {
     value: f64,

@@ -70,7 +70,7 @@ pub(crate) struct OneSidedLimit {
 enum LimitKind {
     /// Order statistic of this rank, counted from 1.
     Rank(usize),
-    /// By the hits of an event in so many runs; with a miss of 0 the share itself.
+    /// By the hits of an event in `runs` runs; with a miss of 0 the share itself.
     Hits { event: Event, runs: u64, miss: f64 },
 }
 
@@ -89,7 +89,7 @@ impl OneSidedLimit {
         Some(Self { direction: side.into(), kind, range: statistic.range() })
     }
 
-    /// What is compared over all u: the greater, the further out is the limit. `values` are those of all runs at one u; where one of
+    /// Score that is compared over all u: the greater, the further out is the limit. `values` are those of all runs at one u; where one of
     /// them failed, nothing is known there.
     pub fn score(&self, values: &mut [f64]) -> f64 {
         if values.iter().any(|value| !value.is_finite()) {

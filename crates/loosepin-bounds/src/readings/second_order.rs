@@ -70,7 +70,7 @@ pub struct StatisticPercentiles {
     pub percentiles: Vec<Percentile>,
 }
 
-/// Where the statistics are asked for by their models.
+/// Grid on which the models of the statistics are evaluated.
 struct Grid {
     /// Places of the whole box, parameters changing fastest; empty if the parameters lie outside of their range.
     places: Vec<Option<Vec<f64>>>,

@@ -55,7 +55,7 @@ pub(crate) struct Setup {
     pub structure: Structure,
     pub candidates: Vec<Vec<f64>>,
     pub joint_candidates: Vec<Vec<f64>>,
-    /// Worked out when they are needed; nothing where the runs are too few.
+    /// Computed on first use; `None` if the runs are too few.
     inner_basis: OnceLock<Option<Arc<InnerBasis>>>,
     mixture_basis: OnceLock<Option<Arc<InnerBasis>>>,
 }
@@ -122,8 +122,8 @@ impl Setup {
         self.inner_basis.get_or_init(basis).as_deref()
     }
 
-    /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop where that is the same;
-    /// nothing where these are too few.
+    /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop if it is the same; `None`
+    /// if these are too few.
     pub fn mixture_basis(&self) -> Option<&InnerBasis> {
         if !self.has_mixture() {
             return self.inner_basis();

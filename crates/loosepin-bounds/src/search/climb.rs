@@ -37,7 +37,7 @@ impl<'a> Climb<'a> {
         Self { axes, model, direction, region, tolerance: MIN_STEP * range }
     }
 
-    /// What is conceded where a climb from `start` ends. What is rough is no part of the slopes that are climbed.
+    /// Allowance for model error at the end of a climb from `start`. What is rough is no part of the slopes that are climbed.
     pub fn concession_above(&self, start: &[f64]) -> f64 {
         let summit = self.summit(start);
         self.model.at(&summit, Allowance::CONCESSION).moved(Allowance::CONCESSION, self.direction.sign())
@@ -101,7 +101,7 @@ mod tests {
         Target { values, kind, noise: Noise::NONE, resolutions: [1e-9; 2] }
     }
 
-    /// By how much the reach of each of many targets exceeds 1, the greatest value of `function` of a place and of where its summit is.
+    /// Excess over 1 of the reach of each of many targets, the greatest value of `function` of a place and of the place of its summit.
     fn beyond_summits(axes: &Axes, function: impl Fn(&[f64], &[f64]) -> f64) -> Vec<f64> {
         let summits = first_points(17, 2, 5 + MAX_LOCATED_TARGETS + 1).unwrap().split_off(5);
         let points: Vec<BoxPoint> =

@@ -5,14 +5,14 @@ use loosepin_math::with_vector_instructions;
 /// Predictions that are compared side by side: as many as there are numbers in two vectors.
 const AT_ONCE: usize = 8;
 
-/// What a model lets its target be at a place, by the mean and the deviation of its process there, for σ = 1:
+/// Range of a target at a place by its model, from the mean and the deviation of its process there, for σ = 1:
 ///
 /// ```text
 /// sign · (centre + mean + sign · many · scale · deviation)
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ends {
-    /// Of the values.
+    /// Centre of the values.
     pub centre: f64,
     /// σ
     pub scale: f64,

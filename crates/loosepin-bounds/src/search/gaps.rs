@@ -15,7 +15,7 @@ const CLIMBS: usize = 8;
 const FIRST_STEP: f64 = 0.1;
 const LAST_STEP: f64 = 1e-3;
 
-/// The largest gap between `places` in any of so many `combinations` of the discrete inputs, as a share of its box; 1 where one has no place.
+/// The largest gap between `places` in any of the `combinations` of the discrete inputs, as a share of its box; 1 if one has no place.
 pub(crate) fn largest_gap(axes: &Axes, combinations: usize, places: &[BoxPoint], candidates: &[Vec<f64>]) -> f64 {
     let of_combination = |combination: usize| {
         let own: Vec<&[f64]> =

@@ -8,8 +8,8 @@ use crate::search::models::of_points::{Modelled, Search};
 use crate::search::models::prediction::Allowance;
 
 impl Search<'_> {
-    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the
-    /// surroundings of what was attained and where most would be conceded.
+    /// At most `count` places: intersections of two slopes and places where models promise more than was attained; without any, the
+    /// surroundings of the attained extremes and the places with the largest allowance.
     pub fn next_places(
         &self,
         targets: &[(Target, Vec<Direction>)],

@@ -139,8 +139,8 @@ fn hopes_of<'m>(
     forecasts.map(hope).filter(|hope| hope.merit > 1.0 && region.holds(hope.at)).collect()
 }
 
-/// Where the models of a target promise more than has been attained in any combination, element by element; also where kinks do, if it
-/// `may_have_kinks` that no point shows.
+/// Places where the models of a target promise more than was attained in any combination, element by element; also where kinks do, if the
+/// target `may_have_kinks` that no point shows.
 fn promises(
     (index, target): (usize, &Target),
     directions: &[Direction],
@@ -176,7 +176,7 @@ fn promises(
     promises
 }
 
-/// By what a promise is made.
+/// The source of a promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// What a model expects.

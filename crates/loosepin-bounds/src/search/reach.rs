@@ -115,7 +115,7 @@ pub(super) fn reach_where(
 }
 
 impl Reach {
-    /// That of what is furthest in `direction`, each with its place.
+    /// The furthest values in `direction`, each with its place.
     fn of(
         model: &TargetModel<'_>,
         direction: Direction,

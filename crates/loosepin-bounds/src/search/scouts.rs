@@ -25,8 +25,8 @@ pub(crate) struct Observed<'a> {
     pub ends: [f64; 2],
 }
 
-/// Of the runs at outer points, `standardised` (less their mean, in standard deviations), those that all but one of as many as there are
-/// `scouts` lie within on either side; nothing without any. The runs are put in another order.
+/// Range of the runs at outer points, `standardised` (less their mean, in standard deviations), that all but one of `scouts` further runs
+/// stay within by chance on either side; `None` if there are none. The runs are put in another order.
 pub(crate) fn ends_by_chance(standardised: &mut [f64], scouts: usize) -> Option<[f64; 2]> {
     let most = standardised.len().checked_sub(1)?;
     let further_out = standardised.len().checked_div(scouts)?.min(most);

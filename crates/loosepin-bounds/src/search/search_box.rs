@@ -32,8 +32,8 @@ impl Axes {
         self.is_periodic[axis]
     }
 
-    /// The coordinates by which models tell places apart: those of open axes, then for each closed one
-    /// 1/2 + cos(2πx)/2π and 1/2 + sin(2πx)/2π, so that along it lengths are those of the unit box.
+    /// The coordinates in which models measure distances: those of open axes, then for each closed one 1/2 + cos(2πx)/2π and 1/2 +
+    /// sin(2πx)/2π, so that lengths along it are those of the unit box.
     pub fn embed(&self, at: &[f64]) -> Vec<f64> {
         let of = |is_periodic: bool| {
             let own = at.iter().zip(&self.is_periodic).filter(move |(_, own)| **own == is_periodic);
@@ -177,7 +177,7 @@ impl Region {
 }
 
 impl SearchBox {
-    /// The part of the unit box in which the inputs lie in `ranges`, one for each; nothing restricts a list.
+    /// The part of the unit box in which the inputs lie in `ranges`, one for each; a list is not restricted.
     pub fn region(&self, ranges: &[Option<Interval>]) -> Region {
         let mut region = Region::whole(self.wide.len());
         for (axis, &input) in self.wide.iter().enumerate() {
@@ -262,7 +262,7 @@ impl SearchBox {
         self.inputs.iter().zip(values).position(is_none_of)
     }
 
-    /// Where `values` of all inputs lie; none of them is a [`SearchBox::first_unlisted`].
+    /// The point of the box at `values` of all inputs; none of them is a [`SearchBox::first_unlisted`].
     pub fn place_of(&self, values: &[f64]) -> BoxPoint {
         let (mut combination, mut weight) = (0, 1);
         let mut at = Vec::with_capacity(self.wide.len());

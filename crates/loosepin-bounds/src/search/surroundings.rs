@@ -36,7 +36,7 @@ impl Search<'_> {
         if summits.is_empty() { self.confirming_points(&extremes, count) } else { summits }
     }
 
-    /// At most `count` places around `extremes`: a model can be wrong about its own error, and what is found there tells it so.
+    /// At most `count` places around `extremes`: values there correct a model that is wrong about its own error.
     ///
     /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
     /// above the resolution, and the way down a slope from a face.
@@ -56,7 +56,7 @@ impl Search<'_> {
         Vec::new()
     }
 
-    /// Adds the places at `distance` around one extreme that tell something.
+    /// Adds the informative places at `distance` around one extreme.
     fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<BoxPoint>) {
         let &Extreme { point, value, region, resolution, model, .. } = extreme;
         let BoxPoint { combination, at } = &self.points[point];

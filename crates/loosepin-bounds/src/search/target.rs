@@ -14,7 +14,7 @@ pub(crate) struct Target {
     pub values: Vec<f64>,
     /// How it is modelled.
     pub kind: TargetKind,
-    /// What of the values is sampling noise.
+    /// Sampling noise of the values.
     pub noise: Noise,
     /// Gains below these are not worth a point: of the minimum, of the maximum; of an index, gains of its probability.
     pub resolutions: [f64; 2],

@@ -59,7 +59,7 @@ impl Directory {
         Ok(info(&fs::symlink_metadata(self.0.join(name))?))
     }
 
-    /// What is known of the directory itself.
+    /// Information about the directory itself.
     pub fn metadata(&self) -> io::Result<FileInfo> {
         Ok(info(&fs::metadata(&self.0)?))
     }
@@ -107,12 +107,12 @@ pub fn open_named(path: &Path) -> io::Result<File> {
     if fs::metadata(path)?.is_dir() { Err(io::ErrorKind::IsADirectory.into()) } else { File::open(path) }
 }
 
-/// No such limit is known of these systems.
+/// These systems have no such limit.
 pub fn is_file_size_limited() -> bool {
     false
 }
 
-/// What is known of an open file.
+/// Information about an open file.
 pub fn file_info(file: &File) -> io::Result<FileInfo> {
     Ok(info(&file.metadata()?))
 }

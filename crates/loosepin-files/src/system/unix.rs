@@ -57,7 +57,7 @@ impl Directory {
         Ok(info(&retry_on_intr(|| fs::statat(&self.0, name, AtFlags::SYMLINK_NOFOLLOW))?))
     }
 
-    /// What is known of the directory itself.
+    /// Information about the directory itself.
     pub fn metadata(&self) -> io::Result<FileInfo> {
         Ok(info(&retry_on_intr(|| fs::fstat(&self.0))?))
     }
@@ -146,7 +146,7 @@ pub fn is_file_size_limited() -> bool {
     rustix::process::getrlimit(rustix::process::Resource::Fsize).current.is_some()
 }
 
-/// What is known of an open file.
+/// Information about an open file.
 pub fn file_info(file: &File) -> io::Result<FileInfo> {
     Ok(info(&retry_on_intr(|| fs::fstat(file))?))
 }

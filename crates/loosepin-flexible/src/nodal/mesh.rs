@@ -5,9 +5,9 @@ use loosepin_math::{Real, Vec2, legendre_rule, numbers};
 /// Two vectors at a node: its position r, m, and slope r' = ∂r/∂x; or their rates, their accelerations, or the forces on them (N, N m).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nodal<T> {
-    /// Of the position.
+    /// Vector of the position.
     pub position: Vec2<T>,
-    /// Of the slope.
+    /// Vector of the slope.
     pub slope: Vec2<T>,
 }
 

@@ -1,4 +1,4 @@
-//! Likelihood of what was measured for one mechanism, whose true features are known.
+//! Likelihood of a measurement for one mechanism, whose true features are known.
 //!
 //! ```text
 //! p(y | f) = Π over instruments of 1/2 ∫ Π_k N(x_k(y_k, s); f_k, σ_k) |dx_k/dy_k| ds    over s in [-1, 1]
@@ -22,13 +22,13 @@ const STEPS: usize = 30;
 /// Likelihood of a measurement for a mechanism.
 pub(crate) struct Agreement<'o> {
     seen: &'o Observation,
-    /// Of each feature the independent error of its mean.
+    /// Independent error of the mean of each feature.
     scatters: Vec<MotionError>,
     rule: Vec<(f64, f64)>,
 }
 
 impl<'o> Agreement<'o> {
-    /// Nothing where a feature would have to be met exactly; then which ones: those without independent error, but for one of each
+    /// Fails if a feature would have to be met exactly, with the features concerned: those without independent error, but for one of each
     /// instrument that has a common error.
     pub fn new(seen: &'o Observation, features: &[&MeasuredMotion]) -> Result<Self, Vec<usize>> {
         let of = |feature: &&MeasuredMotion| {

@@ -29,7 +29,7 @@ pub(super) struct WeightedValue {
 /// A distribution of the unknowns as shares of the box.
 #[derive(Debug, Clone)]
 pub(super) struct Distribution {
-    /// Of each unknown the probabilities of equal cells, or of members.
+    /// Probabilities of equal cells, or of members, for each unknown.
     pub marginals: Vec<Vec<f64>>,
     /// Probability that each tested value stands for.
     pub weights: Vec<f64>,

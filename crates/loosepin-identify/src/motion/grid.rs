@@ -16,7 +16,7 @@ const MAX_CELLS: usize = 512;
 pub(crate) enum Axis {
     /// Anything between two ends.
     Continuous,
-    /// One of so many members.
+    /// One of this number of members.
     Members(usize),
 }
 
@@ -50,11 +50,11 @@ impl TestedCell {
 pub(crate) struct Grid {
     pub axes: Vec<Axis>,
     pub counts: Vec<usize>,
-    /// What the test says of the middle of each, or of the middle of the cell that it is a part of.
+    /// Verdict of the test at the middle of each cell, or at the middle of the cell that contains it.
     pub cells: Vec<Verdict>,
     /// Whether a cell was tested at its own middle.
     is_own: Vec<bool>,
-    /// Of each cell which of the tests counts for it, in their order.
+    /// Test that counts for each cell, by its index in their order.
     pub tests: Vec<usize>,
     /// Number of tests.
     settled: usize,
@@ -152,19 +152,19 @@ impl Grid {
         counts
     }
 
-    /// Where a cell stands along each unknown.
+    /// Position of a cell along each unknown.
     pub fn place(&self, cell: usize) -> Vec<usize> {
         place(&self.counts, cell)
     }
 
-    /// The cell that holds a place among finer cells, so many along each unknown.
+    /// Index of the cell that contains a place, in a grid of `counts` cells along each unknown.
     pub fn index_of(&self, place: &[usize], counts: &[usize]) -> usize {
         let coarse: Vec<usize> =
             place.iter().zip(counts).zip(&self.counts).map(|((at, fine), own)| at / (fine / own)).collect();
         self.index(&coarse)
     }
 
-    /// The cell at shares of the box, of a member at its place; nothing outside.
+    /// The cell at shares of the box, for a member at its index; `None` outside.
     pub fn cell_at(&self, at: &[f64]) -> Option<usize> {
         let along = |((at, count), axis): ((&f64, &usize), &Axis)| {
             let place = match axis {
@@ -332,7 +332,7 @@ impl Grid {
     }
 }
 
-/// Where a cell stands among so many along each unknown.
+/// Position of a cell in a grid of `counts` cells along each unknown.
 pub(crate) fn place(counts: &[usize], mut cell: usize) -> Vec<usize> {
     let along = |count: &usize| {
         let at = cell % count;

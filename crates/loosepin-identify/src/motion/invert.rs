@@ -20,7 +20,7 @@ const MAX_UNKNOWNS: usize = 6;
 /// Runs at each value, at most.
 const MAX_RUNS: f64 = 100_000.0;
 
-/// What is asked of a motion.
+/// Settings for the values of the unknowns of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionValues {
     /// Probability with which the set holds the true values, at least.
@@ -163,7 +163,8 @@ impl<'s> MotionRig<'s> {
         Ok(found)
     }
 
-    /// The values that the test keeps among so many along each unknown, evenly over the box: brute force, to hold an inversion against.
+    /// The values that the test keeps on a grid of `counts` values along each unknown, evenly over the box: brute force, to check an
+    /// inversion.
     ///
     /// # Errors
     /// The study cannot begin.
@@ -294,7 +295,7 @@ impl<'s> MotionRig<'s> {
     }
 }
 
-/// Why the runs of a study cannot be made, with code and hint of what was refused.
+/// The error of runs that cannot be made, with code and hint of the refusal.
 fn refused(study: &Study, error: &StudyError) -> Diagnostics {
     error.diagnostic(study).into()
 }

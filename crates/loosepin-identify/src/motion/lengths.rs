@@ -1,4 +1,4 @@
-//! Mechanisms that agree with what was measured: the random inputs, given the measurement.
+//! Mechanisms that agree with the measurement: the random inputs, given the measurement.
 //!
 //! ```text
 //! p(x, u | y) ∝ p(y | f(x, u)) p(x) p(u)
@@ -187,7 +187,7 @@ fn column(bank: &RunCache<'_>, input: &RandomInput, place: usize, all: &[Mechani
 /// Ranks of the rows by what the pairs were drawn of.
 struct Ranks {
     lengths: Vec<Vec<f64>>,
-    /// Of the unknowns that are no list, each with its place.
+    /// Unknowns that are no list, each with its index.
     unknowns: Vec<(usize, Vec<f64>)>,
 }
 
@@ -220,7 +220,7 @@ impl Ranks {
         found
     }
 
-    /// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
+    /// Unknowns that no single length determines and that all of them together do: many lengths, each with a small share.
     fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedToLengths> {
         // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
         let count = self.lengths.len() as f64;
@@ -237,7 +237,7 @@ impl Ranks {
     }
 }
 
-/// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 where these do not tell it.
+/// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 if they do not determine it.
 fn multiple_correlation(columns: &[Vec<f64>], of: &[f64]) -> f64 {
     /// Added to the diagonal: columns that go exactly together are no equations of their own.
     const ROUND_OFF: f64 = 1e-9;

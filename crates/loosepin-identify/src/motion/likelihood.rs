@@ -1,4 +1,4 @@
-//! Likelihood of what was measured at one value of the unknowns, from its runs.
+//! Likelihood of a measurement at one value of the unknowns, from its runs.
 //!
 //! ```text
 //! p(y | u) = 2^-m ∫ t(x(y, s); ν, mean, Σ) |dx/dy| ds    over s in [-1, 1]^m
@@ -82,7 +82,7 @@ struct Student {
 }
 
 impl Student {
-    /// Beside so many runs of so many features; `None` if the covariance of these has no inverse.
+    /// Prediction beside `runs` runs of `features` features; `None` if their covariance has no inverse.
     fn new(runs: usize, features: usize) -> Option<Self> {
         let freedom = runs.checked_sub(features).filter(|freedom| *freedom > 0)? as f64;
         let (count, features) = (runs as f64, features as f64);
@@ -123,9 +123,9 @@ impl Student {
 /// cut to the box.
 struct NearestNormal {
     movable: Vec<usize>,
-    /// Where it is largest within the box.
+    /// Its maximum within the box.
     nearest: Vec<f64>,
-    /// Where it is largest without the box.
+    /// Its maximum without the box.
     centre: Vec<f64>,
     /// L of the second derivatives of -ln: L Lᵀ = H.
     factor: Vec<Vec<f64>>,

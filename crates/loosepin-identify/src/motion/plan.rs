@@ -1,4 +1,4 @@
-//! What features would tell, before anything is measured.
+//! Information in features, before anything is measured.
 
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
@@ -62,9 +62,9 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
     all
 }
 
-/// What each feature of `study` alone, and all together, would leave of the box: the mean over measurements that are imagined at values
-/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`. `heard` hears of values
-/// that have their runs.
+/// Expected remaining share of the box by each feature of `study` alone, and by all together: the mean over imagined measurements at values
+/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`. `heard` hears of
+/// values that have their runs.
 ///
 /// # Errors
 /// As of an identification.

@@ -22,7 +22,7 @@ const HALVED: f64 = 0.9995;
 /// Share of failed runs among those that carry the weight, at most.
 const MAX_FAILED: f64 = 0.05;
 
-/// What the distribution is of.
+/// The question that the distribution answers.
 pub(crate) struct Question<'q> {
     pub study: &'q Study,
     pub seen: &'q Observation,
@@ -76,7 +76,7 @@ pub(crate) fn posterior<E>(
 /// Tests cells at their middles: of each what the test says, and its likelihood.
 type TestCells<'t, E> = dyn FnMut(Vec<TestedCell>) -> Result<Vec<(Verdict, WeightedValue)>, E> + 't;
 
-/// The distribution by so many values that they show its shape, at most `points` further ones, with the cells that it is of.
+/// The distribution with enough values to show its shape, at most `points` further ones, with its cells.
 ///
 /// # Errors
 /// Those of `test`.
@@ -131,7 +131,7 @@ fn carried(grid: &Grid, values: &[WeightedValue], least: usize) -> Result<Distri
 }
 
 /// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; empty if the
-/// others carry so much that halving does not help.
+/// others carry too much for halving to help.
 fn carrying(grid: &Grid, values: &[WeightedValue], found: &Distribution, unknown: usize) -> Vec<usize> {
     let mut is_kept = vec![false; values.len()];
     grid.consistent().for_each(|cell| is_kept[grid.tests[cell]] = true);
@@ -154,7 +154,7 @@ fn carrying(grid: &Grid, values: &[WeightedValue], found: &Distribution, unknown
 }
 
 impl Question<'_> {
-    /// Numbers of a distribution by so many runs at each value.
+    /// Numbers of a distribution with `runs` runs at each value.
     fn summary(&self, grid: &Grid, found: &Distribution, runs: usize) -> Posterior {
         let tail = 0.5 * self.alpha;
         let marginal = |(k, shares): (usize, &Vec<f64>)| {
@@ -194,8 +194,8 @@ mod tests {
         WeightedValue { cell, log_likelihood, ended: 100, failed }
     }
 
-    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and gives the distribution, for which
-    /// so many further values may be tested.
+    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and returns the distribution, for
+    /// which this number of further values may be tested.
     fn distribution(
         axes: &[Axis],
         least: f64,

@@ -8,10 +8,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Hears how many values of the unknowns have their runs, and how many will, about at most; says whether it goes on.
+/// Called with the number of values of the unknowns whose runs are made, and the expected number at most; returns whether to continue.
 pub type ProgressCallback<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
 
-/// Nobody hears.
+/// Ignores progress and continues.
 pub const NO_CALLBACK: ProgressCallback<'static> = &|_, _| true;
 
 /// Numbers of rows that are held at once, at most.
@@ -28,7 +28,7 @@ pub(crate) type Runs = Rc<Vec<Vec<f64>>>;
 pub(crate) struct Mechanism {
     pub random: Vec<f64>,
     pub epistemic: Vec<f64>,
-    /// Of each feature its true value, SI; NaN if the run failed.
+    /// True value of each feature, SI; NaN if the run failed.
     pub features: Vec<f64>,
 }
 
@@ -40,7 +40,7 @@ pub(crate) struct RunCache<'s> {
     pub runs: usize,
     /// The study that records each stretch of turns.
     stretches: Vec<RunRows>,
-    /// Of each feature its columns in a row; none for impacts.
+    /// Columns of each feature in a row; empty for impacts.
     columns: Vec<Vec<usize>>,
     known: HashMap<Vec<u64>, Runs>,
     heard: ProgressCallback<'s>,

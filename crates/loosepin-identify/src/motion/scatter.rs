@@ -1,4 +1,4 @@
-//! What runs at one value of the unknowns scatter by, and where a measurement stands among them.
+//! Scatter of the runs at one value of the unknowns, and the place of a measurement in it.
 
 use loosepin_study::MotionError;
 
@@ -11,7 +11,7 @@ const LOOKS: usize = 16;
 /// Steps of a golden section.
 const SECTIONS: usize = 60;
 
-/// What was measured.
+/// A measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Observation {
     /// Mean over the repeats of each feature, SI.
@@ -67,7 +67,7 @@ impl Observation {
 /// Runs that ended, as they are compared: logarithms of features that are positive.
 pub(crate) struct Scatter {
     pub rows: Vec<Vec<f64>>,
-    /// Of each feature whether logarithms are taken.
+    /// Whether logarithms are taken, for each feature.
     pub is_log: Vec<bool>,
     pub form: Form,
     /// Runs that failed.

@@ -25,7 +25,7 @@ use loosepin_study::MotionError;
 pub(crate) struct SidedForm {
     form: Form,
     median: Vec<f64>,
-    /// Of each feature s- and s+.
+    /// s- and s+ of each feature.
     sides: Vec<[f64; 2]>,
     /// L of R.
     factor: Vec<Vec<f64>>,

@@ -18,9 +18,9 @@ pub(crate) struct DxfError {
 /// A place in a file.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum FilePosition {
-    /// Of a text, from 1.
+    /// Line of a text, from 1.
     Line(usize),
-    /// Of a binary file, from 0.
+    /// Byte of a binary file, from 0.
     Byte(usize),
 }
 

@@ -9,7 +9,7 @@ use super::error::{DxfError, DxfProblem, FilePosition};
 pub(super) struct Group<'a> {
     pub code: i32,
     pub value: Value<'a>,
-    /// Where the value stands.
+    /// Position of the value.
     pub place: FilePosition,
 }
 
@@ -72,8 +72,8 @@ pub(super) enum ValueType {
 }
 
 impl ValueType {
-    /// The type that a code tells (DXF Reference, "Group Code Value Types"). That 1004 is a chunk of bytes stands in
-    /// "Group Codes in Numerical Order".
+    /// The type for a group code (DXF Reference, "Group Code Value Types"). That 1004 is a chunk of bytes stands in "Group Codes in
+    /// Numerical Order".
     pub fn of(code: i32) -> Option<Self> {
         Some(match code {
             0..=9 | 100..=102 | 105 | 300..=309 | 320..=369 | 390..=399 | 410..=419 | 430..=439 | 470..=481 => {

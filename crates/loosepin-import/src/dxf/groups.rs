@@ -20,7 +20,7 @@ impl<'a> Groups<'a> {
         }
     }
 
-    /// The next group that is not a comment; none at the end of the file.
+    /// The next group that is not a comment; `None` at the end of the file.
     pub fn next(&mut self) -> Result<Option<Group<'a>>, DxfError> {
         const COMMENT: i32 = 999;
         loop {
@@ -34,7 +34,7 @@ impl<'a> Groups<'a> {
         }
     }
 
-    /// The next group of a section; none at its end.
+    /// The next group of a section; `None` at its end.
     pub fn next_in_section(&mut self, section: &str) -> Result<Option<Group<'a>>, DxfError> {
         match self.next()? {
             Some(group) if group.code == 0 && group.text() == "ENDSEC" => Ok(None),

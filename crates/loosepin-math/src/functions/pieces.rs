@@ -5,7 +5,7 @@ use crate::{Numbers, Real};
 /// Pieces side by side along an argument, each with its N numbers.
 #[derive(Debug, Clone)]
 pub struct Pieces<T, const N: usize> {
-    /// Where a piece ends and the next one begins: one less than there are pieces.
+    /// Boundaries between consecutive pieces: one less than there are pieces.
     breaks: Vec<T>,
     numbers: Vec<[T; N]>,
 }
@@ -34,7 +34,7 @@ impl<T: Real, const N: usize> Pieces<T, N> {
         &self.numbers
     }
 
-    /// Where a piece ends and the next one begins.
+    /// Boundaries between consecutive pieces.
     pub fn breaks(&self) -> &[T] {
         &self.breaks
     }

@@ -24,8 +24,7 @@ pub fn clamped_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     tridiagonal(&lower, &diagonal, &upper, right)
 }
 
-/// Second derivatives for a spline that goes on with the same course after its last point, from there: slope and second derivative at
-/// both ends agree.
+/// Second derivatives of a periodic spline: slope and second derivative at both ends agree.
 pub fn periodic_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     let count = points.len() - 1;
     let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));
@@ -53,7 +52,7 @@ pub fn periodic_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     moments
 }
 
-/// Second derivatives for a spline whose second derivative is zero at both ends: it goes on straight from there.
+/// Second derivatives of a natural spline: zero at both ends, from where it continues as a straight line.
 pub fn natural_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     let last = points.len() - 1;
     let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));

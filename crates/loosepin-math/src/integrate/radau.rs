@@ -39,7 +39,7 @@ const NOTHING: f64 = 1e-3;
 /// Convergence factor of iterations that do not converge.
 const DIVERGES: f64 = 0.95;
 
-/// What came out of a step.
+/// Result of an attempted step.
 #[derive(Debug, Clone, Copy)]
 pub struct RadauAttempt {
     /// Error over tolerance, at most one where the step is good.
@@ -85,7 +85,7 @@ pub struct Radau {
 }
 
 impl Radau {
-    /// For so many coordinates q, unknowns, and unknowns with integrals.
+    /// Workspace for `freedoms` coordinates q, `dimension` unknowns, and `integrals` of them.
     pub fn new(freedoms: usize, dimension: usize, integrals: usize, differences: Vec<f64>, has_damping: bool) -> Self {
         let stride = dimension + integrals;
         let rows = || std::array::from_fn(|_| vec![0.0; stride]);
@@ -321,7 +321,7 @@ impl Radau {
         false
     }
 
-    /// First guess of the stages: the last step goes on, or the rates.
+    /// First guess of the stages: the extrapolated last step, or the rates.
     fn guess(&mut self, rows: &StepRows<'_, f64>, step: f64) {
         let n = self.freedoms;
         let time = rows.start[2 * n];

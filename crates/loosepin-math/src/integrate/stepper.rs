@@ -23,7 +23,7 @@ pub struct StepRows<'r, T> {
     pub start: &'r mut [T],
     /// State at the end of the step.
     pub end: &'r mut [T],
-    /// Where the derivative is evaluated next.
+    /// Point of the next evaluation of the derivative.
     pub point: &'r mut [T],
     /// [`Stepper::rows`] rows: derivatives at the start and at the points of the step, at its end, at the further points of the
     /// dense output; then the dense output itself.

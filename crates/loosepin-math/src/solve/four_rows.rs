@@ -35,7 +35,7 @@ pub(crate) struct FourTriangleRows {
 }
 
 impl FourRows {
-    /// The `matrix` (row by row) with so many `columns`.
+    /// The `matrix` (row by row) with `columns` columns.
     pub fn new(matrix: &[f64], columns: usize) -> Self {
         let rows = matrix.len().checked_div(columns).unwrap_or(0);
         let mut entries = Vec::with_capacity(rows.div_ceil(4) * columns);
@@ -401,7 +401,7 @@ mod tests {
     use super::{FourRows, FourTriangleRows, interleaved, pairwise_dots};
     use crate::solve::dense::dot;
 
-    /// Numbers of both signs, none of which is a short binary fraction.
+    /// Numbers of both signs that are no short binary fractions.
     fn number(i: usize) -> f64 {
         libm::sin(1.7 * i as f64 + 0.3) * libm::exp(0.1 * (i % 90) as f64)
     }
@@ -470,7 +470,7 @@ mod tests {
         }
     }
 
-    /// N vectors of so many numbers, side by side.
+    /// N vectors of `count` numbers, side by side.
     fn vectors<const N: usize>(count: usize) -> Vec<[f64; N]> {
         (0..count).map(|i| core::array::from_fn(|vector| number(1000 * (vector + 1) + i))).collect()
     }

@@ -17,7 +17,7 @@ pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
     solve_within(a, n, b, |_| 0, |_| n);
 }
 
-/// Where a symmetric matrix may have entries other than zero: in row i not before column `first[i]`. Its factors L keep within it.
+/// The possibly non-zero entries of a symmetric matrix: in row i not before column `first[i]`. Its factors L keep within it.
 ///
 /// A mass matrix of parts that no ideal joint connects has a block for each of them.
 #[derive(Debug, Clone)]

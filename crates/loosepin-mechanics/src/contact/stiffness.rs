@@ -40,13 +40,13 @@ pub enum TouchingParts {
     },
     /// A corner or a pin on a plane.
     OnPlane {
-        /// Its radius ρ, m; `None` where nothing tells it, as of flanks of teeth.
+        /// Its radius ρ, m; `None` if it is not defined, as for flanks of teeth.
         radius_m: Option<f64>,
     },
 }
 
 impl TouchingParts {
-    /// K of a point contact, N/m^1.5, with the compliances h_i and h_j, 1/Pa; `None` where nothing tells the radius.
+    /// K of a point contact, N/m^1.5, with the compliances h_i and h_j, 1/Pa; `None` if the radius is not defined.
     pub fn stiffness_n_m1_5(&self, compliances_1_pa: [f64; 2]) -> Option<f64> {
         match *self {
             Self::Pin { bearing_radius_m, clearance_m, .. } => {

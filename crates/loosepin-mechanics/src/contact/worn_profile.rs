@@ -14,7 +14,7 @@ pub struct WornProfile {
 /// Weights of four sectors in a row in the value of a spline and in its first two derivatives over the angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Weights {
-    /// The first of the four sectors from the sector at hand, from 0 up to their number.
+    /// Offset of the first of the four sectors from the current sector, from 0 up to their number.
     shift: usize,
     /// Of the value.
     pub value: [f64; 4],

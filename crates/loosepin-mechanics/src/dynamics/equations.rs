@@ -94,7 +94,7 @@ pub struct Dynamics<'a, T> {
     pub(super) driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
     pub(super) forces: Vec<T>,
-    /// Partial velocities of the centre of mass of the link at hand.
+    /// Partial velocities of the centre of mass of the current link.
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,

@@ -6,7 +6,7 @@ use crate::model::{ActsOn, BodyId, JointId, PlayId, PointId};
 use loosepin_flexible::{Nodal, Station};
 use loosepin_math::{Real, Vec2};
 
-/// What the part of a link nearer to its root does to the part beyond a cut.
+/// Force of the part of a link nearer to its root on the part beyond a cut.
 #[derive(Debug, Clone, Copy)]
 pub struct SectionForce<T> {
     /// Force along the axis of the section, N: negative under tension, as the inner part pulls the outer one back.

@@ -168,7 +168,7 @@ fn undetermined_words(bodies: &[String]) -> String {
     }
 }
 
-/// Where a drive is.
+/// Position of a drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrivePlace {
     /// Name of the drive.
@@ -189,7 +189,7 @@ fn guess_words(guesses: &[(String, f64)]) -> String {
     }
 }
 
-/// Where the drive is, behind an instant; empty if that is not known.
+/// Words for the position of the drive, behind an instant; empty if it is unknown.
 fn at_words(at: Option<&DrivePlace>) -> String {
     let Some(DrivePlace { drive, position_si, dimension }) = at else { return String::new() };
     let in_turn =

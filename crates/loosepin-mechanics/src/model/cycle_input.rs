@@ -57,7 +57,7 @@ impl Model {
         self.input(self.cycle.span, values)
     }
 
-    /// Duration of a period, s, with the numbers that `number` gives; none where the turns of a drive are counted.
+    /// Duration of a period, s, with the numbers that `number` gives; `None` if the turns of a drive are counted.
     pub fn period_s<T: Real>(&self, span: CycleSpan, number: &dyn Fn(QuantityId) -> T) -> Option<T> {
         match span {
             CycleSpan::Turns(_) => None,

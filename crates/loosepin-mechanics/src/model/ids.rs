@@ -20,7 +20,7 @@ pub struct DriveId(pub usize);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ControlId(pub usize);
 
-/// What acts along the coordinate of a joint: a drive, or the actuator of a control.
+/// An actuator along the coordinate of a joint: a drive, or the actuator of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Actuator {
     /// A drive, which needs whatever its motion takes.
@@ -29,7 +29,7 @@ pub enum Actuator {
     Control(ControlId),
 }
 
-/// What may have play: a joint, or a coupling by its index in [`crate::model::Model::couplings`].
+/// An element that may have play: a joint, or a coupling by its index in [`crate::model::Model::couplings`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum PlayId {
     /// A joint.

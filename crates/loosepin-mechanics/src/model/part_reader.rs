@@ -1,4 +1,4 @@
-//! What every kind of part needs to read its table: the reader of the model, as far as all of them know it.
+//! Reader common to every kind of part: the part of the model's reader that all of them know.
 
 use super::ids::{BodyId, JointId, PointId};
 use crate::model::values::quantity::QuantityId;

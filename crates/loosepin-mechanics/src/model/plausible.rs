@@ -107,7 +107,7 @@ impl Model {
         self.bodies.iter().map(|body| extent_m(body, values)).fold(0.0, f64::max)
     }
 
-    /// Numbers whose usual range goes by their key alone.
+    /// Numbers whose usual range depends on their key alone.
     fn judge_quantities(&self, values: &Values, found: &mut Vec<(String, ImplausibleNumber)>) {
         for (id, quantity) in self.quantities.iter() {
             let (value, entry) = (values[id], describe_path(&quantity.path));

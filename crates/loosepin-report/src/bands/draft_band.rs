@@ -13,9 +13,9 @@ use loosepin_result::study::{Draft, DraftCurve, RequirementOutcome, ResponsePoin
 /// The band of one deviation, from the runs so far.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DraftBand {
-    /// What is shown: `Deviation of slider`.
+    /// Title: `Deviation of slider`.
     pub title: String,
-    /// What the band is, and what it is not yet.
+    /// Meaning of the band, and its present limits.
     pub words: String,
     /// The chart as an SVG document that takes its style from the page.
     pub figure: String,

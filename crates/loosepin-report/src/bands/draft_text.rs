@@ -1,4 +1,4 @@
-//! What is known of a study before it is finished, in a line.
+//! One line on a study before it is finished.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::study::output_summary::main_bound;

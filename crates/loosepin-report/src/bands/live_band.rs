@@ -22,7 +22,7 @@ const DEVIATIONS: f64 = 2.0;
 pub struct LiveBand {
     /// Name of the output.
     pub output: String,
-    /// What it is.
+    /// Description.
     pub words: String,
     /// How wide the band is where it is widest, in a sentence.
     pub largest: String,
@@ -37,11 +37,11 @@ pub struct LiveBand {
     pub si_per_unit: f64,
     /// Whether the band keeps each limit of its output, in a sentence.
     pub kept: Vec<String>,
-    /// What makes the band where it is widest, the largest part first.
+    /// Parts of the band where it is widest, the largest first.
     pub parts: Vec<BandPart>,
 }
 
-/// What a part of a band comes from.
+/// The source of a part of a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PartKind {
@@ -51,16 +51,16 @@ pub enum PartKind {
     Part,
 }
 
-/// What one joint or one dimension adds to a band.
+/// The share of one joint or one dimension in a band.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BandPart {
     /// Joint, or path of the dimension.
     pub name: String,
-    /// What it is.
+    /// Its source.
     pub kind: PartKind,
     /// Share of the outer band, 0 to 1.
     pub share: f64,
-    /// What it adds, with its unit.
+    /// Its share, with the unit.
     pub words: String,
 }
 

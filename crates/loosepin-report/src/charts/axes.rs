@@ -13,7 +13,7 @@ pub(crate) const NUMBERS_BESIDE: f64 = 7.0;
 pub(crate) const NAME_ABOVE_EDGE: f64 = 8.0;
 /// Half the height of a digit: numbers beside an axis stand so far below their tick.
 pub(crate) const HALF_DIGIT: f64 = 4.0;
-/// Where the line of the upright name stands, from the left edge of the picture.
+/// Position of the name of the vertical axis from the left edge of the picture.
 pub(crate) const UPRIGHT_NAME: f64 = 13.0;
 /// Room for numbers on the left.
 const LEFT: f64 = 74.0;
@@ -57,7 +57,7 @@ impl Axis {
     }
 }
 
-/// Two axes in a picture of so many units; a unit is about a pixel.
+/// Two axes in a picture, in its units; a unit is about a pixel.
 pub(crate) struct Axes {
     pub width: f64,
     pub height: f64,
@@ -66,12 +66,12 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Where a value of the horizontal axis stands.
+    /// Position of a value on the horizontal axis.
     pub fn x_position(&self, value: f64) -> f64 {
         LEFT + self.x.share(value) * (self.width - LEFT - MARGIN)
     }
 
-    /// Where a value of the vertical axis stands.
+    /// Position of a value on the vertical axis.
     pub fn y_position(&self, value: f64) -> f64 {
         self.height - BELOW - self.y.share(value) * (self.height - BELOW - MARGIN)
     }

@@ -195,7 +195,7 @@ impl Chart {
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }
 
-    /// What the vertical axis shows, with its unit.
+    /// Sets the quantity of the vertical axis, with its unit.
     pub fn set_vertical_axis(&mut self, what: impl Into<String>, unit: &SiUnit, writer: &NumberWriter) {
         (self.y_label, self.y_symbol) = (what.into(), writer.symbol(unit));
     }

@@ -25,7 +25,7 @@ const KEY_MARGIN: f64 = 6.0;
 /// Share of the range that is left free above and below.
 const FREE_SHARE: f64 = 0.06;
 
-/// Where the curves stand in the picture, and what their frame shows, in display units.
+/// Place of the curves in the picture, and the range of their frame, in display units.
 pub(crate) struct Plot {
     left: f64,
     top: f64,

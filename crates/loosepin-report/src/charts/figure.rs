@@ -16,13 +16,13 @@ const CSV_DIGITS: usize = 9;
 pub(crate) struct Picture {
     /// Stable, unique in its page, and the id of its element: `deviation.slider`.
     pub name: String,
-    /// Of the style: `chart`, `zone`, ...
+    /// Class of the style: `chart`, `zone`, ...
     pub class: &'static str,
     /// Left, top, width and height in units of the picture.
     pub view: [f64; 4],
     /// Room below the view for what only the saved picture shows: the key of a chart, which the page has as buttons.
     pub below: f64,
-    /// What is to be seen, for those who cannot see it; the title of the saved picture.
+    /// Description for those who cannot see it; the title of the saved picture.
     pub alternative: String,
     pub drawn: Markup,
 }
@@ -127,7 +127,7 @@ pub(crate) fn csv_text(text: &str) -> String {
     if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
-/// A number in a table of comma-separated values; nothing for what is not finite.
+/// A number in a table of comma-separated values; empty if it is not finite.
 pub(crate) fn csv_number(value: f64) -> String {
     round_to_digits(value, CSV_DIGITS).map_or(String::new(), |number| number.to_string())
 }
@@ -192,7 +192,7 @@ fn attribute(text: &str, after: &str, name: &str) -> Option<String> {
 }
 
 impl Figure {
-    /// What is to be seen in it.
+    /// Title of the figure.
     pub fn title(&self) -> String {
         let entities = [("&nbsp;", "\u{a0}"), ("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
         entities.into_iter().fold(self.title.clone(), |text, (entity, character)| text.replace(entity, character))

@@ -176,7 +176,7 @@ fn drawn_samples(orbit: &JournalOrbit) -> impl Iterator<Item = usize> + use<> {
     (0..samples(orbit)).step_by(step(orbit))
 }
 
-/// One of so many samples is in a page.
+/// Interval between the samples shown in a page.
 fn step(orbit: &JournalOrbit) -> usize {
     samples(orbit).div_ceil(ORBIT_POINTS).max(1)
 }
@@ -185,7 +185,7 @@ fn samples(orbit: &JournalOrbit) -> usize {
     orbit.x_m.len().min(orbit.y_m.len())
 }
 
-/// Where a journal was, in units of the picture.
+/// Position of a journal, in units of the picture.
 fn place(orbit: &JournalOrbit, sample: usize) -> Option<String> {
     let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
     let (x_m, y_m) = (orbit.x_m[sample], orbit.y_m[sample]);
@@ -227,7 +227,7 @@ fn csv(orbit: &JournalOrbit, writer: &NumberWriter) -> String {
     table
 }
 
-/// A number to so many places, without zeros at its end.
+/// A number rounded to this number of decimals, without trailing zeros.
 fn to_places(value: f64, places: usize) -> String {
     let text = format!("{value:.places$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };

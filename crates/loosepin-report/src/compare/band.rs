@@ -22,7 +22,7 @@ const DIGITS: usize = 3;
 /// Both bands of an output over the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedBand {
-    /// Of what: `Deviation of slider`.
+    /// Title: `Deviation of slider`.
     pub title: String,
     /// How far each band reaches, in a sentence.
     pub words: String,
@@ -109,7 +109,7 @@ fn band(
     ComparedBand { title, words, reaches: reaches.collect(), angle_deg, figure: chart.document() }
 }
 
-/// Where a band begins and ends at a pose: `-0.15 mm to 0.14 mm`.
+/// Both ends of a band at a pose: `-0.15 mm to 0.14 mm`.
 fn reach_words(ends: &[Vec<f64>; 2], pose: usize, curve: &DeviationCurve, writer: &NumberWriter) -> String {
     let [lower, upper] = [0, 1].map(|which| ends[which][pose]);
     if !lower.is_finite() || !upper.is_finite() {

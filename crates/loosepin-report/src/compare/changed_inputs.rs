@@ -1,4 +1,4 @@
-//! What differs in the inputs of two studies: uncertain inputs in words, then every other entry of the two texts, and tables.
+//! Differences between the inputs of two studies: uncertain inputs in words, then every other entry of the two texts, and tables.
 
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ const LONGEST: usize = 300;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputPlace {
-    /// Among the uncertain inputs.
+    /// An uncertain input.
     Uncertain,
     /// In the model.
     Model,
@@ -33,19 +33,19 @@ pub enum InputPlace {
 /// An input that two studies have differently.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangedInput {
-    /// Where it stands.
+    /// Place of the input.
     pub place: InputPlace,
     /// Its path: `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// The same in words.
     pub words: String,
-    /// What A has, with its unit; `None` if it has no such entry.
+    /// Entry of A, with its unit; `None` if it has no such entry.
     pub before: Option<String>,
-    /// What B has.
+    /// Entry of B.
     pub after: Option<String>,
 }
 
-/// What differs; and what could not be compared, in sentences.
+/// The differences; and sentences on what could not be compared.
 pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     let mut left_out = Vec::new();
     let [model, study] = [InputRole::Model, InputRole::Study].map(|role| texts(pair, role));
@@ -120,7 +120,7 @@ fn uncertain(pair: [&StudyResult; 2], model: Option<&[std::sync::Arc<Source>; 2]
     rows.filter(|row| row.before != row.after).collect()
 }
 
-/// Whether an entry of a study is that of an uncertain input that is told in words.
+/// Whether an entry of a study belongs to an uncertain input that is described in words.
 fn is_told(entry: &Difference, told: &[String]) -> bool {
     let [table, path, ..] = &entry.keys[..] else { return false };
     UNCERTAIN.contains(&table.as_str()) && told.contains(path)

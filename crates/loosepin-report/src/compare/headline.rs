@@ -9,7 +9,7 @@ use crate::words::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
 
-/// Where the studies share no main answer.
+/// Headline if the studies share no main answer.
 pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
@@ -88,7 +88,7 @@ pub(super) fn is_same_curve(a: &DeviationCurve, b: &DeviationCurve) -> bool {
     a.output == b.output && a.of == b.of && a.unit == b.unit && a.probabilities == b.probabilities
 }
 
-/// Where the band is farthest from zero, rad, and how far; `None` if the study has none.
+/// Pose at which the band is farthest from zero, rad, and its distance there; `None` if the study has none.
 pub(super) fn reach_si(curve: &DeviationCurve) -> Option<(f64, f64)> {
     let band = &curve.mixed;
     let at = |list: &[f64], pose: usize| list.get(pose).copied().filter(|value| value.is_finite()).map(f64::abs);

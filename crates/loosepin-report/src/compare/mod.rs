@@ -32,9 +32,9 @@ pub struct Comparison {
     pub headline: String,
     /// The studies, A first.
     pub sides: [ComparedSide; 2],
-    /// What makes the numbers less comparable.
+    /// Reasons why the numbers are less comparable.
     pub warnings: Vec<String>,
-    /// What is not compared, and why.
+    /// Parts that are not compared, with the reasons.
     pub left_out: Vec<String>,
     /// Requirements with both verdicts.
     pub requirements: Vec<ComparedRequirement>,
@@ -42,7 +42,7 @@ pub struct Comparison {
     pub bands: Vec<ComparedBand>,
     /// Bounds of single statistics with their differences.
     pub statistics: Vec<ComparedStatistic>,
-    /// What differs in the inputs, uncertain ones first.
+    /// Differences of the inputs, uncertain ones first.
     pub inputs: Vec<ChangedInput>,
 }
 

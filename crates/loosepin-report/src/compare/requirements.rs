@@ -12,7 +12,7 @@ use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 pub struct ComparedRequirement {
     /// On what: `deviation of slider over the whole cycle`.
     pub what: String,
-    /// The limits and the share that is required in A and in B, in words; nothing where the study does not require it.
+    /// The limits and the required share in A and in B, in words; `None` if the study does not require it.
     pub required: [Option<String>; 2],
     /// The share that keeps the limits, as far as it is known.
     pub kept: [Option<String>; 2],

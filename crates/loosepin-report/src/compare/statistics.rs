@@ -17,7 +17,7 @@ const MAX_ROWS: usize = 200;
 /// A statistic that both studies bound.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedStatistic {
-    /// Of what: `slider (x of slider.pin): deviation, largest absolute value in the cycle`.
+    /// The response: `slider (x of slider.pin): deviation, largest absolute value in the cycle`.
     pub response: String,
     /// Which one, and by which treatment where it is not the mixed one.
     pub statistic: String,

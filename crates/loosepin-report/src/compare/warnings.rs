@@ -1,4 +1,4 @@
-//! What makes the numbers of two studies less comparable.
+//! Reasons why the numbers of two studies are less comparable.
 
 use super::sides::for_both;
 use crate::numbers::number::NumberWriter;

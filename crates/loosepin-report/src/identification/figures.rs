@@ -160,7 +160,7 @@ pub(super) struct RangeRow {
     pub unit: SiUnit,
     pub before_si: [f64; 2],
     pub after_si: Option<[f64; 2]>,
-    /// What was measured, with its common error.
+    /// The measured value, with its common error.
     pub measured_si: Option<(f64, [f64; 2])>,
 }
 

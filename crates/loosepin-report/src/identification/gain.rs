@@ -1,4 +1,4 @@
-//! What narrower intervals gain: the study before and after, beside each other.
+//! Gain by narrower intervals: the study before and after, beside each other.
 
 use crate::compare::{NOTHING_IN_COMMON, compare_studies};
 use crate::numbers::number::{NumberWriter, Rounding};

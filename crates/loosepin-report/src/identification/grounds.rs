@@ -1,4 +1,4 @@
-//! What the bounds of an identification rest on.
+//! Assumptions of the bounds of an identification.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::identification::Identification;
@@ -7,7 +7,7 @@ use loosepin_text::units::{SiUnit, counted};
 /// Digits of an error.
 const ERROR_DIGITS: usize = 2;
 
-/// What the bounds rest on.
+/// Assumptions of the bounds.
 pub(super) fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
     let percent = writer.percent(answer.confidence, Rounding::Nearest);
     let of_motion = || {

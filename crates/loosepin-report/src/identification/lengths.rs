@@ -1,4 +1,4 @@
-//! Lengths of a specimen, given what was measured.
+//! Lengths of a specimen, given its measurement.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::words::wording::remark;
@@ -12,7 +12,7 @@ use loosepin_text::units::SiUnit;
 const DIGITS: usize = 6;
 const DEVIATION_DIGITS: usize = 3;
 
-/// Appends the lengths of a specimen, or why they are not told; nothing where they were not asked for.
+/// Appends the lengths of a specimen, or why they are not known; appends nothing if they were not asked for.
 pub(super) fn push_lengths(section: &mut Section, specimen: &MotionSpecimen, writer: &NumberWriter<'_>) {
     let Some(lengths) = &specimen.lengths else { return };
     section.push_on(Medium::Terminal, Content::Heading("Lengths of this specimen".into()));
@@ -40,7 +40,7 @@ fn lengths_table(rows: &MechanismRows, writer: &NumberWriter<'_>) -> Table {
     Table::new(columns, rows.columns.iter().map(row))
 }
 
-/// What the rows rest on, and what they do not tell; or why there are none.
+/// Assumptions and limits of the rows; or why there are none.
 fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &NumberWriter<'_>) -> Vec<String> {
     let rows = match lengths {
         SpecimenLengths::Refused(refusal) => return vec![format!("no agreeing mechanisms: {refusal}")],

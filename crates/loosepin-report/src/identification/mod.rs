@@ -1,4 +1,4 @@
-//! What readings of a rig and the motion of a mechanism say of its unknowns.
+//! Identification of the unknowns of a mechanism from readings of a rig and from its motion.
 //!
 //! | Said | File |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! What the motion of a specimen leaves of the unknowns, or why nothing explains it.
+//! Remaining range of the unknowns by the motion of a specimen, or why nothing explains it.
 
 use super::figures::{RangeRow, map, ranges, strip};
 use super::ranges::{BOUND_DIGITS, range, stated};

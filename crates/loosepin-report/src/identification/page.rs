@@ -75,7 +75,7 @@ pub fn identification_page(answer: &Identification) -> String {
     .into_html()
 }
 
-/// What `push` says of each specimen, below its name where there are several; nothing where it says nothing of any.
+/// The contents that `push` makes for each specimen, below its name if there are several; empty if it makes none.
 fn each<S>(
     (id, title): (&'static str, &'static str),
     specimens: &[S],

@@ -1,4 +1,4 @@
-//! What features of a motion would tell.
+//! Expected information in features of a motion.
 
 use super::figures::shares;
 use crate::medium::article_page::push_figure;
@@ -11,7 +11,7 @@ use loosepin_text::units::listed;
 /// A feature that leaves more than this share of each unknown tells nothing.
 const TELLS_NOTHING: f64 = 0.95;
 
-/// What each feature would leave of the unknowns.
+/// Remaining range of the unknowns by each feature.
 pub(super) fn plan_section(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Section {
     let mut section = Section::headed_on_page("next", "What to measure next");
     let head = format!(

@@ -14,7 +14,7 @@ use maud::{Markup, html};
 /// Digits of a standard deviation.
 const DEVIATION_DIGITS: usize = 3;
 
-/// Appends how probable the values are, or why that is not told; nothing where it was not asked for.
+/// Appends the probabilities of the values, or why they are not known; appends nothing if they were not asked for.
 pub(super) fn push_posterior(
     section: &mut Section,
     specimen: &MotionSpecimen,

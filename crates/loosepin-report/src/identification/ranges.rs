@@ -6,7 +6,7 @@ use loosepin_text::units::SiUnit;
 /// Digits of a bound.
 pub(super) const BOUND_DIGITS: usize = 4;
 
-/// An interval that was stated, in the fewest digits that tell it.
+/// A stated interval, in the fewest digits that identify it.
 pub(super) fn stated(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
     format!("{} to {}", writer.value_shortest(ends_si[0], unit), writer.value_shortest(ends_si[1], unit))
 }

@@ -1,4 +1,4 @@
-//! What readings of a rig leave of the plays.
+//! Remaining range of the plays by readings of a rig.
 
 use super::figures::{RangeRow, ranges};
 use super::ranges::{range, range_digits, stated};

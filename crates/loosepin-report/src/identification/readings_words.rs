@@ -1,4 +1,4 @@
-//! What readings of a rig leave of the plays, in sentences.
+//! Remaining range of the plays by readings of a rig, in sentences.
 
 use super::ranges::{range, stated};
 use crate::numbers::number::{NumberWriter, Rounding};
@@ -12,7 +12,7 @@ const FACTOR_DIGITS: usize = 4;
 /// Digits of an error.
 const ERROR_DIGITS: usize = 2;
 
-/// What became of the plays, in one sentence.
+/// The result for the plays, in one sentence.
 pub(super) fn headline(readings: &[TestReading], known: &ConsistentPlays, writer: &NumberWriter<'_>) -> String {
     let fixed = known.plays.iter().filter(|play| play.is_identifiable).count();
     let plays = known.plays.len();
@@ -73,7 +73,7 @@ fn names(places: &[usize], plays: &[PlayBounds]) -> String {
     listed(&names, "and")
 }
 
-/// Which readings tell nothing more, and which would narrow most.
+/// Readings without further information, and readings that would narrow most.
 pub(super) fn next_words(known: &ConsistentPlays, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
     alike_words(known, readings).into_iter().chain(further_words(known, writer)).collect()
 }

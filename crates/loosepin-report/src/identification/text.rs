@@ -48,7 +48,7 @@ fn named(id: &'static str, name: &Option<String>, what: &str) -> Section {
     Section::new(id, name.as_ref().map_or_else(String::new, |name| format!("Specimen {name}{what}")))
 }
 
-/// What features would tell, as text.
+/// Expected information in features, as text.
 pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
     terminal_text(&plan.study, [plan_section(plan, &NumberWriter::for_terminal(units))])
 }

@@ -28,7 +28,7 @@ pub(crate) struct Bend {
     shapes: Vec<Vec<Option<f64>>>,
     /// Coordinate of each shape at each pose, rad.
     turns: Vec<Vec<Option<f64>>>,
-    /// Deflections are drawn so many times as large.
+    /// Magnification of deflections.
     factor: f64,
     /// x and y of places along the axis at each pose, mm, in place of shapes.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -241,7 +241,7 @@ fn riding(motion: &Motion, body: usize, at_mm: (f64, f64), magnification: f64, d
     }
 }
 
-/// Where a point of a body is at a pose, mm, its deviation magnified.
+/// Position of a point of a body at a pose, mm, its deviation magnified.
 fn carried(motion: &Motion, body: usize, pose: usize, magnification: f64, (x, y): (f64, f64)) -> (f64, f64) {
     let [body_x, body_y, angle_deg] = placed(motion, body, pose, magnification);
     let (sine, cosine) = angle_deg.to_radians().sin_cos();

@@ -42,7 +42,7 @@ pub(crate) struct Label {
     place: LabelPosition,
 }
 
-/// Where a text stands beside its point: one end of its base line, and whether that is its right or left end or its middle.
+/// Position of a text beside its point: one end of its base line, and whether that is its right or left end or its middle.
 #[derive(Clone, Copy)]
 struct LabelPosition {
     x: f64,

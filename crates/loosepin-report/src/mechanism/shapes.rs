@@ -72,7 +72,7 @@ fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pos
     transformed_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
-/// Where a point of a body is at a pose, mm.
+/// Position of a point of a body at a pose, mm.
 pub(crate) fn transformed_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
     let (sine, cosine) = poses.angle_rad[body][pose].sin_cos();
     (poses.x_m[body][pose] * MM_PER_M + cosine * x - sine * y, poses.y_m[body][pose] * MM_PER_M + sine * x + cosine * y)
@@ -143,8 +143,8 @@ pub(crate) fn has_rails(joint: &DrawnJoint) -> bool {
     joint.kind.has_faces()
 }
 
-/// Where the second point of a joint is from the first in all poses, mm, in the frame of the first one's body; `None` if the record names
-/// no such point.
+/// Position of the second point of a joint from the first in all poses, mm, in the frame of the first one's body; `None` if the record
+/// names no such point.
 fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<Vec<(f64, f64)>> {
     let origin_mm = point_mm(drawing, joint.first)?;
     point_mm(drawing, joint.second)?;
@@ -216,7 +216,7 @@ fn rails(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame
     vec![[at(from, -side), at(to, -side)], [at(to, side), at(from, side)]]
 }
 
-/// The rails of a guide that the ground carries, where it lies; none for another.
+/// The rails of a guide on the ground, at their position; empty for other guides.
 pub(crate) fn fixed_rails(
     drawing: &Drawing,
     joint: &DrawnJoint,

@@ -134,7 +134,7 @@ pub(crate) fn scale_width_mm(width_mm: f64, font_mm: f64) -> f64 {
     length_mm + 15.0 * font_mm
 }
 
-/// By how much play is magnified; `scripts/mechanism.ts` says the same.
+/// Words for the magnification of play; `scripts/mechanism.ts` has the same.
 fn magnified_words(magnification: f64) -> String {
     if magnification == 1.0 { "play true to scale".to_owned() } else { format!("play × {magnification}") }
 }

@@ -60,7 +60,7 @@ fn list_of_facts(facts: &[Fact]) -> Markup {
     html! { dl.facts { @for fact in facts { div { dt { (fact.name) } dd { (lines(fact)) } } } } }
 }
 
-/// A table with its title; with what stands below it where there is a caption.
+/// A table with its title, and its caption if there is one.
 fn whole_table(table: &Table) -> Markup {
     let title = html! { @if !table.title.is_empty_on(Medium::Page) { h3 { (text(&table.title)) } } };
     if table.caption.is_empty_on(Medium::Page) {

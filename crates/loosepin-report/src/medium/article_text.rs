@@ -118,7 +118,7 @@ fn cell_words(cell: &Cell) -> String {
     }
 }
 
-/// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
+/// The text for a terminal: breakable spaces, and names of a file without characters that move the cursor or turn the line round.
 fn as_shown(text: &str) -> String {
     let is_command =
         |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');

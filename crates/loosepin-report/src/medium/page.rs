@@ -41,7 +41,7 @@ impl Section {
 
 /// A whole page.
 pub(crate) struct Page {
-    /// Of the window and the first heading.
+    /// Title of the window and the first heading.
     pub title: String,
     /// Kind of page, above the title.
     pub kicker: &'static str,
@@ -56,7 +56,7 @@ pub(crate) struct Page {
     /// The chart that the answer is about, below both.
     pub below: Markup,
     pub sections: Vec<Section>,
-    /// What was computed: `study 1f3a5b7c`.
+    /// Name of the computation: `study 1f3a5b7c`.
     pub identity: String,
     pub version: String,
 }
@@ -133,7 +133,7 @@ fn written_at() -> Option<String> {
     date_for_reading(now)
 }
 
-/// The foot of every printed sheet: what was computed on the left, the number of the sheet on the right.
+/// The foot of every printed sheet: the computation on the left, the number of the sheet on the right.
 fn foot_of_sheets(title: &str, identity: &str) -> String {
     let words = in_style(&format!("{title} · {identity}"));
     format!(

@@ -18,7 +18,7 @@ const MAX_DIGITS: usize = 15;
 /// Neighbours that are closer than this share of the largest value differ by round-off.
 const ROUND_OFF_SHARE: f64 = 1e-12;
 
-/// Digits by which all `values` are told from their neighbours, to a hundredth of the least distance; at least `fewest`.
+/// Digits that distinguish all `values` from their neighbours, to a hundredth of the least distance; at least `fewest`.
 pub(crate) fn distinguishing_digits(values: &[f64], fewest: usize) -> usize {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let largest = finite().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -39,7 +39,7 @@ pub(crate) fn rounded(values: &[f64]) -> Vec<Option<f64>> {
     values.iter().map(|value| round_to_digits(*value, CHART_DIGITS)).collect()
 }
 
-/// The number nearest to `value` with so many significant digits; `None` for what is not finite.
+/// The number nearest to `value` with `digits` significant digits; `None` if it is not finite.
 pub(crate) fn round_to_digits(value: f64, digits: usize) -> Option<f64> {
     if !value.is_finite() {
         return None;

@@ -11,7 +11,7 @@ pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, w
     writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
 }
 
-/// An angle of the drive as it is told: within its turn where the record holds a whole one.
+/// The displayed angle of the drive: within its turn if the record holds a whole one.
 pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-9;
     let span_rad = match record.drive_angle_rad[..] {

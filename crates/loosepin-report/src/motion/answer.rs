@@ -106,7 +106,7 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
     )
 }
 
-/// What moves in words: the output, or for an error of a path the point along or across it.
+/// Words for the moving object: the output, or for an error of a path the point along or across it.
 pub(crate) fn moved_words(output: &OutputMotion) -> String {
     let Some(PathMotion { path, part }) = &output.path_error else { return output.name.clone() };
     match part {

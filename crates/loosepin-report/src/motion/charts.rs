@@ -14,7 +14,7 @@ use super::angles::angle_chart;
 use super::answer::has_clearance;
 use super::play_effect::{Shown, play_effect};
 
-/// What the charts are, and one of each output but the first, whose chart stands below the answer.
+/// Explanation of the charts, and a chart of each output but the first, whose chart stands below the answer.
 pub(super) fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {

@@ -1,4 +1,4 @@
-//! What each joint contributes to the effect of play.
+//! Contributions of the joints to the effect of play.
 
 use maud::html;
 

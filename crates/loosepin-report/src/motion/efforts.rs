@@ -1,4 +1,4 @@
-//! What the drives must do to make the ideal motion.
+//! Efforts of the drives for the ideal motion.
 
 use maud::html;
 
@@ -13,7 +13,7 @@ use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 
 use super::angles::{angle_chart, largest, turn_angle};
 
-/// Where the drives must do least and most, and on a page a chart of each effort; `None` if no effort is an output.
+/// Least and largest efforts of the drives, and on a page a chart of each effort; `None` if no effort is an output.
 pub(super) fn efforts_section(record: &MotionRecord, writer: &NumberWriter) -> Option<Section> {
     if record.efforts.is_empty() {
         return None;

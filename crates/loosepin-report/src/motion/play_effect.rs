@@ -1,4 +1,4 @@
-//! How far play moves an output without dynamics, and what was shown of that number, in words.
+//! Largest quasi-static effect of play on an output, and the proof of that number, in words.
 
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
@@ -17,14 +17,14 @@ pub(super) struct PlayEffect {
     pub shown: Shown,
 }
 
-/// What is known of [`PlayEffect::largest_si`].
+/// Proof of [`PlayEffect::largest_si`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shown {
     /// It is the sum of first-order effects.
     FirstOrder,
     /// It was found, and no play makes it larger than this number, which is proven.
     UpTo(f64),
-    /// It was found; nothing is proven of larger ones.
+    /// Found by a search; larger values are not excluded.
     Found,
 }
 

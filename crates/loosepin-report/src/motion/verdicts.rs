@@ -1,4 +1,4 @@
-//! What `motion` says of the requirements of a study without dynamics, in sentences for pages and terminals.
+//! Verdicts of `motion` on the requirements of a study without dynamics, in sentences for pages and terminals.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;

@@ -75,7 +75,7 @@ impl<'a> NumberWriter<'a> {
         NumberWriter { tag, ..*self }
     }
 
-    /// What the next numbers are.
+    /// Tag of the next numbers.
     pub fn tag(&self) -> Option<&'a Tag> {
         self.tag
     }
@@ -111,7 +111,7 @@ impl<'a> NumberWriter<'a> {
         self.with_symbol(without_trailing_zeros(text), value_si, unit, Rounding::Nearest)
     }
 
-    /// An input number without unit, in the fewest digits that tell it.
+    /// An input number without unit, in the fewest digits that identify it.
     pub fn shortest(&self, value_si: f64, unit: &SiUnit) -> String {
         let digits = self.shortest_digits(value_si, unit);
         marked(self.dress(digits.clone()), &digits, self.tag, self.scaled(value_si, unit), Rounding::Nearest)
@@ -121,7 +121,7 @@ impl<'a> NumberWriter<'a> {
         without_trailing_zeros(significant(self.scaled(value_si, unit), INPUT_DIGITS, Rounding::Nearest))
     }
 
-    /// An input number with unit, in the fewest digits that tell it.
+    /// An input number with unit, in the fewest digits that identify it.
     pub fn value_shortest(&self, value_si: f64, unit: &SiUnit) -> String {
         self.with_symbol(self.shortest_digits(value_si, unit), value_si, unit, Rounding::Nearest)
     }
@@ -256,7 +256,7 @@ fn path_words(path: &str) -> String {
     shortened.replace(['.', '_'], " ")
 }
 
-/// A finite number to so many significant digits, in powers of ten (`1.2e-9`) where it is very small or large.
+/// A finite number with `digits` significant digits, in powers of ten (`1.2e-9`) where it is very small or large.
 pub(crate) fn significant(value: f64, digits: usize, rounding: Rounding) -> String {
     if !value.is_finite() {
         return not_finite(value);
@@ -399,7 +399,7 @@ fn superscript(character: char) -> char {
     }
 }
 
-/// So many digits that a value of the input is told to a thousandth of its range.
+/// Digits that resolve a value of the input to a thousandth of its range.
 fn digits_within(kind: &InputKind, value_si: f64) -> usize {
     let width = match kind {
         InputKind::Interval { lower_si, upper_si }

@@ -1,4 +1,4 @@
-//! What a number on a page or a terminal is, so that no two texts give one number two values.
+//! Identity of a number on a page or a terminal, so that no two texts give one number two values.
 //!
 //! A number is written by a [`NumberWriter`](crate::numbers::number::NumberWriter), and what it is stands with the writer: a [`Tag`]. In an ordinary
 //! run nothing is kept of it. In [`tagged`] each number is put between two characters of no script, of which the first says which entry of the
@@ -21,7 +21,7 @@ const MAX_NUMBERS: u32 = 0xFFF0;
 /// Ends a number: private use, of the basic plane.
 const END: char = '\u{E000}';
 
-/// What a number is. Two numbers of equal tags are one number.
+/// Identity of a number. Two numbers of equal tags are one number.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Tag {
     /// A number of a result.
@@ -177,12 +177,12 @@ impl Tag {
     }
 }
 
-/// What bounds of a degree of possibility are among.
+/// Group of the bounds of a degree of possibility.
 pub fn degree_group(alpha: f64) -> Tag {
     Tag::Group(format!("degree {alpha}"))
 }
 
-/// What percentiles of statistics are among.
+/// Group of the percentiles of statistics.
 pub fn percentile_group(percentile: f64) -> Tag {
     Tag::Group(format!("percentile {percentile}"))
 }
@@ -204,11 +204,11 @@ fn statistic(statistic: Statistic) -> String {
 /// A number as it stands in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaggedNumber {
-    /// What it is; `None` if that was not said.
+    /// Its identity; `None` if that was not stated.
     pub tag: Option<Tag>,
     /// The digits as they are shown, without unit: `97.9`, `1.2e-9`, `−0.5`, `1.2 · 10⁻⁹`.
     pub digits: String,
-    /// What they are of, in the unit that is shown.
+    /// The value of the digits, in the displayed unit.
     pub value: f64,
     /// Which way it was rounded: 0 nearest, -1 down, 1 up.
     pub rounding: i8,

@@ -103,7 +103,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences
 }
 
-/// What is known of how long its positions can be trusted.
+/// The trust in the positions of the run.
 pub(super) fn trusted_run(record: &SimulationRecord) -> TrustedRun<'_> {
     let SimulationSettings { transient_turns, drive_speed_rad_s, .. } = record.settings;
     TrustedRun { trust: &record.trust, subject: "Positions", has_start_up: transient_turns > 0.0, drive_speed_rad_s }

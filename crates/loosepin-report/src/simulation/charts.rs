@@ -43,7 +43,7 @@ fn before_rad(record: &SimulationRecord) -> f64 {
     (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
 }
 
-/// What the charts of a run are over, in words.
+/// Words for the abscissa of the charts of a run.
 pub(super) fn abscissa_words(record: &SimulationRecord) -> String {
     if is_over_angle(record) { format!("over the angle of {}", record.settings.drive) } else { "over time".to_owned() }
 }

@@ -51,7 +51,7 @@ pub(super) fn measured_section(record: &SimulationRecord, writer: &NumberWriter)
     Some(section)
 }
 
-/// Where the largest residual of a curve is.
+/// Place of the largest residual of a curve.
 fn at_words(curve: &MeasuredCurve, record: &SimulationRecord, writer: &NumberWriter) -> String {
     match curve.abscissa {
         Abscissa::Time => writer.value(curve.largest_at_si, &SiUnit::TIME),

@@ -1,4 +1,4 @@
-//! How a run was computed: what was asked for, and the work that it took.
+//! Method of a run: its settings, and the work that it took.
 
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;

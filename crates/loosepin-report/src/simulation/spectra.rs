@@ -1,4 +1,4 @@
-//! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
+//! Oscillations in a run: root mean squares, peaks, and amplitudes over orders of the drive.
 
 use maud::html;
 
@@ -25,7 +25,7 @@ struct Oscillation {
     words: String,
     unit: SiUnit,
     spectrum: Spectrum,
-    /// Of the mechanism without play, where it has such a history.
+    /// Spectrum of the mechanism without play, if it has such a history.
     ideal: Option<Spectrum>,
     /// The largest magnitude, between samples too where that is known.
     peak_si: f64,

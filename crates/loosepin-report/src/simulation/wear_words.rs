@@ -37,7 +37,7 @@ pub(super) fn life_words(record: &SimulationRecord, wear: &JointWearRecord, writ
     format!("Wear after {cycles} {word} of {turns} {turn}, {geometry}.")
 }
 
-/// Where a surface is worn deepest: its sector, as angles from the x axis of the body; `None` if it is not worn.
+/// Sector of the greatest wear of a surface, as angles from the x axis of the body; `None` if it is not worn.
 pub(super) fn deepest_words(surface: &SurfaceWear, writer: &NumberWriter) -> Option<String> {
     if !(surface.greatest_depth_m > 0.0) {
         return None;

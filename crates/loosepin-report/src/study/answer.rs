@@ -20,7 +20,7 @@ use loosepin_text::units::SiUnit;
 pub(crate) struct StudyAnswer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
-    /// What may overturn the verdict: it stands beside it.
+    /// Caveats that may overturn the verdict: they stand beside it.
     pub caveats: Vec<String>,
     /// The sentence on the output that matters most.
     pub headline: String,
@@ -413,7 +413,7 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
 }
 
-/// How much wider or narrower than the mixed band, as far as its error lets that be told; empty if both hardly differ.
+/// Difference in width from the mixed band, as far as its error resolves it; empty if both hardly differ.
 fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
     let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {

@@ -128,7 +128,7 @@ impl<'r> OutputSummary<'r> {
         }
     }
 
-    /// What its numerical error is.
+    /// Tag of its numerical error.
     pub fn error_tag(self) -> Tag {
         match self {
             Self::Largest(bound, _) | Self::Bound(bound) => Tag::bound(bound, "upper error"),
@@ -136,7 +136,7 @@ impl<'r> OutputSummary<'r> {
         }
     }
 
-    /// What the error is of, in words.
+    /// Words for the bound of this error.
     pub fn limit_words(self) -> &'static str {
         match self {
             Self::Largest(..) => "the limit over the whole cycle",
@@ -258,7 +258,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     format!("At each angle of {drive}, the {name} {stays} in at least {share} of mechanisms.")
 }
 
-/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
+/// Both ends, rounded outwards, with enough digits that rounding hardly widens the interval.
 pub(crate) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
     let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MAX_MORE_DIGITS) as usize } else { 0 };

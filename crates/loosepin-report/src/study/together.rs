@@ -22,7 +22,7 @@ pub(crate) fn subject(result: &StudyResult, path: &str, what: Loosened) -> Strin
     }
 }
 
-/// What the studies say, in sentences.
+/// Results of the studies, in sentences.
 pub(crate) fn joint_loosening_sentences(
     result: &StudyResult,
     one: &TogetherRecord,
@@ -138,7 +138,7 @@ fn of<'a>(one: &'a TogetherRecord, values_si: &'a [f64]) -> impl Iterator<Item =
     one.checks.iter().filter(move |check| check.values_si == values_si)
 }
 
-/// The frontier of two inputs as steps: no more than what was met, and what follows from it, is drawn as met.
+/// The frontier of two inputs as steps: only combinations that met the requirements, and those that follow from them, are drawn as met.
 ///
 /// With the pairs (a_k, b_k) that are met and (a_k, r_k) that are refused, a rising, the requirements are met at a pair that is tighter
 /// than a met one: up to b_(k+1) over (a_k, a_(k+1)]. They are not shown to be met at one that is looser than a refused one: from r_k on over

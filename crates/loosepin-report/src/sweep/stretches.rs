@@ -50,7 +50,7 @@ pub(super) fn value_words(record: &SweepRecord, place: usize, writer: &NumberWri
     record.points.get(place).map_or_else(String::new, |point| value(point.value_si))
 }
 
-/// The kinds of motion in a table; with words on what stands below it on a page.
+/// The kinds of motion in a table, with the caption of a page.
 pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> Section {
     let before = count(u64::from(record.transient_turns), &writer.with_tag(&Tag::Given("turns of start-up")));
     let what = format!(

@@ -118,7 +118,7 @@ fn two_digits(runs: f64) -> u64 {
     ((runs / unit).ceil() * unit) as u64
 }
 
-/// The bound whose error is told, which end of it, and the error.
+/// The bound whose error is reported, which end of it, and the error.
 fn furthest<'r>(
     result: &'r StudyResult,
     summary: OutputSummary<'r>,

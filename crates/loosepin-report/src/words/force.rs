@@ -1,4 +1,4 @@
-//! What stands beside contact forces: the law, the restitution that it delivers, its limits, and what deep penetrations mean.
+//! Notes on contact forces: the law, the restitution that it delivers, its limits, and the meaning of deep penetrations.
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
@@ -83,7 +83,7 @@ impl<'a> JointForces<'a> {
         self.laws.iter().map(|(law, basis)| law_words(self.joint, law, basis, writer)).collect()
     }
 
-    /// The law, the restitution that it delivers, its limits; nothing in records of older versions.
+    /// The law, the restitution that it delivers, its limits; `None` in records of older versions.
     pub fn sentence(&self, writer: &NumberWriter) -> Option<String> {
         let laws = self.laws(writer);
         if laws.is_empty() {
@@ -168,7 +168,7 @@ impl<'a> JointForces<'a> {
         ))
     }
 
-    /// What a penetration beyond a tenth of the clearance means; nothing below.
+    /// Meaning of a penetration beyond a tenth of the clearance; `None` below.
     pub fn warning(&self, writer: &NumberWriter) -> Option<String> {
         let share = Some(self.penetration_share).filter(|share| share.is_finite() && *share > DEEPEST_SHARE)?;
         let reached = format!(

@@ -48,7 +48,7 @@ pub(crate) fn history_words(
     Some(format!("The surrogate is of no use for this history. {what_instead}"))
 }
 
-/// Whether an error that goes on to fall as it did from half to all of the runs stays too large.
+/// Whether an error that continues to fall as it did from half to all of the runs stays too large.
 fn falls_too_slowly(output: &SurrogateOutput) -> bool {
     let (Some(q2), [.., half, all]) = (output.q2, &output.learning[..]) else { return false };
     let each = (all.held_out_si / half.held_out_si) * (all.held_out_si / half.held_out_si);

@@ -15,7 +15,7 @@ use loosepin_text::units::SiUnit;
 /// The run that sentences speak of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TrustedRun<'r> {
-    /// What is known about it.
+    /// Its trust.
     pub trust: &'r Trust,
     /// The subject of the sentences: `Positions`, with what run they are of where that is not clear.
     pub subject: &'r str,

@@ -58,7 +58,7 @@ pub(crate) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &Numb
 /// Digits of the width of a band.
 pub(crate) const WIDTH_DIGITS: usize = 3;
 
-/// Digits of the ends of bands, so many that the least of the widths can be told from them.
+/// Digits of the ends of bands that resolve the least of their widths.
 pub(crate) fn band_digits(comparison: &TreatmentComparison) -> usize {
     let ends = comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
     let largest = ends.map(f64::abs).filter(|end| end.is_finite()).fold(0.0, f64::max);
@@ -267,7 +267,7 @@ pub(crate) fn failed_words(promise: &PromiseRecord, failed: u64, writer: &Number
     format!("{} of the {tried} values that were tried", count(failed, writer))
 }
 
-/// Where the bounds are that no table shows, for all `count` are points of curves; `None` if there are none.
+/// Place of the bounds if all `count` of them are points of curves and no table shows them; `None` if there are none.
 pub(crate) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
     (count > 0).then(|| {
         format!(

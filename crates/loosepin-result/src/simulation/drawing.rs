@@ -121,7 +121,7 @@ pub struct DrawnJoint {
     pub radial_clearance_m: f64,
 }
 
-/// What a drive prescribes, and which way it goes.
+/// Prescribed quantity of a drive, and its direction.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DrawnDrive {
     /// Name of the drive.

@@ -22,7 +22,7 @@ pub enum DrawnJointKind {
     Other,
 }
 
-/// What is drawn of a pin.
+/// Drawing of a pin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawnPin {
     /// A pin without play.
@@ -79,7 +79,7 @@ impl DrawnJointKind {
         matches!(self, Self::Revolute | Self::RevoluteWithClearance)
     }
 
-    /// What it is called beside a drawing.
+    /// Name beside a drawing.
     pub fn words(self) -> &'static str {
         match self {
             Self::Revolute => "revolute joint",

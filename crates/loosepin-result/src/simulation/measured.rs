@@ -3,7 +3,7 @@
 use loosepin_text::units::{SiUnit, extended};
 use serde::{Deserialize, Serialize};
 
-/// What the first column of a measured table is.
+/// The quantity in the first column of a measured table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Abscissa {
@@ -22,15 +22,15 @@ pub struct MeasuredCurve {
     pub output: String,
     /// Unit of the values.
     pub unit: SiUnit,
-    /// What `at_si` is.
+    /// The quantity of `at_si`.
     pub abscissa: Abscissa,
-    /// Where it was measured, s or rad, increasing; angles are moved by whole turns into the recorded ones.
+    /// Times or angles of the measurements, s or rad, increasing; angles are moved by whole turns into the recorded ones.
     #[serde(with = "extended")]
     pub at_si: Vec<f64>,
-    /// What was measured.
+    /// The measured values.
     #[serde(with = "extended")]
     pub measured_si: Vec<f64>,
-    /// What was computed there, between the rows of the history.
+    /// The computed values at the same places, between the rows of the history.
     #[serde(with = "extended")]
     pub computed_si: Vec<f64>,
     /// Root of the mean square of measured minus computed.
@@ -39,7 +39,7 @@ pub struct MeasuredCurve {
     /// The residual of the largest magnitude, measured minus computed.
     #[serde(with = "extended")]
     pub largest_si: f64,
-    /// Where it is.
+    /// Place of the largest residual.
     #[serde(with = "extended")]
     pub largest_at_si: f64,
 }

@@ -1,4 +1,4 @@
-//! What kind of motion a run shows: whether it repeats itself, once a turn, and what neighbouring motions do.
+//! Kind of motion of a run: whether it repeats itself, once a turn, and the behaviour of neighbouring motions.
 
 use super::drawing::JournalOrbit;
 use loosepin_text::units::{SiUnit, extended};
@@ -15,8 +15,8 @@ pub struct MotionKind {
     /// The least number of turns, at most half of those looked at, after which the motion is back; absent where there is none:
     /// it has not settled, has a longer period, or never repeats itself.
     pub period_turns: Option<u32>,
-    /// What counts as back: this share of the clearance for every journal, and for a mechanism that its drives do not move alone
-    /// this share of a tenth of its size, of a tenth of a radian, and of these over the time of a radian of the input for rates.
+    /// Tolerance for a return: this share of the clearance for every journal, and for a mechanism that its drives do not move alone this
+    /// share of a tenth of its size, of a tenth of a radian, and of these over the time of a radian of the input for rates.
     #[serde(with = "extended")]
     pub repeat_share: f64,
     /// Angle of the drive, or phase of the cycle, within a turn at which the motion was looked at.
@@ -55,7 +55,7 @@ pub struct LyapunovRecord {
     /// Upper end of that interval.
     #[serde(with = "extended")]
     pub upper_1_s: f64,
-    /// What that says.
+    /// The resulting kind.
     pub kind: NeighbourKind,
     /// Duration of a turn.
     #[serde(with = "extended")]
@@ -80,7 +80,7 @@ impl LyapunovRecord {
     }
 }
 
-/// What neighbouring motions do.
+/// Behaviour of neighbouring motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NeighbourKind {

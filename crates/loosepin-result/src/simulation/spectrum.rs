@@ -12,7 +12,7 @@ const ROUND_OFF: f64 = 1e-9;
 /// A history that ends further from its start than this share of its range runs away, as the angle of a shaft does.
 const RUNS_AWAY: f64 = 0.5;
 
-/// What oscillates in a history, by orders of the drive: waves a turn.
+/// Oscillations in a history, by orders of the drive: waves a turn.
 ///
 /// With N samples x_k of n whole turns, the mean is x̄ = Σ x_k/N and the amplitude of the order h = j/n
 ///
@@ -92,7 +92,7 @@ impl SimulationRecord {
 }
 
 impl Spectrum {
-    /// The orders with the largest amplitudes, the largest first; none that is below a hundredth of the largest.
+    /// The orders with the largest amplitudes, the largest first; only those above a hundredth of the largest.
     pub fn dominant(&self, most: usize) -> Vec<(f64, f64)> {
         const MIN_SHARE: f64 = 0.01;
         let mut all: Vec<(f64, f64)> = self.orders.iter().copied().zip(self.amplitudes_si.iter().copied()).collect();

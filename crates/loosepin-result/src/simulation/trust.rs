@@ -10,13 +10,13 @@ pub enum Trust {
     /// Not measured: it was left out, the run failed, or the record is from an older version.
     #[default]
     NotMeasured,
-    /// Nothing is integrated: all positions follow from the drives at each instant.
+    /// The motion is not integrated: all positions follow from the drives at each instant.
     Solved,
     /// Measured by a second run.
     Measured(MeasuredTrust),
 }
 
-/// What a second run, with a smaller tolerance and by a method of another order, shows about the positions of the first.
+/// Comparison with a second run, with a smaller tolerance and by a method of another order: positions of the first.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredTrust {
     /// Tolerance of the second run.
@@ -31,11 +31,11 @@ pub struct MeasuredTrust {
     pub share: f64,
     /// By length, largest first.
     pub horizons: Vec<TrustHorizon>,
-    /// To what all positions of the history can be trusted; absent where the runs part by more than `share` of the largest length, and where the
-    /// second run did not come to its end.
+    /// Accuracy of all positions of the history; absent if the runs part by more than `share` of the largest length, or if the second run
+    /// did not finish.
     #[serde(with = "extended")]
     pub whole_m: Option<f64>,
-    /// Why the second run did not come to its end; absent where it did, and where it was ended because the runs had parted.
+    /// Why the second run did not finish; absent if it did, or if it was ended because the runs had parted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
     /// Instants at which the runs were compared.

@@ -90,7 +90,7 @@ impl WornSurface {
 }
 
 impl SurfaceWear {
-    /// Where the sector of the greatest depth begins and ends, rad.
+    /// Both ends of the sector of the greatest depth, rad.
     pub fn deepest_rad(&self) -> [f64; 2] {
         let width_rad = std::f64::consts::TAU / self.depth_m.len() as f64;
         [self.deepest_sector as f64 * width_rad, (self.deepest_sector + 1) as f64 * width_rad]

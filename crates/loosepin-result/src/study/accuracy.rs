@@ -12,7 +12,7 @@ use loosepin_text::units::{SiUnit, extended};
 pub struct AccuracyRecord {
     /// Why the samples grew no further.
     pub stop: AccuracyStop,
-    /// What it was to cost at most.
+    /// Stated limit of the cost.
     pub budget: Budget,
     /// Whether the budget was stated.
     pub is_budget_stated: bool,
@@ -22,7 +22,7 @@ pub struct AccuracyRecord {
     pub runs: u64,
     /// Runs of the round that was left, where the budget ended the study.
     pub next_round_runs: Option<u64>,
-    /// What was asked, bound by bound; of a curve the pose that is furthest from it.
+    /// Requested and reached accuracy, bound by bound; for a curve at the pose that is furthest from it.
     pub targets: Vec<AccuracyOutcome>,
     /// How the targets were approached.
     pub steps: Vec<AccuracyStep>,
@@ -51,7 +51,7 @@ pub enum AccuracyStop {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Budget {
-    /// Before it comes to more runs than this.
+    /// Limit of the number of runs.
     Runs {
         /// How many.
         runs: u64,
@@ -81,10 +81,10 @@ pub struct AccuracyOutcome {
     pub statistic: Statistic,
     /// Unit of the numbers.
     pub unit: SiUnit,
-    /// What the bounds were to be widened by at most.
+    /// Requested largest widening of the bounds.
     #[serde(with = "extended")]
     pub asked_si: f64,
-    /// What they are widened by.
+    /// Reached widening.
     #[serde(with = "extended")]
     pub reached_si: f64,
     /// Of that, what the finite samples make.
@@ -124,7 +124,7 @@ pub struct AccuracyStep {
     /// Direct runs at the values that attain them up to it.
     #[serde(default, skip_serializing_if = "is_zero_count")]
     pub confirming: u64,
-    /// The largest widening over what was asked.
+    /// The largest widening over the requested one.
     #[serde(with = "extended")]
     pub share: f64,
 }

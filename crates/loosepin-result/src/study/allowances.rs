@@ -11,7 +11,7 @@ use loosepin_text::units::{SiUnit, extended};
 pub struct AllowanceRecord {
     /// Path of the input.
     pub path: String,
-    /// What of it is loosened.
+    /// The loosened number of the input.
     pub what: Loosened,
     /// Its unit.
     pub unit: SiUnit,
@@ -36,7 +36,7 @@ pub struct AllowanceRecord {
     pub runs: u64,
 }
 
-/// What is loosened.
+/// The loosened number of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Loosened {
@@ -57,12 +57,12 @@ pub struct AllowanceCheck {
     /// The value.
     #[serde(with = "extended")]
     pub value_si: f64,
-    /// What the study says.
+    /// Result of the study.
     #[serde(flatten)]
     pub answer: CheckAnswer,
 }
 
-/// What a direct study says about the requirements.
+/// Result of a direct study on the requirements.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckAnswer {
     /// Whether other random numbers were used than in the search, to confirm it.
@@ -116,14 +116,14 @@ pub enum AllocationStop {
 pub struct AllocatedInput {
     /// Path of the input.
     pub path: String,
-    /// What of it is chosen.
+    /// The chosen number of the input.
     pub what: Loosened,
     /// Its unit.
     pub unit: SiUnit,
     /// The value.
     #[serde(with = "extended")]
     pub value_si: f64,
-    /// What it costs.
+    /// Its cost.
     #[serde(with = "extended")]
     pub cost: f64,
 }
@@ -161,7 +161,7 @@ pub enum Together {
 pub struct LoosenedInput {
     /// Its path.
     pub path: String,
-    /// What of it is loosened.
+    /// The loosened number of the input.
     pub what: Loosened,
     /// Its unit.
     pub unit: SiUnit,
@@ -178,7 +178,7 @@ pub struct LoosenedInput {
 pub struct TogetherCheck {
     /// A value for each input.
     pub values_si: Vec<f64>,
-    /// What the study says.
+    /// Result of the study.
     #[serde(flatten)]
     pub answer: CheckAnswer,
 }

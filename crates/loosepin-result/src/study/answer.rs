@@ -3,12 +3,12 @@
 use loosepin_text::units::{SiUnit, extended};
 use serde::{Deserialize, Serialize};
 
-/// What a question answers.
+/// Answer to a question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuestionAnswer {
     /// The key of its table in a study file.
     pub question: String,
-    /// What it asks, as a heading.
+    /// The question, as a heading.
     pub heading: String,
     /// The answer, sentence by sentence.
     pub sentences: Vec<Vec<AnswerPart>>,

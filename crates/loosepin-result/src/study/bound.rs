@@ -1,4 +1,4 @@
-//! Bounds as they are stored: what was asked, both ends, their witnesses, errors and guarantee.
+//! Stored bounds: the request, both ends, their witnesses, errors and guarantee.
 
 use std::collections::BTreeMap;
 
@@ -30,7 +30,7 @@ pub struct BoundRecord {
     pub lower: BoundEnd,
     /// The largest value of the statistic.
     pub upper: BoundEnd,
-    /// What stands behind the bound.
+    /// The method behind the bound.
     pub guarantee: Guarantee,
 }
 
@@ -40,7 +40,7 @@ pub struct BoundEnd {
     /// The value found.
     #[serde(with = "extended")]
     pub value_si: f64,
-    /// The value moved outwards by what was not resolved; this is the bound to rely on.
+    /// The value moved outwards by the unresolved part; this is the bound to rely on.
     #[serde(with = "extended")]
     pub widened_si: f64,
     /// The epistemic inputs that attain the value.

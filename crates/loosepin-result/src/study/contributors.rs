@@ -1,4 +1,4 @@
-//! What contributes to the width of a band: random inputs by Sobol' indices, epistemic ones by pinching.
+//! Contributions to the width of a band: random inputs by Sobol' indices, epistemic ones by pinching.
 
 use serde::{Deserialize, Serialize};
 

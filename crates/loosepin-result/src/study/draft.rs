@@ -1,4 +1,4 @@
-//! What a study knows before it is finished.
+//! Intermediate results of a study.
 
 use super::{BoundRecord, CurveRange, Deviation, RequirementOutcome, Verdict};
 use loosepin_text::units::{DisplayUnits, SiUnit};
@@ -41,7 +41,7 @@ pub struct DraftCurve {
 }
 
 impl Draft {
-    /// The worst of the verdicts so far; nothing without requirements.
+    /// The worst of the verdicts so far; `None` without requirements.
     pub fn verdict(&self) -> Option<Verdict> {
         Verdict::of_all(self.requirements.iter().map(|requirement| requirement.verdict))
     }

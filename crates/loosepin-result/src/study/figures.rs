@@ -1,4 +1,4 @@
-//! What the report draws: curves, probability boxes, treatments, energy residuals, impacts.
+//! Data for the figures of the report: curves, probability boxes, treatments, energy residuals, impacts.
 
 use serde::{Deserialize, Serialize};
 
@@ -93,7 +93,7 @@ pub struct SimultaneousCurve {
     pub factor: f64,
     /// The epistemic inputs at which most mechanisms leave it.
     pub witness: Witness,
-    /// Both ends, numerical error included; empty where the runs do not tell them.
+    /// Both ends, numerical error included; empty if the runs do not determine them.
     pub band: CurveRange,
 }
 
@@ -190,7 +190,7 @@ pub struct TreatmentBand {
 /// How far an end of a band may be off.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TreatmentEnd {
-    /// The end moved outwards by what was not resolved.
+    /// The end moved outwards by the unresolved part.
     #[serde(with = "extended")]
     pub widened_si: f64,
     /// Its numerical error.
@@ -203,7 +203,7 @@ impl TreatmentBand {
         self.upper_si - self.lower_si
     }
 
-    /// Whether the shares are too little known to tell if the band keeps its promise: one by a surrogate whose error is larger than the
+    /// Whether the shares are too uncertain to decide if the band keeps its promise: one by a surrogate whose error is larger than the
     /// share that may lie outside, or one of direct runs that is hardly known, as where many failed.
     pub fn is_promise_unknown(&self, promised_coverage: f64) -> bool {
         const HARDLY_KNOWN: f64 = 0.25;
@@ -211,7 +211,7 @@ impl TreatmentBand {
         self.coverage_error > most && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
     }
 
-    /// The least share inside, as small as it is where a surrogate errs; nothing is taken off what direct runs have counted.
+    /// The least share inside, reduced by the error of a surrogate; counts of direct runs are not reduced.
     pub fn least_share(&self) -> f64 {
         let unknown = if self.is_by_surrogate { self.coverage_error } else { 0.0 };
         (self.coverage_minimum - unknown).max(0.0)
@@ -281,7 +281,7 @@ pub struct HistogramBin {
 pub struct StudiedLaw {
     /// Its name.
     pub law: String,
-    /// What its force rests on, at the nominal values.
+    /// Assumptions behind its force, at the nominal values.
     pub basis: ContactBasis,
 }
 
@@ -290,7 +290,7 @@ pub struct StudiedLaw {
 pub struct JointImpacts {
     /// Name of the joint.
     pub joint: String,
-    /// The contact laws of the runs, one where the study has no list of them; none in records of older versions.
+    /// The contact laws of the runs, one if the study has no list of them; empty in records of older versions.
     #[serde(default)]
     pub laws: Vec<StudiedLaw>,
     /// Impacts per turn: smallest, median and largest over the runs.

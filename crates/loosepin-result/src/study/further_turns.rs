@@ -13,10 +13,10 @@ pub struct FurtherTurns {
     pub turns: u32,
     /// Runs that were continued and came to their end, spread evenly over those whose motion does not repeat itself.
     pub runs: u64,
-    /// What they were looked at for: every largest or smallest value of the study.
+    /// The examined outputs: every largest or smallest value of the study.
     pub outputs: Vec<FurtherOutput>,
-    /// Of each of [`super::StudyResult::requirements`], how many of these runs keep its limit in the recorded turns and leave it in the turns
-    /// after them; `None` if it is not of the whole cycle.
+    /// Number of these runs that keep the limit in the recorded turns and leave it in the turns after them, for each of
+    /// [`super::StudyResult::requirements`]; `None` if it is not of the whole cycle.
     pub broken_later: Vec<Option<u64>>,
 }
 
@@ -29,10 +29,10 @@ pub struct FurtherOutput {
     pub of: Deviation,
     /// Largest, smallest, or largest magnitude over the turns, or the range.
     pub reduction: Reduction,
-    /// By how much it is exceeded in the turns after the recorded ones, on average over the runs, SI, >= 0.
+    /// Mean excess in the turns after the recorded ones over the runs, SI, >= 0.
     #[serde(with = "extended")]
     pub mean_excess_si: f64,
-    /// By how much at most, SI, >= 0.
+    /// Largest excess, SI, >= 0.
     #[serde(with = "extended")]
     pub largest_excess_si: f64,
 }

@@ -1,4 +1,4 @@
-//! What was uncertain, what was run, and what failed.
+//! The uncertain inputs, the runs, and the failures.
 
 use super::path_error::PathError;
 use serde::{Deserialize, Serialize};
@@ -46,12 +46,12 @@ pub enum InputKind {
     },
     /// Fixed but unknown, anywhere on a circle: one period of an angle or a phase.
     Periodic {
-        /// Where the period begins.
+        /// Start of the period.
         lower_si: f64,
-        /// Where it ends and begins again.
+        /// End of the period, which is its start again.
         upper_si: f64,
     },
-    /// Fixed but unknown, a parameter of which it is known how probable each value is; the words tell how.
+    /// Fixed but unknown, a parameter with a distribution over its values; the words describe it.
     SecondOrder {
         /// Lower end of what is looked at.
         lower_si: f64,
@@ -101,7 +101,7 @@ pub struct CorrelationDescription {
     pub linear: Option<f64>,
 }
 
-/// What was run for each sample; part of what every response means.
+/// The recorded part of the cycle of each sample; part of the meaning of every response.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CycleDescription {
     /// Name of the drive whose angle is the input.
@@ -127,7 +127,7 @@ pub struct CycleDescription {
 pub struct OutputDescription {
     /// Name of the output.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Description, for example `x of slider.pin`.
     pub words: String,
     /// Unit of its values.
     pub unit: SiUnit,

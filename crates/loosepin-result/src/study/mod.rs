@@ -1,5 +1,5 @@
-//! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
-//! No computation, and no words for people.
+//! Result of a study: every bound, and the data of the report. Plain data in SI; `summary.json` is this type. No computation, and no words
+//! for people.
 
 pub(crate) mod accuracy;
 mod allowances;
@@ -93,7 +93,7 @@ pub struct StudyResult {
     pub inputs: Vec<InputDescription>,
     /// Rank correlations between random inputs.
     pub correlations: Vec<CorrelationDescription>,
-    /// What was run for each sample.
+    /// The recorded part of the cycle of each sample.
     pub cycle: CycleDescription,
     /// The outputs asked for.
     pub outputs: Vec<OutputDescription>,
@@ -110,7 +110,7 @@ pub struct StudyResult {
     /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
     #[serde(with = "extended")]
     pub settled_share: Option<f64>,
-    /// What turns after the recorded ones change, where the motion does not repeat itself in every run; absent where it was not examined.
+    /// Changes by turns after the recorded ones, if the motion does not repeat itself in every run; absent if it was not examined.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub further_turns: Option<FurtherTurns>,
     /// Requirements and whether they are met.
@@ -141,7 +141,7 @@ pub struct StudyResult {
     /// Bounds by surrogates beside the direct ones; absent where none was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogate: Option<SurrogateRecord>,
-    /// What contributes to the answers that were asked so.
+    /// Contributions to the answers for which they were requested.
     #[serde(default)]
     pub contributors: Vec<Contributors>,
     /// Answers of questions that have no place of their own above.

@@ -8,8 +8,8 @@ use super::figures::CurveRange;
 use loosepin_terms::{Side, Statistic};
 use loosepin_text::units::{SiUnit, extended};
 
-/// What is promised: with `confidence`, each of the ends is kept by at least `share` of the box. That is the same share for each, not of
-/// values at which all are kept.
+/// The promise: with `confidence`, each of the ends is kept by at least `share` of the box. That is the same share for each, not of values
+/// at which all are kept.
 ///
 /// The box is that of the intervals in the coordinates of the file, and its share one of volume: no probability of the true values.
 /// Every combination of the members of lists and every focal element has a box of its own, of which this holds by itself.

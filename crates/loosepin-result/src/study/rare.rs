@@ -18,9 +18,9 @@ pub struct RareRecord {
     pub at: ResponsePoint,
     /// The probability.
     pub statistic: Statistic,
-    /// Where it is smallest.
+    /// The smallest probability.
     pub lower: RareEnd,
-    /// Where it is largest.
+    /// The largest probability.
     pub upper: RareEnd,
 }
 
@@ -35,7 +35,7 @@ pub struct RareEnd {
     /// Its standard error.
     #[serde(with = "extended")]
     pub standard_error: f64,
-    /// Reliability index: distance of the nearest design point, in standard deviations; none by subset simulation.
+    /// Reliability index: distance of the nearest design point, in standard deviations; `None` by subset simulation.
     #[serde(with = "extended")]
     pub reliability_index: Option<f64>,
     /// Runs of this estimate, without those of the search for where it is.

@@ -21,7 +21,7 @@ pub struct SurrogateRecord {
     pub failed: u64,
     /// Runs of the direct double loop, for comparison.
     pub direct_runs: u64,
-    /// What was learned, one entry for each number and each curve.
+    /// Surrogates, one entry for each number and each curve.
     pub outputs: Vec<SurrogateOutput>,
     /// The bounds; of what nothing was learned nothing is known.
     pub bounds: Vec<BoundRecord>,
@@ -37,8 +37,7 @@ impl SurrogateRecord {
     }
 }
 
-/// What was learned of a number or a curve; where laws or members of lists have surrogates of their own, of that with the
-/// largest error.
+/// Surrogate of a number or a curve; where laws or members of lists have surrogates of their own, that with the largest error.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SurrogateOutput {
     /// Name of the output.
@@ -57,7 +56,7 @@ pub struct SurrogateOutput {
     pub runs: u64,
     /// Runs without this output.
     pub missing: u64,
-    /// The same with those at the witnesses: where there are any, nothing is known of probabilities and quantiles.
+    /// Failed runs, those at the witnesses included: if there are any, probabilities and quantiles are unknown.
     pub failed: u64,
     /// The largest share of the mechanisms at a witness that lies outside of the range of the runs, where the surrogate gives no answer.
     #[serde(with = "extended")]
@@ -68,11 +67,11 @@ pub struct SurrogateOutput {
     /// 1 - Σ error²/Σ (y - mean)² of held-out runs; `None` for a constant.
     #[serde(with = "extended")]
     pub q2: Option<f64>,
-    /// What the held-out errors say about the response.
+    /// Verdict of the held-out errors on the response.
     pub verdict: Option<SurrogateVerdict>,
     /// Held-out error from fewer runs.
     pub learning: Vec<SurrogateLearning>,
-    /// By how many of its standard deviations the surrogate is taken to err in the bounds.
+    /// Number of its standard deviations by which the surrogate is taken to err in the bounds.
     #[serde(with = "extended")]
     pub reach: f64,
     /// The largest error that direct runs at witnesses have shown, root mean square, in its standard deviations.

@@ -12,7 +12,7 @@ pub enum Verdict {
     Promised,
     /// Not met for at least one value, numerical error included.
     NotMet,
-    /// The numerical error reaches over the limit, or nothing is known of the share: more runs decide.
+    /// The numerical error reaches over the limit, or the share is unknown: more runs decide.
     Undecided,
 }
 
@@ -26,7 +26,7 @@ pub struct KnownShare {
 }
 
 impl KnownShare {
-    /// Nothing is known.
+    /// An unknown share.
     pub const NOTHING: Self = Self { least: 0.0, seen: 1.0 };
 }
 
@@ -42,7 +42,7 @@ impl Verdict {
         }
     }
 
-    /// Verdict of a requirement that a promise decides, where the search has come to this one. A value at which it is not met stays one.
+    /// Verdict of a requirement that a promise decides, once the search has reached this one. A value at which it is not met stays one.
     #[must_use]
     pub fn by_promise(self, is_promised: bool) -> Self {
         match (self, is_promised) {

@@ -1,4 +1,4 @@
-//! What the quasi-static answer speaks of: positions, and the errors of paths that they make.
+//! Outputs of the quasi-static answer: positions, and the errors of paths that they make.
 
 use super::position::PositionOutput;
 use loosepin_mechanics::model::{Axis, Position};
@@ -63,7 +63,7 @@ impl AccuracyOutput {
 }
 
 impl AccuracyOutputKind {
-    /// What each position counts, where they have these `velocities`.
+    /// Weight of each position for these `velocities`.
     pub fn weights(self, velocities: &[f64]) -> Vec<(usize, f64)> {
         match self {
             Self::Position(place) => vec![(place, 1.0)],

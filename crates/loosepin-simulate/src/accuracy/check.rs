@@ -86,7 +86,7 @@ pub fn check_quasi_static(
 struct Compared<'r> {
     output: PositionOutput,
     deviation_si: &'r [f64],
-    /// Where the extremes were at the sample before: the best starts for the next.
+    /// Extremes at the sample before: the best starts for the next.
     starts: Vec<Vec<Vec2<f64>>>,
     share: QuasiStaticShare,
 }

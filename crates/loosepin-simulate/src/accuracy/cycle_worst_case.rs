@@ -26,13 +26,13 @@ pub(super) struct WalkedCycle<'c, 'a> {
     pub overhanging: Vec<Option<String>>,
 }
 
-/// What the record says of proofs.
+/// Coverage of the proofs in the record.
 pub(super) struct ProofCoverage {
     pub unproven_spans: Vec<UnprovenSpan>,
     pub is_between_angles: bool,
 }
 
-/// Puts the worst cases into `outputs`, until `is_stopped`; nothing then.
+/// Puts the worst cases into `outputs`, until `is_stopped`; `None` if it was stopped.
 pub(super) fn add_worst_cases(
     cycle: &WalkedCycle<'_, '_>,
     outputs: &mut [OutputMotion],

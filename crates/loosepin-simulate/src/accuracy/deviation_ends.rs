@@ -20,7 +20,7 @@ use std::sync::atomic::AtomicBool;
 pub struct DimensionLimit {
     /// The quantity; one that can be set.
     pub quantity: QuantityId,
-    /// By how much at most, either way, SI.
+    /// Largest deviation, either way, SI.
     pub most_si: f64,
 }
 

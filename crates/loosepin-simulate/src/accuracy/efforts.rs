@@ -1,4 +1,4 @@
-//! What drives must do to make the ideal motion: inverse dynamics.
+//! Efforts of drives for the ideal motion: inverse dynamics.
 
 use crate::ideal::column::{Column, columns};
 use loosepin_mechanics::dynamics::Dynamics;

@@ -1,4 +1,5 @@
-//! Where the block of a slider with play may reach over an end of its guide, which lets it tilt further than the quasi-static answer has it.
+//! Ranges in which the block of a slider with play may reach over an end of its guide, which lets it tilt further than the quasi-static
+//! answer has it.
 
 use super::play_reach::PlayReach;
 use loosepin_mechanics::dynamics::PlayMotion;

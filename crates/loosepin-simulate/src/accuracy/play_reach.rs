@@ -1,4 +1,4 @@
-//! Where the second body of a joint with play can be against its ideal place.
+//! Possible displacements of the second body of a joint with play from its ideal place.
 
 use super::error::AccuracyError;
 use loosepin_math::{Vec2, sin_cos};

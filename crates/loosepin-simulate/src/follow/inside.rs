@@ -36,7 +36,7 @@ impl InsideLayout {
         Self::PER_READING * self.count
     }
 
-    /// Where the numbers of a reading are.
+    /// Offset of the numbers of a reading.
     pub fn reading(&self, reading: usize) -> usize {
         self.first + Self::PER_READING * reading
     }

@@ -3,7 +3,7 @@
 use loosepin_math::Quintic;
 use std::sync::Arc;
 
-/// What is read at the instants of a run; close together, since an instant costs little else than finding its place.
+/// Readings at the instants of a run; close together, since an instant costs little else than finding its place.
 #[derive(Debug, Clone)]
 pub(super) struct Instants {
     /// In order.
@@ -27,7 +27,7 @@ impl Default for Instants {
 }
 
 impl Instants {
-    /// Nothing read yet.
+    /// An empty record.
     pub fn new(instants_s: Arc<[f64]>, readings: usize) -> Self {
         let values = vec![f64::NAN; instants_s.len() * readings];
         let polynomials = Vec::with_capacity(readings);
@@ -36,7 +36,7 @@ impl Instants {
         own
     }
 
-    /// Goes on behind so many instants.
+    /// Skips this number of instants.
     #[inline]
     fn skip(&mut self, instants: usize) {
         self.next += instants;

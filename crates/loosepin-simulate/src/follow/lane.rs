@@ -1,4 +1,4 @@
-//! What is followed in the run of a lane, beside its numbers: tables, instants, extremes.
+//! Follower of the run of a lane, besides its numbers: tables, instants, extremes.
 
 use super::instants::Instants;
 use super::layout::FollowLayout;
@@ -10,11 +10,11 @@ use loosepin_math::Quintic;
 use loosepin_result::study::Deviation;
 use std::sync::Arc;
 
-/// What one run is compared with, and what was found so far.
+/// References of one run, and its findings so far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LaneFollow {
     instants: Instants,
-    /// Where the piece of the curves at hand ends, s.
+    /// End of the current piece of the curves, s.
     piece_end_s: f64,
     run: FollowedRun,
     window: Window,
@@ -22,7 +22,7 @@ pub(crate) struct LaneFollow {
 }
 
 impl LaneFollow {
-    /// Nothing found yet.
+    /// An empty record.
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
         let (deviations, paths) = (layout.deviations(), layout.paths().len());
         let findings = Findings {
@@ -35,7 +35,7 @@ impl LaneFollow {
         Self { instants, run, window, piece_end_s: f64::INFINITY, findings }
     }
 
-    /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
+    /// Writes the numbers at the start of the recorded part, `time_s`, or at the start of a resumed run.
     pub fn begin(&mut self, layout: &FollowLayout, time_s: f64, mut set: impl FnMut(usize, f64)) {
         let begin_range = |first: usize, set: &mut dyn FnMut(usize, f64)| {
             for (k, number) in [f64::NEG_INFINITY, f64::INFINITY, 0.0, 0.0].into_iter().enumerate() {
@@ -65,7 +65,7 @@ impl LaneFollow {
         self.take_another_piece(layout, time_s, set);
     }
 
-    /// Puts down the piece of the curves that holds `time_s`, where that is not at hand.
+    /// Writes the piece of the curves that holds `time_s`, unless it is the current one.
     #[inline]
     pub fn take_piece(&mut self, layout: &FollowLayout, time_s: f64, set: impl FnMut(usize, f64)) {
         if time_s >= self.piece_end_s {
@@ -164,7 +164,7 @@ impl LaneFollow {
         self.instants.set(index, reading, value);
     }
 
-    /// Gives out what was found; `get` reads the numbers of the lane.
+    /// Returns the findings; `get` reads the numbers of the lane.
     pub fn findings(&mut self, layout: &FollowLayout, get: impl Fn(usize) -> f64) -> Findings {
         let range = |first: usize| DeviationRange {
             largest: get(first) + 0.0,

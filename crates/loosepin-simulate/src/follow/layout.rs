@@ -23,7 +23,7 @@ pub(crate) struct FollowLayout {
 }
 
 impl FollowLayout {
-    /// Where the piece of the ideal curves at hand begins, s.
+    /// Offset of the start of the current piece of the ideal curves, s.
     pub const PIECE_START: usize = 0;
     /// One over how long it lasts, 1/s.
     pub const PIECE_RATE: usize = 1;
@@ -84,7 +84,7 @@ impl FollowLayout {
         &self.inside
     }
 
-    /// Whether anything is reduced over the recorded part that the ends of the steps tell.
+    /// Whether any value is reduced over the recorded part from the ends of the steps alone.
     pub fn reduces(&self) -> bool {
         !self.deviations.is_empty() || !self.paths.is_empty()
     }
@@ -95,12 +95,12 @@ impl FollowLayout {
         (reading, of)
     }
 
-    /// Where the polynomial of a reading over the step begins.
+    /// Offset of the polynomial of a reading over the step.
     pub fn reading(&self, reading: usize) -> usize {
         Self::VALUES + self.readings + Self::PER_READING * reading
     }
 
-    /// Where the numbers of a deviation begin.
+    /// Offset of the numbers of a deviation.
     pub fn deviation(&self, deviation: usize) -> usize {
         self.reading(self.readings) + Self::PER_DEVIATION * deviation
     }

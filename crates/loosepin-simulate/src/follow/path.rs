@@ -18,9 +18,9 @@ const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// four parts.
 #[derive(Debug, Clone)]
 pub(crate) struct PathLayout {
-    /// Where they begin.
+    /// Offset of its numbers.
     pub first: usize,
-    /// What is followed.
+    /// The followed path.
     pub path: FollowedPath,
 }
 
@@ -36,16 +36,16 @@ struct Over<T> {
 
 /// A curve of the ideal motion that a path needs.
 pub(crate) struct PathReference {
-    /// Where its polynomial over the piece stands, six numbers.
+    /// Offset of its polynomial over the piece, six numbers.
     pub first: usize,
-    /// Of which reading it is, and which deviation is compared with it.
+    /// Its reading, and the deviation that is compared with it.
     pub curve: (usize, Deviation),
     /// How many numbers of it at the start of a step stand behind the polynomial: value, rate and acceleration, or the last two.
     pub derivatives: usize,
 }
 
 impl PathReference {
-    /// Where the numbers at the start of a step begin.
+    /// Offset of the numbers at the start of a step.
     pub fn before(&self) -> usize {
         self.first + 6
     }
@@ -89,7 +89,7 @@ impl PathLayout {
         if self.path.deviation == Deviation::Clearance { Deviation::Clearance } else { Deviation::Total }
     }
 
-    /// Where the numbers of a part begin: largest, smallest, integral, integral of the square.
+    /// Offset of the numbers of a part: largest, smallest, integral, integral of the square.
     pub fn part(&self, part: usize) -> usize {
         self.first + Self::PARTS + Self::PER_PART * part
     }

@@ -1,11 +1,11 @@
-//! What is followed, and what was found.
+//! Followed quantities and their findings.
 
 use crate::ideal::curve::IdealCurve;
 use loosepin_mechanics::model::Reading;
 use loosepin_result::study::Deviation;
 use std::sync::Arc;
 
-/// What is followed in every run of a batch.
+/// Quantities followed in every run of a batch.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Follow {
     /// Numbers that are read at both ends of every step. Those whose deviations are followed, or that are asked for at instants, must be
@@ -43,7 +43,7 @@ pub struct FollowedPath {
     pub is_integrated: bool,
 }
 
-/// What is followed in one run.
+/// References of one followed run.
 #[derive(Debug, Clone, Default)]
 pub struct FollowedRun {
     /// Instants in the recorded part at which all readings are asked for, in order, s; runs with the same ones share them.
@@ -55,7 +55,7 @@ pub struct FollowedRun {
     pub own: Option<Arc<IdealCurve>>,
 }
 
-/// What was found in a run.
+/// Findings of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Findings {
     /// All readings at the first instant, then at the next.

@@ -12,7 +12,7 @@ const MAX_PIECES: usize = 256;
 /// Places in a piece at which the table is held against the motion, as shares of the piece.
 const CHECKED: [f64; 3] = [0.25, 0.5, 0.75];
 
-/// Where the tables of a study have their nodes: equal intervals of the recorded part, each divided into equal pieces.
+/// Nodes of the tables of a study: equal intervals of the recorded part, each divided into equal pieces.
 ///
 /// Rough places, as on cams, have more pieces. They are found once, for the nominal mechanism, and used for all samples.
 #[derive(Debug, Clone)]
@@ -115,7 +115,7 @@ fn differs<E>(
 /// Nothing else has a curve: other outputs are not smooth enough for a table.
 #[derive(Debug, Clone)]
 pub struct IdealCurve {
-    /// Where it has its nodes.
+    /// Its nodes.
     pub nodes: Arc<IdealNodes>,
     /// Each reading between the nodes, over [0, 1] of each piece.
     quintics: Vec<Vec<Quintic>>,
@@ -125,7 +125,7 @@ pub struct IdealCurve {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
     index: usize,
-    /// Where it begins and ends, as shares of the recorded part.
+    /// Both ends, as shares of the recorded part.
     pub shares: [f64; 2],
 }
 

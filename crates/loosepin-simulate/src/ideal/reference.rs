@@ -65,7 +65,7 @@ impl<'a> IdealReference<'a> {
         }
     }
 
-    /// From a motion that has been integrated.
+    /// Reference from an integrated motion.
     pub fn of_motion(mechanism: &'a Mechanism, sample: &Sample<f64>, motion: Arc<FreeMotion>) -> Self {
         Self { source: Source::Integrated(motion), motion: Motion::new(mechanism, sample), held_s: None }
     }

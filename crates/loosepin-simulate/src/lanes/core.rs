@@ -135,8 +135,8 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Puts the contacts of a run that goes on into a lane that was loaded. Penetrations are read off the positions until the
-    /// next contact begins; deflections of bristles go on as they are. The lane needs a restart.
+    /// Puts the contacts of a resumed run into a loaded lane. Penetrations are read off the positions until the next contact begins;
+    /// deflections of bristles go on as they are. The lane needs a restart.
     pub fn resume(&mut self, lane: usize, resume: &MotionState) {
         for (contact, state) in resume.contacts.iter().enumerate() {
             self.set_contact(lane, contact, state, false);
@@ -211,7 +211,7 @@ impl<'a> Core<'a> {
         self.set_step(lane, 0.0);
     }
 
-    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    /// Computes from now on in the first `used` lanes; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
         if let Backend::Recorded(recorded) = &mut self.backend {
             recorded.use_lanes(used);
@@ -445,7 +445,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Reads at the instants that wait, at so many `places`.
+    /// Reads at the pending instants in the first `places` places.
     pub fn look(&mut self, places: usize) {
         let Self { pass, waiting, backend, .. } = self;
         match backend {
@@ -492,7 +492,7 @@ impl<'a> Core<'a> {
         self.memory.set(Block::Lane, self.pass.lane.followed().start + place, lane, value);
     }
 
-    /// Begins the energy account of a lane that was loaded and evaluated, with the smallest exchange that is told from round-off.
+    /// Begins the energy account of a loaded and evaluated lane, with the smallest exchange that is above round-off.
     pub fn open_account(&mut self, lane: usize, smallest_exchange_j: f64) {
         let energy_j = self.start_read(lane, ReadLayout::ENERGY);
         let exchange_j = smallest_exchange_j.max(self.start_read(lane, ReadLayout::FREE_KINETIC));
@@ -531,7 +531,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// What each friction that is watched turned into heat in a lane up to its last step, J.
+    /// Heat of each monitored friction in a lane up to its last step, J.
     pub fn friction_losses(&self, lane: usize, sample: &Sample<f64>) -> Vec<FrictionLoss> {
         let loss = |(place, watched): (usize, Watched)| FrictionLoss {
             joint: watched.joint(self.mechanism, sample),
@@ -559,8 +559,8 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Takes in the values inside the accepted steps at hand that are recorded; gives the evaluations that this took in each lane beside
-    /// [`Self::evaluations_for_dense`].
+    /// Records the values inside the current accepted steps as far as they are recorded; returns the evaluations of this in each lane
+    /// besides [`Self::evaluations_for_dense`].
     pub fn look_inside(&mut self) -> u64 {
         self.prepare_dense();
         let Self { pass, memory, backend, .. } = self;

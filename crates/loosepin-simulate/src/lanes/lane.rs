@@ -85,13 +85,13 @@ pub struct LaneRun {
     pub longest_s: f64,
     /// Smallest step in time apart from steps onto events, s.
     pub smallest_s: f64,
-    /// The attempt at hand.
+    /// The current attempt.
     pub phase: Phase,
     /// The last event of a contact: 0 for an onset, 1 for a separation.
     pub last_event: Option<usize>,
     /// Length of the first good step after the last onset, and what its error allowed after the last separation: the first guess for the next.
     pub after_event: [f64; 2],
-    /// Where its points are in their bodies.
+    /// Positions of its points in their bodies.
     pub arms: Arms,
     /// Steps end here at the latest, s: at the start and at the end of the window, and where the pieces of a drive's motion meet.
     pub stop_s: f64,
@@ -226,7 +226,7 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
-    /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there.
+    /// Distance of an event behind the end of the step, by the value and two derivatives of its event function there.
     fn distance(&self, event: Event, [value, rate, second]: [f64; 3], step: &LaneStep<'_, '_>) -> Option<f64> {
         let straight = -value / rate;
         // The nearer root of value + rate x + second x²/2.

@@ -15,7 +15,7 @@ pub struct LaneStep<'s, 'a> {
 }
 
 impl<'s, 'a> LaneStep<'s, 'a> {
-    /// The step at hand in `lane`.
+    /// The current step in `lane`.
     pub fn new(core: &'s Core<'a>, lane: usize) -> Self {
         Self { core, lane }
     }
@@ -59,7 +59,8 @@ impl<'s, 'a> LaneStep<'s, 'a> {
         }
     }
 
-    /// Which way the pin of a slot can pass the end on this side, and what goes through zero there, at both ends; `None` if there is no slot.
+    /// Direction in which the pin of a slot can pass the end on this side, and the event function there, at both ends; `None` if there is
+    /// no slot.
     #[inline]
     pub fn passage(&self, contact: usize, sample: &Sample<f64>, side: f64) -> Option<(Crossing, [GapJet; 2])> {
         let (along, half_length_m) = self.along_slot(contact, sample)?;

@@ -16,7 +16,7 @@ pub enum Block {
     Start,
     /// Slopes and dense output: [`StepRows::stages`].
     Stages,
-    /// Where the slope is evaluated next.
+    /// Point of the next evaluation of the slope.
     Point,
     /// State at the end of the step.
     End,
@@ -57,7 +57,7 @@ pub struct LaneLayout {
 impl LaneLayout {
     /// The step to be tried.
     pub const STEP: usize = 0;
-    /// 1 in the lanes that what comes next is for, else 0.
+    /// 1 in the chosen lanes, else 0.
     pub const CHOSEN: usize = 1;
     /// Error of the last attempt over what is allowed.
     pub const ERROR: usize = 2;
@@ -107,7 +107,7 @@ impl LaneLayout {
     pub const IS_DUE: usize = 24;
     /// 1 until the first good step after a contact has begun, 2 after it has ended: one that no event cuts. Then 0.
     pub const IS_FIRST: usize = 25;
-    /// That step, after an end as long as its error would have allowed; 0 until there is one.
+    /// Predicted first step after an event, if its end is as long as its error would have allowed; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
     /// Factorizations of implicit steps in the run so far, each of a real and of a complex matrix.
     pub const FACTORIZATIONS: usize = 27;
@@ -128,23 +128,23 @@ impl LaneLayout {
     /// Within the numbers of a contact: the root of that penetration, √m.
     pub const MAX_ROOT: usize = 7;
 
-    /// For so many contacts, so many unknowns with a tolerance and so many numbers of what is followed.
+    /// Layout for `contacts` contacts, `weights` unknowns with a tolerance and `followed` numbers of followed quantities.
     pub fn new(contacts: usize, weights: usize, followed: usize) -> Self {
         Self { contacts, weights, followed }
     }
 
-    /// Where the numbers of a contact begin.
+    /// Offset of the numbers of a contact.
     pub fn contact(contact: usize) -> usize {
         Self::CONTACTS + Self::PER_CONTACT * contact
     }
 
-    /// Where the weights of the errors of the unknowns are, one over their tolerances.
+    /// Range of the weights of the errors of the unknowns, one over their tolerances.
     pub fn weights(&self) -> std::ops::Range<usize> {
         let first = Self::contact(self.contacts);
         first..first + self.weights
     }
 
-    /// Where the numbers of what is followed are: `FollowLayout`.
+    /// Range of the numbers of the followed quantities: `FollowLayout`.
     pub fn followed(&self) -> std::ops::Range<usize> {
         let first = self.weights().end;
         first..first + self.followed
@@ -209,12 +209,12 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Zeros for so many numbers in each block.
+    /// Zeros for this number of numbers in each block.
     pub fn new(lanes: usize, lengths: [usize; BLOCKS]) -> Self {
         Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
     }
 
-    /// Makes room for so many numbers of each lane in a block, zeros behind what is there.
+    /// Extends a block to this number of numbers for each lane, with zeros behind.
     pub fn lengthen(&mut self, block: Block, length: usize) {
         let old = &mut self.blocks[block as usize];
         if old.length < length * self.lanes {

@@ -70,7 +70,7 @@ impl Pass {
         }
     }
 
-    /// For each block, how many numbers a lane has in it, with so many numbers of its sample.
+    /// Length of each block for a lane, with `numbers` numbers of its sample.
     pub fn block_lengths(&self, numbers: usize) -> [usize; BLOCKS] {
         let (row, reads) = (self.layout.length(), self.reads.length());
         let stages = self.first_inside() + self.follow.inside().values();
@@ -103,7 +103,7 @@ impl Pass {
         blocks.lane[LaneLayout::GROWTH] = self.stepper.growth(error);
     }
 
-    /// Makes what was evaluated last, slope and reads, those of the start of the step, where the lane is chosen.
+    /// Makes the last evaluation, slope and reads, that of the start of the step, in the chosen lanes.
     pub fn take_evaluation<T: Real>(&self, blocks: &mut MemoryBlocks<'_, T>) {
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
         let length = self.layout.length();
@@ -330,7 +330,7 @@ impl Pass {
         (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, readings })
     }
 
-    /// Where the values inside the current step begin among its slopes, behind the dense output: [`InsideLayout::value`].
+    /// Offset of the values inside the current step among its slopes, behind the dense output: [`InsideLayout::value`].
     ///
     /// [`InsideLayout::value`]: crate::follow::InsideLayout::value
     pub fn first_inside(&self) -> usize {

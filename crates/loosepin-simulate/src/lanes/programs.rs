@@ -32,7 +32,8 @@ const ATTEMPT_OUTPUTS: [usize; 11] = [
 /// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
 #[derive(Debug, Clone)]
 pub struct PassPrograms<P = Program> {
-    /// What depends on the numbers of a run alone, put behind them in [`Block::Numbers`]: runs whenever these numbers change.
+    /// Computes the values that depend on the numbers of a run alone, behind them in [`Block::Numbers`]: runs whenever these numbers
+    /// change.
     pub prepare: P,
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`]. Angles are near those in
     /// [`Block::StartReads`].
@@ -60,7 +61,7 @@ pub struct PassPrograms<P = Program> {
     pub hold_loops: Option<P>,
     /// The energy account of a step behind which loops are held.
     pub account: Option<P>,
-    /// What is followed through a step, where anything is.
+    /// Follows a step, if anything is followed.
     pub follow: Option<P>,
     /// Readings over a step as polynomials, where there are any.
     pub spread: Option<P>,
@@ -91,7 +92,7 @@ impl PassPrograms {
         Tracing { mechanism, sample, arms, follow, fixed: &fixed, pass: &pass, lengths }.programs()
     }
 
-    /// What `make` makes of each program, those of a step first.
+    /// Applies `make` to each program, those of a step first.
     pub(crate) fn map<Q>(self, mut make: impl FnMut(Program) -> Q) -> PassPrograms<Q> {
         PassPrograms {
             prepare: make(self.prepare),
@@ -137,9 +138,9 @@ pub struct Tracing<'t> {
     pub mechanism: &'t Mechanism,
     /// Its numbers; laws and exponents are taken from here.
     pub sample: &'t Sample<f64>,
-    /// Where the points of bodies are.
+    /// Positions of the points of bodies.
     pub arms: &'t Arms,
-    /// What is read at the ends of steps, and followed.
+    /// Readings at the ends of steps, and followed quantities.
     pub follow: &'t Follow,
     /// By number of [`Block::Numbers`]: its value where the programs are to know it.
     pub fixed: &'t [Option<f64>],

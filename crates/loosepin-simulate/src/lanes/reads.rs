@@ -71,8 +71,7 @@ impl ReadLayout {
     pub const TIME: usize = 0;
     /// Mechanical energy, J.
     pub const ENERGY: usize = 3;
-    /// Kinetic energy of the bodies that drives alone do not carry, J: the sum of all energies tells nothing of how much goes to
-    /// and fro between them.
+    /// Kinetic energy of the bodies that drives alone do not carry, J: the sum of all energies hides the exchange between them.
     pub const FREE_KINETIC: usize = 4;
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]

@@ -15,7 +15,7 @@ struct Sequences {
     numbers: usize,
     restart: Sequence,
     attempt: Sequence,
-    /// Where the root of every closed contact is an unknown.
+    /// Sequence for lanes in which the root of every closed contact is an unknown.
     attempt_by_roots: Sequence,
     accept: Sequence,
     close_account: Sequence,
@@ -175,7 +175,7 @@ impl<'a> Recorded<'a> {
         self.sequences.attempt.is_machine_code()
     }
 
-    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    /// Computes from now on in the first `used` lanes; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
         self.used = used;
     }

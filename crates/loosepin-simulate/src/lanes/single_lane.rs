@@ -150,7 +150,7 @@ impl<'a> SingleLane<'a> {
         self.implicit.as_ref().is_some_and(|implicit| implicit.is_at_hand)
     }
 
-    /// Corrects the state at `share` inside the implicit step at hand; gives the evaluations that it took.
+    /// Corrects the state at `share` inside the current implicit step; returns its evaluations.
     pub fn correct(&mut self, pass: &Pass, memory: &mut Memory, share: f64, state: &mut [f64]) -> u64 {
         let Some(implicit) = &mut self.implicit else { return 0 };
         let equations = (pass, &mut self.motion, self.projection.as_mut());

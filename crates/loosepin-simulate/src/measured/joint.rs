@@ -43,17 +43,17 @@ impl JointSample {
         }
     }
 
-    /// Where a row stands.
+    /// Place of a row.
     pub fn row_place(&self, row: usize) -> Place {
         Place::new(&self.source, self.row_places.get(row).copied().unwrap_or(self.header_place))
     }
 
-    /// Where the header of a column stands.
+    /// Place of the header of a column.
     pub fn column_place(&self, column: &JointColumn) -> Place {
         Place::new(&self.source, column.place)
     }
 
-    /// Where the whole header stands.
+    /// Place of the whole header.
     pub fn header_place(&self) -> Place {
         Place::new(&self.source, self.header_place)
     }

@@ -26,7 +26,7 @@ problems! {
         /// A first column that is no time and no angle.
         FirstColumn { name: String, found: Dimension } => Code::MeasuredTable,
             says("the first column '{name}' is {found}; it must be a time or an angle of the drive");
-        /// Nothing beside the first column.
+        /// No column besides the first.
         NothingMeasured {
             /// Name of the first column.
             name: String,
@@ -93,15 +93,15 @@ problems! {
         /// A column of another dimension than its output.
         OtherDimension { name: String, found: Dimension, due: String } => Code::MeasuredTable,
             says("the column '{name}' is {found}; the output is {due}");
-        /// A row outside what was recorded.
+        /// A row outside of the record.
         OutsideRecord {
             /// Name of the first column.
             name: String,
             /// The value with its unit.
             found: String,
-            /// Where the record begins.
+            /// Start of the record.
             from: String,
-            /// Where it ends.
+            /// End of the record.
             to: String,
         } => Code::MeasuredOutside,
             says("{name} {found} is outside the recorded range, {from} to {to}"),

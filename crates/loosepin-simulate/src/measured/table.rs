@@ -35,7 +35,7 @@ pub struct MeasuredColumn {
     pub dimension: Dimension,
     /// Its values, SI; NaN if the cell is empty.
     pub values_si: Vec<f64>,
-    /// Where its header stands.
+    /// Place of its header.
     pub(super) place: Span,
 }
 
@@ -58,7 +58,7 @@ pub(super) struct Header {
 
 /// A row: its cells without the blanks around them, each with its place.
 pub(super) struct Row {
-    /// Where it begins in the text.
+    /// Start in the text.
     pub start: usize,
     pub cells: Vec<(String, Span)>,
 }

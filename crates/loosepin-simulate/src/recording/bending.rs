@@ -15,7 +15,7 @@ pub struct BendingRecorder {
 }
 
 impl BendingRecorder {
-    /// Nothing seen yet.
+    /// An empty record.
     pub fn new(mechanism: &Mechanism) -> Self {
         let count = mechanism.real.flexible_bodies().count();
         Self { largest_rad: vec![0.0; count], condensed: vec![None; count] }
@@ -49,7 +49,7 @@ impl BendingRecorder {
         }
     }
 
-    /// What was seen, body by body.
+    /// The records, body by body.
     pub fn records(&self, mechanism: &Mechanism) -> Vec<BendingRecord> {
         let record = |((body, &largest_angle_rad), &condensed): ((BodyId, &f64), &Option<CondensedRecord>)| {
             let Body { name, beam, .. } = &mechanism.model.bodies[body.0];
@@ -69,7 +69,7 @@ impl BendingRecorder {
     }
 }
 
-/// What the other formulation of a body asks for; nothing of a rigid one.
+/// Demands of the other formulation of a body; none for a rigid one.
 pub fn other_formulation(model: &Model, body: BodyId) -> OtherFormulation {
     let Body { points, beam: Some(beam), .. } = &model.bodies[body.0] else { return OtherFormulation::AsItIs };
     if beam.is_nodal() {

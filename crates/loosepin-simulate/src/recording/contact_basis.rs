@@ -1,11 +1,11 @@
-//! What the force of each contact rests on, and what a line-contact law would make of it: for the record of a run or study.
+//! Assumptions behind the force of each contact, and its force by a line-contact law: for the record of a run or study.
 
 use loosepin_mechanics::contact::{LONG_PIN_LAW, NormalContact, force_of_same_energy_n};
 use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, pin_clearance, pin_pair};
 use loosepin_mechanics::model::{PlayId, Values};
 use loosepin_result::{ContactBasis, ContactShape, LongPinForce};
 
-/// What the force of a joint or coupling with play rests on; `numbers` are those of the sample with `values`.
+/// Assumptions behind the force of a joint or coupling with play; `numbers` are those of the sample with `values`.
 pub fn contact_basis(
     mechanism: &Mechanism,
     play: PlayId,

@@ -47,7 +47,7 @@ impl ControlRecorder {
         self.histories.is_empty()
     }
 
-    /// Takes in what was evaluated at the next sample time.
+    /// Records the evaluation at the next sample time.
     pub fn record(&mut self, dynamics: &Dynamics<'_, f64>) {
         for (history, actuator) in self.histories.iter_mut().zip(dynamics.actuators()) {
             history.reference_si.push(actuator.reference);

@@ -58,7 +58,7 @@ impl Plan {
         Self { cycle, settings, with_states: false, lyapunov_turns: None, second_run: false, overrides: Vec::new() }
     }
 
-    /// That the run comes to its end within the evaluations it may have, and that a history holds what it records. Nothing is run.
+    /// Checks that the run ends within its limit of evaluations, and that its history fits the limits of a record. Nothing is run.
     ///
     /// # Errors
     /// One of these, or the drive of the cycle stands still.
@@ -158,8 +158,8 @@ pub fn simulate_until(
     record_until(mechanism, values, plan, Extremes::Sought, stop)
 }
 
-/// As [`simulate`], for whoever needs the poses and the paths of journals alone: extremes of outputs are not sought between the samples,
-/// which takes most of the time of a run that is recorded, and none are in the record.
+/// As [`simulate`], for callers that need the poses and the paths of journals alone: extremes of outputs are not sought between the
+/// samples, which takes most of the time of a recorded run, and none are in the record.
 ///
 /// # Errors
 /// As for [`simulate`].
@@ -254,7 +254,7 @@ struct Recorder<'a> {
     contact_forces: Vec<Vec<f64>>,
     controls: ControlRecorder,
     impacts: Vec<ImpactRecord>,
-    /// Index of the impact at hand, by contact.
+    /// Index of the current impact, by contact.
     open_impacts: Vec<Option<usize>>,
     peak_forces_n: Vec<f64>,
     largest_speeds_m_s: Vec<f64>,

@@ -1,5 +1,5 @@
-//! What is kept of a run for its record: histories, extremes, energy account, impacts, drawings, CSV files. Nothing here changes a run.
-//! What is reduced while lanes run stands in `follow`.
+//! Recording of a run: histories, extremes, energy account, impacts, drawings, CSV files. Nothing here changes a run. What is reduced while
+//! lanes run stands in `follow`.
 
 pub(crate) mod balance;
 pub(crate) mod bending;

@@ -69,7 +69,7 @@ impl EnergyAccount {
     }
 }
 
-/// What the friction of one joint turned into heat.
+/// Heat by the friction of one joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionLoss {
     /// The joint.
@@ -96,10 +96,10 @@ pub struct RunReport {
     pub plays: Vec<PlaySummary>,
     /// The energy account; a mechanism without play is not integrated and has none.
     pub energy: Option<EnergyAccount>,
-    /// Of the joints whose friction may give more than it takes: with a memory, or by the literal sliding velocity.
+    /// Losses of the joints whose friction may give more than it takes: with a memory, or by the literal sliding velocity.
     pub friction_losses: Vec<FrictionLoss>,
-    /// Of the joints with play that wear.
+    /// Friction paths of the joints with play that wear.
     pub friction_paths: Vec<FrictionPath>,
-    /// Of what was followed.
+    /// Findings of the followed quantities.
     pub findings: Findings,
 }

@@ -1,4 +1,4 @@
-//! Whether an error that ought to come to rest keeps swinging.
+//! Persistent oscillation of an error that should come to rest.
 
 use loosepin_result::simulation::{ErrorOscillation, OscillationTrend};
 

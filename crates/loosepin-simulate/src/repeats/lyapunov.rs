@@ -234,7 +234,7 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// The state at `to_s` of the run that goes on from `from`, or from its start.
+/// The state at `to_s` of the run resumed from `from`, or from its start.
 fn go_on<'m>(
     mechanism: &'m Mechanism,
     sample: &Sample<f64>,

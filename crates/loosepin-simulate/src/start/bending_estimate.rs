@@ -17,7 +17,7 @@ use loosepin_mechanics::model::{Beam, BodyId, PointId, Values};
 /// Positions that are looked at: of a moment with three waves in a turn the largest is missed by 1 %.
 const POSITIONS: u32 = 72;
 
-/// What the loads of the rigid mechanism do to a flexible body.
+/// Bending of a flexible body under the loads of the rigid mechanism.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendingEstimate {
     /// The body.
@@ -87,7 +87,7 @@ struct Link<'m> {
 }
 
 impl<'m> Link<'m> {
-    /// Nothing for a rigid body.
+    /// `None` for a rigid body.
     fn new(mechanism: &'m Mechanism, body: BodyId, values: &Values) -> Option<Self> {
         let beam = mechanism.model.bodies[body.0].beam.as_ref()?;
         let length_m = values[beam.length_m];

@@ -94,7 +94,7 @@ struct Settling<'s, 'a> {
     differences: Vec<f64>,
     /// ∂q̈/∂q, row by row, where it is known.
     slopes: Option<Vec<f64>>,
-    /// State of a run for the coordinates at hand.
+    /// State of a run for the current coordinates.
     state: Vec<f64>,
     /// The loops over the other coordinates.
     gram: GramSystem<f64>,

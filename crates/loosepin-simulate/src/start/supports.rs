@@ -27,7 +27,7 @@ struct Hold {
     is_clamp: bool,
     /// The body that it is to.
     to: BodyId,
-    /// Of a rigid joint: direction of the beam from the x axis of that body, rad.
+    /// Direction of the beam from the x axis of that body at a rigid joint, rad.
     beam_rad: Option<f64>,
 }
 

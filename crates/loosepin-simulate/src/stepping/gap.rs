@@ -166,7 +166,7 @@ const BISECTIONS: usize = 50;
 /// Newton's steps that are no longer end on the root: each squares what is left.
 const LAST_NEWTON_STEP: f64 = 1e-8;
 
-/// Where the polynomial rises through zero between `low` (not above) and `high` (above).
+/// The rising root of the polynomial between `low` (not above) and `high` (above).
 fn root(quintic: &Quintic, low: f64, high: f64) -> f64 {
     root_from(quintic, [low, high], 0.5 * (low + high))
 }
@@ -198,7 +198,7 @@ fn root_from(quintic: &Quintic, [mut low, mut high]: [f64; 2], mut tau: f64) -> 
     tau
 }
 
-/// Where the slope falls through zero between `low` and `high`.
+/// The falling root of the slope between `low` and `high`.
 fn turning_point(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
     let (mut slope_low, mut slope_high) = (quintic.slope(low), quintic.slope(high));
     let mut middle = 0.5 * (low + high);

@@ -42,7 +42,7 @@ pub struct Layout {
 /// Friction that may give back more than it took: with a memory, or by another velocity than that of the materials.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Watched {
-    /// Of a joint with play: its index in [`Mechanism::plays`].
+    /// A joint with play: its index in [`Mechanism::plays`].
     Play(usize),
     /// Of an ideal joint: its index in [`Sample::frictions`].
     Joint(usize),

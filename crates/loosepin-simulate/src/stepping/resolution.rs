@@ -25,7 +25,7 @@ problems! {
 /// The smallest play of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmallestClearance {
-    /// What has it, in words: `joint 'gudgeon'`.
+    /// The joint or coupling in words: `joint 'gudgeon'`.
     pub play: String,
     /// Clearance, m: above zero.
     pub clearance_m: f64,

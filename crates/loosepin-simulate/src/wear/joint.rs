@@ -15,7 +15,7 @@ pub struct WearingJoint {
     pub radii_m: [f64; 2],
     /// Length L_b of the bearing, m.
     pub length_m: f64,
-    /// Wear coefficients of bearing and journal, m²/N; none where a surface does not wear.
+    /// Wear coefficients of bearing and journal, m²/N; `None` if a surface does not wear.
     pub coefficients_m2_n: [Option<f64>; 2],
     /// Cycles after which wear is stated.
     pub cycles: f64,

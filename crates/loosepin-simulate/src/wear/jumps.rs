@@ -141,7 +141,7 @@ pub fn life(
     Ok(life)
 }
 
-/// `depths_m` plus so many cycles of each growth.
+/// `depths_m` plus multiples of the growth of each cycle.
 fn moved(depths_m: &Depths, by: &[(f64, &Cycle)]) -> Depths {
     let mut moved = depths_m.clone();
     for (cycles, cycle) in by {

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// counted from the x axis of the body that has the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WearProfile {
-    /// Of the bearing and of the journal, by sector, J.
+    /// Friction path of the bearing and of the journal, by sector, J.
     pub path_j: [Vec<f64>; 2],
     /// Sum over all sectors, J.
     pub total_j: f64,
@@ -17,7 +17,7 @@ pub struct WearProfile {
     pub capped_j: f64,
     /// Largest half-width of the patch, m.
     pub widest_m: f64,
-    /// Where the joint has an elastic foundation: sliding path of each sector of the bearing and of the journal under load, m.
+    /// Sliding path of each sector of the bearing and of the journal under load, m, if the joint has an elastic foundation.
     pub slid_m: [Vec<f64>; 2],
     /// The same joint: smallest and largest angle of the bearing from the journal, rad.
     pub turns_rad: [f64; 2],
@@ -37,7 +37,7 @@ pub struct ContactSample {
 }
 
 impl WearProfile {
-    /// Nothing worn.
+    /// An unworn profile.
     pub fn new(joint: &WearingJoint) -> Self {
         let none = vec![0.0; joint.sectors];
         Self {

@@ -20,20 +20,20 @@ const HALVINGS: usize = 48;
 pub struct WearRecorder {
     /// The joints.
     pub joints: Vec<WearingJoint>,
-    /// Of each, what its recorded part has worn so far.
+    /// Wear of each joint by its recorded part so far.
     pub profiles: Vec<WearProfile>,
     /// The wear of all cycles, where the worn shape acts back; then the profiles are those of the last cycle alone.
     pub life: Option<Life>,
     /// Column of the model and its largest deviation, SI, that end the life of the mechanism.
     pub limit: Option<(usize, f64)>,
-    /// The contact of each; none of an ideal joint. A pin touches its hole at one place.
+    /// The contact of each joint; `None` for an ideal joint. A pin touches its hole at one place.
     contacts: Vec<Option<usize>>,
     /// Slots of bearing and journal in the real tree: of a flexible body, those of its sections.
     slots: Vec<[usize; 2]>,
 }
 
 impl WearRecorder {
-    /// Nothing worn yet.
+    /// An unworn record.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Self {
         let joints = WearingJoint::all(mechanism, values);
         let slots_of = |joint: &WearingJoint| {

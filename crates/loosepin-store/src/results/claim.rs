@@ -33,7 +33,7 @@ pub struct Claim {
     pub name: String,
     /// Hash of its inputs.
     pub inputs: InputsHash,
-    /// Where it is to go.
+    /// Destination of the result.
     pub destination: Destination,
     /// Whether results and files that are in the way are replaced.
     pub with_force: bool,
@@ -110,8 +110,8 @@ impl Claim {
         self.lock(&[])?.begin()
     }
 
-    /// Locks the folder, making it where there is none; nothing else in it is changed. Files named `beside` may be made under the
-    /// lock before [`LockedFolder::begin`]; alone in a folder they say nothing.
+    /// Locks the folder, making it if there is none; nothing else in it is changed. Files named `beside` may be made under the lock before
+    /// [`LockedFolder::begin`]; alone in a folder they say nothing.
     ///
     /// # Errors
     /// As for [`Claim::take`].
@@ -180,7 +180,7 @@ impl LockedFolder<'_> {
         self.held.as_ref().is_some_and(|held| self.claim.is_made(held))
     }
 
-    /// Begins the result: whoever comes next finds an unfinished one. A finished result of the same inputs is left as it is.
+    /// Begins the result: until it is finished, others find an unfinished one. A finished result of the same inputs is left as it is.
     ///
     /// # Errors
     /// The file system refuses.

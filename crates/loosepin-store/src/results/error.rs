@@ -77,7 +77,7 @@ problems! {
         ForeignMarker { path: PathBuf, source: serde_json::Error } => Code::NoResults,
             says("{} does not have the format of this version: {source}", path.display()),
             hint("run the command again with another folder, or use the version that wrote the file");
-        /// A run that did not come to its end.
+        /// A run that did not finish.
         Unfinished { folder: PathBuf, kind: ResultKind, name: String } => Code::NoResults,
             says("the {} '{name}' in {} did not finish", kind.words(), folder.display()),
             hint("run the same command again; it writes into the same folder");

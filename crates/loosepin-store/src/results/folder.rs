@@ -189,7 +189,7 @@ impl ResultsFolder {
         self.remove_replaced()
     }
 
-    /// Keeps what was written so far of a result that did not finish: the next run replaces it.
+    /// Keeps the files of an unfinished result: the next run replaces it.
     ///
     /// # Errors
     /// An error of the file system.
@@ -198,8 +198,8 @@ impl ResultsFolder {
         self.marker.write(&self.lock)
     }
 
-    /// Removes what was written of a result that cannot be finished, and the folders that were made for it; a finished result
-    /// that it was to replace comes back.
+    /// Removes the files of a result that cannot be finished, and the folders that were made for it; a finished result that it was to
+    /// replace comes back.
     ///
     /// # Errors
     /// An error of the file system.
@@ -235,7 +235,7 @@ impl ResultsFolder {
         Ok(())
     }
 
-    /// Removes what was replaced, now that its successor is whole.
+    /// Removes the replaced result, now that its successor is whole.
     pub(super) fn remove_replaced(&mut self) -> Result<(), ResultsError> {
         if self.marker.replaced.is_empty() {
             return Ok(());

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::kind::ResultKind;
 
-/// BLAKE3 of all inputs of a result: the contents of the files, settings, what was set, kind and version.
+/// BLAKE3 of all inputs of a result: the contents of the files, settings, set values, kind and version.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct InputsHash(blake3::Hash);
 

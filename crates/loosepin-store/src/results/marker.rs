@@ -28,7 +28,7 @@ pub struct Marker {
     pub version: String,
     /// Whether all files are there.
     pub is_finished: bool,
-    /// BLAKE3 of each file that belongs to the result, by name; none for a file that differs from run to run. This one is left out.
+    /// BLAKE3 of each file that belongs to the result, by name; `None` for a file that differs from run to run. This one is left out.
     pub files: BTreeMap<String, Option<String>>,
     /// Files of the finished result that this one replaces: each waits as `NAME.replaced` until this one is finished.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

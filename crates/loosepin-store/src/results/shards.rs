@@ -79,7 +79,7 @@ problems! {
                 study.display()
             ),
             hint("give the original study with --study, or run the shards of the changed study");
-        /// A folder whose name does not tell where the results go.
+        /// A folder whose name does not identify the destination of the results.
         Renamed { folder: PathBuf, shard: u32, of: u32 } => Code::ShardsDoNotFit,
             says("{} does not have the name that its shard gave it, NAME.shard-{shard}-of-{of}", folder.display()),
             hint("give the folder of the results with --out");

@@ -27,7 +27,7 @@ const BLOCK_KG_M2: &str = "5e-5 kg m^2";
 const TOLERANCE_MM: &str = "0.1";
 const POSITIONS: usize = 73;
 
-/// What holds a pin.
+/// Support of a pin.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Hold {
@@ -49,7 +49,7 @@ pub struct DrawnPin {
     pub x: f64,
     /// Upwards, mm.
     pub y: f64,
-    /// What holds it.
+    /// Its support.
     pub hold: Hold,
 }
 

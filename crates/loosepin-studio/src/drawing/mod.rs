@@ -1,5 +1,5 @@
-//! What is drawn of a mechanism that is edited: its still picture, dimensions, loads; and a drawing that becomes a model.
-//! Pictures of results come from the report.
+//! Drawing of an edited mechanism: its still picture, dimensions, loads; and a drawing that becomes a model. Pictures of results come from
+//! the report.
 
 pub(crate) mod centres;
 pub(crate) mod dimensions;

@@ -49,7 +49,7 @@ impl Pose {
     }
 }
 
-/// Where a point is in its body, m.
+/// Position of a point in its body, m.
 pub fn in_body_m(model: &Model, values: &Values, point: PointId) -> [f64; 2] {
     model.bodies[point.body.0].points[point.point].position_m.map(|id| values[id])
 }

@@ -37,7 +37,7 @@ fn poses(view: &View, position: usize) -> Vec<[f64; 3]> {
     bodies.iter().map(|body| ["x", "y", "a"].map(|key| body[key][position].as_f64().unwrap())).collect()
 }
 
-/// Where a point of a body is at a position, mm.
+/// Position of a point of a body at a position, mm.
 fn at_mm(view: &View, body: &str, point: &str, position: usize) -> [f64; 2] {
     let index = view.outline.parts.iter().position(|part| part.name == body).unwrap();
     let own = view.outline.parts[index].points.iter().find(|own| own.name == point).unwrap();

@@ -34,7 +34,7 @@ const MAX_COORDINATES: usize = 400;
 const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
 const TOLERANCE: &str = "tolerance";
 
-/// What a drag does.
+/// Outcome of a drag.
 #[derive(Default)]
 pub struct DragOutcome {
     /// The same for the page.
@@ -50,7 +50,7 @@ pub struct DragOutcome {
 }
 
 impl DragOutcome {
-    /// Where each joint is to be, m; nothing where that cannot be said.
+    /// Expected position of each joint, m; empty if unknown.
     pub fn expected_m(&self) -> &[[f64; 2]] {
         &self.expected_m
     }

@@ -28,12 +28,12 @@ impl<'a> PosedMechanism<'a> {
         Self { model, values: model.quantities.nominal(), poses }
     }
 
-    /// Where a point is in its body, m.
+    /// Position of a point in its body, m.
     fn in_body_m(&self, point: PointId) -> [f64; 2] {
         in_body_m(self.model, &self.values, point)
     }
 
-    /// Where a point is, m.
+    /// Position of a point, m.
     pub fn at_m(&self, point: PointId) -> [f64; 2] {
         self.poses[point.body.0].world_m(self.in_body_m(point))
     }
@@ -71,7 +71,8 @@ impl<'a> PosedMechanism<'a> {
         a.body == b.body && length(minus(self.in_body_m(a), self.in_body_m(b))) < SAME_CENTRE_M
     }
 
-    /// Where the centre at `from_m` may go: anywhere, or along the line of a body that does not turn with it.
+    /// Allowed position of the centre at `from_m` when it is dragged to `to_m`: anywhere, or along the line of a body that does not turn
+    /// with it.
     pub fn allowed_m(&self, held: &[PointId], from_m: [f64; 2], to_m: [f64; 2]) -> [f64; 2] {
         let Some([x, y]) = held.iter().find_map(|point| self.line_of(*point)) else { return to_m };
         let way = minus(to_m, from_m);
@@ -105,7 +106,7 @@ impl<'a> PosedMechanism<'a> {
         })
     }
 
-    /// What the coordinates of the bodies at a centre become when it goes to `to_m`.
+    /// New coordinates of the bodies at a centre when it moves to `to_m`.
     pub fn moved(&self, held: &[PointId], to_m: [f64; 2]) -> Vec<Coordinate> {
         let mut bodies: Vec<BodyId> = Vec::new();
         let mut changed = Vec::new();

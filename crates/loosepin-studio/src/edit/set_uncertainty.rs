@@ -135,7 +135,7 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     Ok(())
 }
 
-/// Where a number of the model stands.
+/// Location of a number of the model.
 enum NumberLocation {
     /// These bytes of the model, quotes and all.
     There(Range<usize>),
@@ -200,7 +200,7 @@ fn missing(path: &str) -> Refusal {
     Refusal::bad(format!("the model has no number '{path}'"))
 }
 
-/// An entry of a study: the table, and what stands behind the equals sign.
+/// An entry of a study: the table, and the text behind the equals sign.
 type StudyEntry = (&'static str, String);
 
 fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {

@@ -43,7 +43,7 @@ pub enum UncertaintySpec {
     Tolerance(Option<WrittenQuantity>, String),
     /// A standard deviation about the value of the model.
     StandardDeviation(WrittenQuantity),
-    /// Evenly within so much of the value of the model.
+    /// Uniform within this distance of the value of the model.
     Uniform(WrittenQuantity),
     /// Anything between two ends.
     Interval([WrittenQuantity; 2]),

@@ -28,9 +28,9 @@ pub struct Folder {
 
 /// A text file as it stands on the disk.
 pub struct StoredText {
-    /// What it says.
+    /// Its text.
     pub text: String,
-    /// By which it is known again.
+    /// Tag that identifies its content.
     pub tag: String,
 }
 
@@ -43,7 +43,7 @@ impl Folder {
         Ok(Self { opened: files::Folder::open(&path.canonicalize()?)?, known: Arc::default() })
     }
 
-    /// Where it was when it was opened.
+    /// Its path when it was opened.
     pub fn root(&self) -> &Path {
         self.opened.path()
     }
@@ -53,7 +53,7 @@ impl Folder {
         &self.opened
     }
 
-    /// What earlier listings have read; `None` while another one has it.
+    /// Cache of earlier listings; `None` while another one has it.
     pub(crate) fn known(&self) -> Option<MutexGuard<'_, ListingCache>> {
         match self.known.try_lock() {
             Ok(known) => Some(known),
@@ -62,7 +62,7 @@ impl Folder {
         }
     }
 
-    /// What is known of the entry at `path`, as the page writes it.
+    /// Information about the entry at `path`, as the page writes it.
     ///
     /// # Errors
     /// The path is none of this folder; nothing is there.
@@ -88,7 +88,7 @@ impl Folder {
         text_of(path, self.bytes(path, MAX_TABLE)?)
     }
 
-    /// Reads a file of at most so many bytes.
+    /// Reads a file of at most `most` bytes.
     ///
     /// # Errors
     /// The path is none of this folder; a file that is too large.
@@ -166,7 +166,7 @@ fn relative(path: &str) -> Result<PathBuf, Refusal> {
     if is_plain { Ok(PathBuf::from(path)) } else { Err(outside(path)) }
 }
 
-/// By which a text is known again.
+/// Tag that identifies a text.
 fn tag(text: &str) -> String {
     let mut hasher = loosepin::results::InputsHasher::new(loosepin::results::ResultKind::Study);
     hasher.add("text", text);

@@ -1,4 +1,4 @@
-//! What is listed of a file or a result, and kept for the next listing.
+//! Cached information on a listed file or result.
 
 use std::collections::HashMap;
 use std::time::SystemTime;
@@ -32,7 +32,7 @@ pub struct ListedResult {
     pub path: String,
     /// Its name.
     pub title: String,
-    /// What it is the result of.
+    /// Kind of the result.
     pub kind: ResultKind,
     /// Over all requirements of a study.
     pub verdict: Option<Verdict>,
@@ -40,14 +40,14 @@ pub struct ListedResult {
     pub at_ms: u64,
 }
 
-/// What was read of files and results, by their paths; nothing of those that are none of ours.
+/// Cached information on files and results, by their paths; empty for foreign files.
 #[derive(Debug, Default)]
 pub struct ListingCache {
     pub files: HashMap<String, (FileVersion, Option<ListedFile>)>,
     pub results: HashMap<String, (FileVersion, Option<ListedResult>)>,
 }
 
-/// By which the content of a file is known to be the same.
+/// Version of a file, by which its content is recognised as unchanged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FileVersion {
     pub identity: Identity,

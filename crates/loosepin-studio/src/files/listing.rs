@@ -1,4 +1,4 @@
-//! What there is in the served folder: models, studies, results.
+//! Contents of the served folder: models, studies, results.
 //!
 //! A listing looks at no more than [`MAX_ENTRIES`] entries and reads the newest files only. What was read of a file is kept for as long
 //! as the file is the same one, of the same size and time.
@@ -41,7 +41,7 @@ pub struct Listing {
     files: Vec<ListedFile>,
     /// Finished results, the newest first.
     results: Vec<ListedResult>,
-    /// Whether there is more than is told.
+    /// Whether the list is truncated.
     truncated: bool,
 }
 

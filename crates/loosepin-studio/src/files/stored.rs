@@ -68,7 +68,7 @@ pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
     file.into_study().map_err(|_| unreadable())
 }
 
-/// What can be done with a result.
+/// Available actions on a result.
 #[derive(Debug, Default, Serialize)]
 pub struct ResultActions {
     /// Name of the result.
@@ -94,7 +94,7 @@ struct Doing {
     command: String,
 }
 
-/// What can be done with the result in a folder.
+/// Available actions on the result in a folder.
 ///
 /// # Errors
 /// As for [`stored_study`], but for results that are of no study.

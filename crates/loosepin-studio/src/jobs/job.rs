@@ -27,7 +27,7 @@ use crate::view::texts::Texts;
 /// Folder below the served one in which results get a folder of their own.
 const RESULTS: &str = "results";
 
-/// What became of a study.
+/// Outcome of a study.
 pub enum Outcome {
     /// Its results stand in a folder.
     Finished {
@@ -74,8 +74,8 @@ fn message_and_hint(refusal: Refusal) -> Vec<String> {
     std::iter::once(refusal.message).chain(refusal.hint).collect()
 }
 
-/// Runs the mechanism at a witness of the finished study in the folder `path`, of the texts that the result holds, as the command does
-/// that the result tells; or finds the run that is there. `named` hears what is run.
+/// Runs the mechanism at a witness of the finished study in the folder `path`, from the texts that the result holds, as its command does;
+/// or finds an existing run. `named` hears what is run.
 ///
 /// # Errors
 /// Why it came to no result, in words.

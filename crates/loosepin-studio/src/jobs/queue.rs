@@ -26,7 +26,7 @@ const REST: Duration = Duration::from_millis(200);
 /// Messages that a slow connection may be behind; it hears of the newest again with the next one.
 const BEHIND: usize = 64;
 
-/// What is to be run.
+/// A task of the queue.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Task {
     /// A study that is saved.
@@ -181,7 +181,7 @@ impl Jobs {
         self.woken.notify_all();
     }
 
-    /// Changes a job, and tells of it.
+    /// Changes a job, and notifies all listeners.
     fn change(&self, id: u64, change: impl FnOnce(&mut Job)) {
         let mut state = self.state();
         if let Some(job) = state.jobs.iter_mut().find(|job| job.id == id) {
@@ -214,7 +214,7 @@ impl Jobs {
         }
     }
 
-    /// The next one of a kind in the queue, as soon as there is one; nothing after the end.
+    /// Waits for the next job of a kind in the queue; `None` after the end.
     fn next(&self, kind: JobKind) -> Option<(u64, Task, Arc<AtomicBool>)> {
         let mut state = self.state();
         loop {

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub enum Document {
     /// The mechanism.
     Model,
-    /// What is uncertain in it, and what is asked.
+    /// Its uncertain inputs and its questions.
     Study,
 }
 
@@ -34,7 +34,7 @@ pub struct LabelView {
     /// Where in it.
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
-    /// What is said of it.
+    /// Its text.
     pub text: String,
 }
 
@@ -49,7 +49,7 @@ pub struct DiagnosticView {
     pub code: &'static str,
     /// How grave it is.
     pub severity: Severity,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
     /// The way out.
     pub hint: Option<String>,
@@ -71,7 +71,7 @@ pub struct Change {
     pub from: usize,
     /// Behind the last UTF-16 unit that goes.
     pub to: usize,
-    /// What comes in its place.
+    /// The replacement.
     pub insert: String,
 }
 
@@ -81,6 +81,6 @@ pub struct Fix {
     /// It.
     #[serde(flatten)]
     pub change: Change,
-    /// What it does, in words.
+    /// Its effect, in words.
     pub words: String,
 }

@@ -1,4 +1,4 @@
-//! What runs in the background.
+//! Background jobs.
 
 use loosepin::report::DraftBand;
 use loosepin::study::result::Verdict;
@@ -20,7 +20,7 @@ pub enum JobState {
     Stopped,
 }
 
-/// What a job runs.
+/// Kind of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum JobKind {
@@ -30,7 +30,7 @@ pub enum JobKind {
     Run,
 }
 
-/// What is run in the background.
+/// A background job.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Job {
     /// Its number.
@@ -41,19 +41,19 @@ pub struct Job {
     pub study: String,
     /// Its name.
     pub title: String,
-    /// What becomes of it.
+    /// Its state.
     pub state: JobState,
     /// Finished runs.
     pub finished: usize,
-    /// The runs that it may come to.
+    /// Upper limit of its runs.
     pub most: usize,
     /// Since it began to run.
     pub seconds: f64,
-    /// What came out, in sentences.
+    /// Results, in sentences.
     pub words: Vec<String>,
-    /// What is known before it is finished.
+    /// Intermediate results before it is finished.
     pub draft: Option<JobDraft>,
-    /// What is wrong, where it failed.
+    /// Errors, if it failed.
     pub diagnostics: Vec<String>,
     /// Folder of its results, in the served folder.
     pub result: Option<String>,
@@ -61,7 +61,7 @@ pub struct Job {
     pub verdict: Option<Verdict>,
 }
 
-/// What is known of a study before it is finished.
+/// Intermediate results of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct JobDraft {
     /// In sentences.

@@ -1,4 +1,4 @@
-//! What goes over the live connection.
+//! Messages of the live connection.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ use crate::drawing::still::NamedPoses;
 pub struct SentText {
     /// Path in the served folder.
     pub path: String,
-    /// What it says.
+    /// Its text.
     pub text: String,
 }
 
@@ -25,7 +25,7 @@ pub struct Shown {
     pub study: SentText,
 }
 
-/// What the page asks to be read.
+/// A request of the page to read its texts.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Look {
     /// Counts up; comes back with the answer.
@@ -36,7 +36,7 @@ pub struct Look {
     pub study: Option<SentText>,
     /// Positions in a turn.
     pub positions: usize,
-    /// What is dragged, where anything is: what is looked at are the texts that the drag makes of these.
+    /// The drag, if any: the texts are read as the drag changes them.
     #[serde(default)]
     pub grip: Option<Grip>,
     /// Where bodies were last: a mechanism that does not move yet is drawn there.
@@ -44,7 +44,7 @@ pub struct Look {
     pub poses: Option<NamedPoses>,
 }
 
-/// What a drag takes.
+/// The dragged object.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "take", rename_all = "snake_case")]
 pub enum Held {
@@ -70,9 +70,9 @@ pub enum Held {
 /// A drag.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Grip {
-    /// What is dragged.
+    /// The dragged object.
     pub held: Held,
-    /// Where a centre or point is to be, or a place on the line of a guide, mm.
+    /// Target of a centre or point, or a place on the line of a guide, mm.
     pub to_mm: [f64; 2],
     /// Written values are rounded to the next round step that is not below this one, mm.
     pub step_mm: f64,
@@ -82,7 +82,7 @@ pub struct Grip {
     pub poses: Vec<[f64; 3]>,
 }
 
-/// What comes over the live connection from the page.
+/// Messages from the page over the live connection.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum FromPage {
@@ -115,7 +115,7 @@ pub enum FromPage {
     },
 }
 
-/// What goes over the live connection to the page.
+/// Messages to the page over the live connection.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum ToPage<'a> {
@@ -145,7 +145,7 @@ pub enum ToPage<'a> {
     },
 }
 
-/// What a drag does to the texts that were sent.
+/// Effect of a drag on the sent texts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct DragResult {
     /// The changes, all in units of the texts that were sent, in their order.
@@ -154,7 +154,7 @@ pub struct DragResult {
     pub words: Vec<String>,
     /// The angle of the drive at which the joints lie where the drag left them.
     pub angle_deg: Option<f64>,
-    /// Where the bodies are that the drag has moved, by name: so a mechanism is drawn that does not move yet.
+    /// Poses of the dragged bodies, by name: for drawing a mechanism that does not move yet.
     pub poses: NamedPoses,
     /// Why nothing can be changed.
     pub refusal: Option<String>,
@@ -169,10 +169,10 @@ pub struct LookAnswer {
     pub diagnostics: Vec<DiagnosticView>,
     /// The mechanism; `None` if the model cannot be read, or does not move.
     pub view: Option<View>,
-    /// What a drag did: `diagnostics` and `view` are of the texts with its changes.
+    /// Effect of a drag: `diagnostics` and `view` are of the texts with its changes.
     pub reshaped: Option<DragResult>,
     /// How long it took.
     pub cost_ms: f64,
-    /// It took too long and was stopped: nothing is known of these texts.
+    /// The look took too long and was stopped: these texts were not read.
     pub is_cut: bool,
 }

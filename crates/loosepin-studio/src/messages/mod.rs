@@ -1,5 +1,5 @@
-//! What the page and the server say to each other over the live connection, as JSON. `front/src/messages.ts` has the same types, and
-//! `just studio-messages` writes them there.
+//! Messages between the page and the server over the live connection, as JSON. `front/src/messages.ts` has the same types, and `just
+//! studio-messages` writes them there.
 //!
 //! | What | File |
 //! |---|---|

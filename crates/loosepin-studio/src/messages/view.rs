@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::diagnostics::Document;
 
-/// What is written of a number.
+/// Kind of a written number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum QuantityKind {
@@ -20,25 +20,25 @@ pub enum QuantityKind {
 /// A number of the texts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuantityView {
-    /// Where it stands: `joint.gudgeon.radial_clearance`.
+    /// Path in the file: `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// In words.
     pub words: String,
     /// The text.
     pub document: Document,
-    /// What is written, quotes left out.
+    /// The written text, without quotes.
     pub written: String,
     /// First UTF-16 unit.
     pub from: usize,
     /// Behind the last UTF-16 unit.
     pub to: usize,
-    /// What it is.
+    /// Its kind.
     pub kind: QuantityKind,
     /// Dragging leaves it as it is.
     pub is_locked: bool,
 }
 
-/// Where a pin is.
+/// A pin and its position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PinView {
     /// Index of a body that carries it, in the drawing.
@@ -54,7 +54,7 @@ pub struct PinView {
 pub struct JointView {
     /// Its name.
     pub name: String,
-    /// What it is, in words.
+    /// Its kind, in words.
     pub kind: &'static str,
     /// Its play, where it has any.
     pub play: Option<String>,
@@ -84,28 +84,28 @@ pub struct BodyView {
     pub points: Vec<PointView>,
 }
 
-/// What a dimension is.
+/// Kind of a dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DimensionKind {
-    /// Of a body.
+    /// Length of a body.
     Length,
-    /// Of the line of a joint.
+    /// Angle of the line of a joint.
     Angle,
 }
 
 /// A dimension of a body or a joint.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DimensionView {
-    /// What it is.
+    /// Its kind.
     pub kind: DimensionKind,
     /// Name of the body, or of the joint whose line it is.
     pub of: String,
     /// Index of the body that it moves with, in the drawing.
     pub body: usize,
-    /// Where it begins in the frame of that body, mm.
+    /// Its beginning in the frame of that body, mm.
     pub from: [f64; 2],
-    /// Where it ends; of a line, a millimetre along it.
+    /// Its end; for a line, a millimetre along it.
     pub to: [f64; 2],
     /// With its unit.
     pub written: String,
@@ -130,7 +130,7 @@ pub struct ForceView {
     pub table: ForceTable,
     /// Its name.
     pub name: String,
-    /// What it is, in words.
+    /// Its kind, in words.
     pub kind: &'static str,
     /// Both ends of a spring along a line; the one place of all others; empty if no point says where.
     pub ends: Vec<PinView>,
@@ -145,11 +145,11 @@ pub struct ForceView {
 pub struct OutputView {
     /// Its name.
     pub name: String,
-    /// What it is, in words.
+    /// Its description, in words.
     pub words: String,
 }
 
-/// What the mechanism is made of.
+/// Parts of the mechanism.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Outline {
     /// Bodies that move.
@@ -192,7 +192,7 @@ pub struct View {
     pub mobility: String,
     /// Why it does not move yet; what is drawn is where its bodies were put.
     pub incomplete: Option<String>,
-    /// What play and scatter do without dynamics, in sentences.
+    /// Quasi-static effects of play and scatter, in sentences.
     pub sentences: Vec<String>,
     /// The mechanism, moving.
     pub drawing: Option<MovingDrawing>,
@@ -200,7 +200,7 @@ pub struct View {
     pub bands: Vec<LiveBand>,
     /// The limits among them.
     pub limits: Vec<LimitView>,
-    /// What it is made of.
+    /// Its parts.
     pub outline: Outline,
     /// Its numbers.
     pub quantities: Vec<QuantityView>,

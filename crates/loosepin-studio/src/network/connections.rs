@@ -1,4 +1,4 @@
-//! Accepting connections: so many at once, each for so long.
+//! Accepting connections, with limits of their number and duration.
 
 use std::pin::pin;
 use std::time::Duration;

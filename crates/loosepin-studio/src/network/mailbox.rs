@@ -29,13 +29,13 @@ impl<T> Mailbox<T> {
         self.changed.notify_one();
     }
 
-    /// Nothing comes any more.
+    /// Closes the mailbox.
     pub fn close(&self) {
         self.state().is_closed = true;
         self.changed.notify_one();
     }
 
-    /// The message, as soon as there is one; nothing after the end.
+    /// Waits for the message; `None` after the end.
     pub fn take(&self) -> Option<T> {
         let mut state = self.state();
         loop {

@@ -1,5 +1,4 @@
-//! What comes over the network: who may ask, connections and their limits, routes, the live connection.
-//! It hands texts and requests on and knows no mechanism.
+//! Network: access, connections and their limits, routes, the live connection. It hands texts and requests on and knows no mechanism.
 
 pub(crate) mod connections;
 pub(crate) mod guard;

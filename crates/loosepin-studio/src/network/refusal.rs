@@ -7,9 +7,9 @@ use serde::Serialize;
 /// A request that is not served: the status, what is wrong, and the way out.
 #[derive(Debug)]
 pub struct Refusal {
-    /// Of the answer.
+    /// Status of the answer.
     pub status: StatusCode,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
     /// The way out, where one is known.
     pub hint: Option<String>,
@@ -41,7 +41,7 @@ impl Refusal {
         Self { hint: Some(hint.into()), ..self }
     }
 
-    /// What cannot be read as asked for.
+    /// Refusal of a malformed request.
     pub fn bad(message: impl Into<String>) -> Self {
         Self::new(StatusCode::BAD_REQUEST, message)
     }

@@ -1,5 +1,4 @@
-//! What plain requests hold, and what they are answered with, as JSON. `front/src/messages.ts` has the same types, and
-//! `just studio-messages` writes them there.
+//! Plain requests and their answers, as JSON. `front/src/messages.ts` has the same types, and `just studio-messages` writes them there.
 
 use loosepin::report::Comparison;
 use serde::{Deserialize, Serialize};
@@ -11,18 +10,18 @@ use crate::files::adopt::AdoptedTexts;
 use crate::messages::{Change, SentText};
 use crate::network::refusal::Refused;
 
-/// What the server is.
+/// Description of the server.
 #[derive(Serialize)]
 pub struct HelloAnswer {
     /// Version of the program.
     pub version: &'static str,
     /// Path of the served folder.
     pub folder: String,
-    /// What it takes.
+    /// Its limits.
     pub limits: Limits,
 }
 
-/// What the server takes.
+/// Limits of the server.
 #[derive(Serialize)]
 pub struct Limits {
     /// Largest text, bytes.
@@ -50,9 +49,9 @@ pub struct OpenAnswer {
 pub struct OpenedText {
     /// Its path.
     pub path: String,
-    /// What it says.
+    /// Its text.
     pub text: String,
-    /// By which it is known to be the same when it is saved.
+    /// Tag by which it is recognised when it is saved.
     pub tag: String,
 }
 
@@ -61,9 +60,9 @@ pub struct OpenedText {
 pub struct SaveRequest {
     /// Path in the served folder.
     pub path: String,
-    /// What it says.
+    /// Its text.
     pub text: String,
-    /// Of the text that it is made of; `None` for a new one.
+    /// Tag of the text that it changes; `None` for a new one.
     pub tag: Option<String>,
 }
 
@@ -87,7 +86,7 @@ pub struct SetUncertaintyRequest {
     pub text: String,
 }
 
-/// What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer.
+/// Effect on the texts of an entry of a number's uncertainty. What somebody types is no fault of the page: a refusal is an answer.
 #[derive(Serialize)]
 pub struct SetUncertaintyAnswer {
     /// In units of the texts that were sent, in their order.
@@ -103,14 +102,14 @@ pub struct RestructureRequest {
     pub model: SentText,
     /// The study of it, where there is one.
     pub study: Option<SentText>,
-    /// What is to be done.
+    /// The requested change.
     pub edit: Edit,
-    /// Where the bodies are shown.
+    /// Displayed poses of the bodies.
     #[serde(default)]
     pub poses: NamedPoses,
 }
 
-/// What a change of the mechanism does, or why there is none.
+/// Effect of a change of the mechanism, or why there is none.
 #[derive(Serialize)]
 pub struct RestructureAnswer {
     /// It.
@@ -148,7 +147,7 @@ pub struct DrawRequest {
     pub folder: Option<String>,
 }
 
-/// What the library says of a drawing.
+/// Findings of the library on a drawing.
 #[derive(Serialize)]
 pub struct DrawAnswer {
     /// Degrees of freedom in words, or what is missing.
@@ -159,7 +158,7 @@ pub struct DrawAnswer {
     pub study: Option<String>,
 }
 
-/// Where a drawing in the DXF format is to go.
+/// Destination of a drawing in the DXF format.
 #[derive(Deserialize)]
 pub struct ImportRequest {
     /// Path of the new folder.
@@ -170,16 +169,16 @@ pub struct ImportRequest {
     pub unit: Option<String>,
 }
 
-/// What came of a drawing in the DXF format.
+/// Result of an import of a drawing in the DXF format.
 #[derive(Serialize)]
 pub struct ImportAnswer {
     /// Path of the model.
     pub model: String,
-    /// What was found in the drawing, and what was left out.
+    /// Findings in the drawing, and omitted parts.
     pub notes: Vec<String>,
 }
 
-/// What a code of a diagnostic means.
+/// Meaning of a code of a diagnostic.
 #[derive(Serialize)]
 pub struct ExplainAnswer {
     /// The code.
@@ -197,7 +196,7 @@ pub struct ViewRequest {
     pub path: String,
 }
 
-/// Where a report is shown, once.
+/// Address at which a report is shown once.
 #[derive(Serialize)]
 pub struct ViewAnswer {
     /// Its address.

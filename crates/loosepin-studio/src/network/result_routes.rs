@@ -1,4 +1,4 @@
-//! What is asked of finished results: two of them compared, what can be done with one, its values taken into the texts of the page.
+//! Requests on finished results: two of them compared, the actions on one, its values taken into the texts of the page.
 
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub async fn compare(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     Ok(json(&CompareAnswer(comparison.await?)))
 }
 
-/// What can be done with a result.
+/// Available actions on a result.
 pub async fn result(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let ResultRequest { path } = parsed(&body)?;
     let folder = studio.folder.clone();

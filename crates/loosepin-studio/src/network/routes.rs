@@ -1,4 +1,4 @@
-//! What is asked by plain requests: files, templates, results.
+//! Plain requests: files, templates, results.
 
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
@@ -34,7 +34,7 @@ const SAME_PLACE_M: f64 = 1e-5;
 /// Largest page of a result that is shown, bytes.
 const MAX_REPORT: usize = 64 << 20;
 
-/// What comes of a request.
+/// Result of a request.
 pub type RouteResult = Result<Response, Refusal>;
 
 pub async fn index(headers: HeaderMap) -> Response {
@@ -128,7 +128,7 @@ pub async fn new(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     Ok(json(&written))
 }
 
-/// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
+/// Findings of the library on a drawing; if a folder is named and the mechanism moves, model and study are written there.
 pub async fn draw(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let DrawRequest { drawn, folder: name } = parsed(&body)?;
     let folder = studio.folder.clone();
@@ -205,7 +205,7 @@ pub async fn missing() -> Refusal {
     Refusal::new(StatusCode::NOT_FOUND, "the studio has no such address")
 }
 
-/// A body as what is asked.
+/// Parses a body as a request.
 ///
 /// # Errors
 /// It is something else.
@@ -213,7 +213,7 @@ pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
     serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this request is not valid: {error}")))
 }
 
-/// What takes longer than the other connections are to wait.
+/// Runs long work in the background, without blocking the other connections.
 ///
 /// # Errors
 /// That of the work.

@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 /// Time for one look at the texts of the page.
 pub const LONGEST_LOOK: Duration = Duration::from_secs(2);
 
-/// What `work` gives within `limit`. After that the flag it is given is set, `late` is called at once, and what the work gives when it
-/// comes to its end is dropped.
+/// Result of `work` within `limit`. After that the flag it is given is set, `late` is called at once, and what the work gives when it comes
+/// to its end is dropped.
 pub fn within<T>(limit: Duration, late: impl FnOnce() + Send, work: impl FnOnce(&AtomicBool) -> T) -> Option<T> {
     let stop = AtomicBool::new(false);
     let (is_done, done) = (Mutex::new(false), Condvar::new());

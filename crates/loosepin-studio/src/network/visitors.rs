@@ -1,4 +1,4 @@
-//! Who is connected: so many at once, and who makes room when all places are taken.
+//! Connected visitors: their limit, and who makes room when all places are taken.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,7 +8,7 @@ use std::time::Duration;
 use tokio::sync::{Notify, oneshot};
 use tokio::time::{Instant, sleep_until};
 
-/// What a connection has shown of itself.
+/// State of a connection: whether it has shown the token.
 #[derive(Debug, Clone, Default)]
 pub struct Visitor(Arc<Shown>);
 
@@ -79,7 +79,7 @@ enum Admission {
 }
 
 impl Visitors {
-    /// At most so many at once; one without the token is open for `stay` before it makes room.
+    /// At most `most` visitors at once; one without the token is open for `stay` before it makes room.
     pub fn new(most: usize, stay: Duration) -> Arc<Self> {
         Arc::new(Self { most, stay, state: Mutex::default(), changed: Notify::new() })
     }
@@ -88,7 +88,7 @@ impl Visitors {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A place, and what comes to an end when its connection has to. Where all are taken, the oldest connection that has not shown the
+    /// A place, and a receiver that ends when its connection has to. Where all are taken, the oldest connection that has not shown the
     /// token makes room; where all have shown it, the next place that is free is taken.
     pub async fn admit(self: &Arc<Self>) -> (ConnectionSlot, oneshot::Receiver<()>) {
         loop {

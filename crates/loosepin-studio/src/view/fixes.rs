@@ -32,7 +32,7 @@ fn inside(text: &str, mark: char) -> Option<&str> {
     text.strip_prefix(mark)?.strip_suffix(mark).filter(|word| !word.is_empty() && !word.contains(mark))
 }
 
-/// Where a word stands in a text that has it once.
+/// Position of a word in a text that has it once.
 fn only(text: &str, word: &str) -> Option<usize> {
     let mut found = text.match_indices(word).filter(|_| !word.is_empty());
     let (first, _) = found.next()?;

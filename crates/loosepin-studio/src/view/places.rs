@@ -6,7 +6,7 @@ use loosepin::diagnostics::{Place, Source, Span};
 
 use crate::messages::Stretch;
 
-/// Where a place is.
+/// Range of a place in its text.
 pub fn stretch(place: &Place) -> Stretch {
     let (line, column) = place.line_and_column();
     let range = place.source.clamp(place.span);

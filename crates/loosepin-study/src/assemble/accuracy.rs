@@ -1,4 +1,4 @@
-//! How near the bounds came to what was asked.
+//! Reached accuracy of the bounds.
 
 use super::material::Material;
 use crate::file::{Ask, Where};
@@ -12,7 +12,7 @@ const MAX_PACE: f64 = 1.5;
 /// The power where nothing has been seen yet: that of independent runs.
 const USUAL_PACE: f64 = 0.5;
 
-/// What came of accuracy and budget; `None` if neither was stated.
+/// Reached accuracy and budget; `None` if neither was stated.
 pub fn accuracy(material: &Material<'_>, ended: &RoundsEnd) -> Option<AccuracyRecord> {
     let budget = ended.budget?;
     let plan = &material.response.shared.plan;
@@ -50,7 +50,7 @@ pub fn accuracy(material: &Material<'_>, ended: &RoundsEnd) -> Option<AccuracyRe
     })
 }
 
-/// The bounds of a statistic against what was asked: the pose that is furthest from it.
+/// The bounds of a statistic against the requested accuracy: the pose that is furthest from it.
 fn outcome(
     material: &Material<'_>,
     ask: &Ask,

@@ -102,7 +102,7 @@ fn set_widened(end: &mut BoundEnd, limit_si: f64) {
     end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
 }
 
-/// What is possible to a higher degree is possible to a lower one: its bounds lie within.
+/// Nests the cuts: the bounds at a higher degree of possibility lie within those at a lower one.
 pub(super) fn nest_cuts(cuts: &mut [CutBounds]) {
     let mut places: Vec<usize> = (0..cuts.len()).collect();
     places.sort_by(|a, b| cuts[*b].alpha.total_cmp(&cuts[*a].alpha));

@@ -1,4 +1,4 @@
-//! What was uncertain and what was run, in words.
+//! The uncertain inputs and the runs, in words.
 
 use super::material::Material;
 use crate::distribution_words::distribution_words;
@@ -129,7 +129,7 @@ pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
     SiUnit::of_dimension(table[id].dimension)
 }
 
-/// What every run ran through.
+/// The recorded cycle of every run.
 pub fn cycle(material: &Material<'_>) -> CycleDescription {
     let study = material.study;
     let input = study.model.input(study.cycle.span, &material.response.nominal);

@@ -12,7 +12,7 @@ const POSES: usize = 180;
 /// Samples of an orbit over the recorded turns.
 const ORBIT_SAMPLES: usize = 720;
 
-/// What is drawn from runs with nominal dimensions.
+/// Drawings from runs with nominal dimensions.
 pub struct Pictures {
     /// The mechanism, epistemic inputs in the middle.
     pub drawing: Drawing,

@@ -15,13 +15,13 @@ pub struct FewRuns {
 }
 
 impl FewRuns {
-    /// The mean deviation of the slider at six poses of a turn, after so many turns.
+    /// The mean deviation of the slider at six poses of a turn, after `transient_turns` turns.
     pub fn after(transient_turns: u32) -> Self {
         let ask = "output = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
         Self::asking(transient_turns, ask)
     }
 
-    /// What these lines of `[[ask]]` ask for.
+    /// The questions of these lines of `[[ask]]`.
     pub fn asking(transient_turns: u32, ask: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
         let text = format!(

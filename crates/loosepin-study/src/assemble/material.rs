@@ -1,4 +1,4 @@
-//! What a result is made from, and the bounds in it as people are shown them.
+//! Inputs of a result, and its bounds as they are shown.
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
@@ -38,7 +38,7 @@ impl Limit {
 }
 
 impl<'m> Material<'m> {
-    /// What `bounds` say of a study with the samples that it states; no small probability was estimated otherwise than by counting.
+    /// Inputs from `bounds` of a study with its stated samples; no small probability was estimated otherwise than by counting.
     pub fn of_bounds(
         study: &'m Study,
         response: &'m StudyResponse,
@@ -219,8 +219,8 @@ impl Material<'_> {
         Some(central.map(|value| self.possible(column, within(value))))
     }
 
-    /// What is known of `statistic` of `column` from the largest deviation of the whole recorded part: no pose departs further, so
-    /// |E d| <= E max|d|, the quantiles of d lie within those of ± max|d|, and what else grows with d lies within S(- max|d|) and S(max|d|).
+    /// Limits of `statistic` of `column` from the largest deviation of the whole recorded part: no pose departs further, so |E d| <= E
+    /// max|d|, the quantiles of d lie within those of ± max|d|, and other increasing statistics of d lie within S(- max|d|) and S(max|d|).
     fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
         let largest = StudyColumn { spot: Location::Reduced(Reduction::MaximumAbsolute), ..planned };
@@ -273,7 +273,7 @@ impl Material<'_> {
         self.plan().outputs[self.plan().columns[column].output].name.clone()
     }
 
-    /// Where a column is taken; `in_curve` tells that it is a point of a curve.
+    /// Point at which a column is taken; `in_curve` marks a point of a curve.
     pub fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
         match self.plan().columns[column].spot {
             Location::Pose { angle_rad: pose_rad, .. } => {

@@ -22,11 +22,11 @@ pub struct Case {
     pub(super) values: Values,
     /// Laid out for the mechanism.
     pub(super) sample: Sample<f64>,
-    /// What scatters, where the case has a study.
+    /// Scattering inputs, if the case has a study.
     pub(super) scatter: Vec<Scatter>,
-    /// What scatters together.
+    /// Their correlations.
     pub(super) correlations: Vec<ScatterCorrelation>,
-    /// What it must meet, in the order of the file.
+    /// Its checks, in the order of the file.
     pub(super) checks: Vec<Check>,
 }
 
@@ -35,17 +35,17 @@ pub struct Case {
 pub(super) struct Check {
     /// Its name.
     pub name: String,
-    /// Where the numbers come from: `analytic`, `published`, `peer` or `pinned`.
+    /// Source of the numbers: `analytic`, `published`, `peer` or `pinned`.
     pub origin: &'static str,
     /// The formula, the paper or the program.
     pub source: String,
-    /// Where it stands.
+    /// Place in the file.
     pub place: Place,
-    /// What is compared.
+    /// The compared quantity.
     pub what: CheckSubject,
 }
 
-/// What a table of `expected.toml` compares.
+/// The compared quantity of a table of `expected.toml`.
 #[derive(Debug, Clone)]
 pub(super) enum CheckSubject {
     /// Numbers, one by one.
@@ -76,9 +76,9 @@ pub(super) struct ExpectedNumber {
     pub value_si: f64,
     /// Settings `path=value` of the model under which it holds.
     pub settings: Vec<String>,
-    /// Where it holds, if not for a whole run.
+    /// Instant of the comparison, if it is not a whole run.
     pub at: Option<CheckInstant>,
-    /// What tells it from the others of its list, as it is written: `at 60 deg`, `with restitution=0.5`.
+    /// Its distinction from the others of its list, as written: `at 60 deg`, `with restitution=0.5`.
     pub words: Option<String>,
 }
 
@@ -102,7 +102,7 @@ pub(super) struct Quantity {
     pub play: Option<usize>,
     /// The output or state, for quantities of one.
     pub column: Option<Column>,
-    /// What becomes of a course in time.
+    /// Reduction of a course in time.
     pub reduce: Option<Reduce>,
     /// Length of the run from its start, s.
     pub span_s: f64,
@@ -153,7 +153,7 @@ pub(super) enum QuantityKind {
     DriveWork,
 }
 
-/// What becomes of a course in time.
+/// Reduction of a course in time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reduce {
     /// Its smallest value.

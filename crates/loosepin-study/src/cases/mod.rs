@@ -1,4 +1,4 @@
-//! Reference cases: mechanisms whose answer is known, and how near the program comes to it.
+//! Reference cases: mechanisms with known answers, and the differences of the program from them.
 //!
 //! A case is a folder with `model.toml`, `expected.toml` and what these name. `expected.toml` says for every number how it is
 //! obtained, so that a new case needs no code; `cases/README.md` describes its keys.

@@ -18,7 +18,7 @@ pub(super) struct Runs<'c> {
     done: Vec<(RunKey, Rc<Simulation>)>,
 }
 
-/// What tells runs of a case apart.
+/// Key of a run of a case.
 #[derive(Debug, Clone, PartialEq)]
 struct RunKey {
     settings: Vec<String>,
@@ -162,7 +162,7 @@ impl<'c> Runs<'c> {
         Ok(simulation)
     }
 
-    /// Of the impact of a joint that stands at `index` in the list, or of the first one in a run with settings of its own.
+    /// A number of the impact of a joint at `index` in the list, or of the first one in a run with settings of its own.
     fn of_impact(
         &mut self,
         quantity: &Quantity,

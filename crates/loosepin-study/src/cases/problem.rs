@@ -1,11 +1,11 @@
-//! What can be wrong with a reference case.
+//! Problems of a reference case.
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
 use loosepin_text::units::counted;
 
 problems! {
-    /// What can be wrong with a reference case. `entry` is a path in words.
+    /// Problems of a reference case. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq, Eq)]
     pub enum CaseProblem {
         /// A folder without cases.
@@ -35,7 +35,7 @@ problems! {
         /// A list of another length than that of the values.
         ListLength { entry: String, found: usize, due: usize } => Code::WrongType,
             says("{entry} has {found} entries; expected one for each of the {due} values");
-        /// Nothing to compare.
+        /// No expected numbers.
         NothingExpected { entry: String } => Code::AskNotPossible,
             says("{entry} expects nothing; a case needs at least one number");
         /// An angle at which the quasi-static answer is not computed.

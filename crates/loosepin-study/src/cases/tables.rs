@@ -6,7 +6,7 @@ use loosepin_text::units::Rule;
 use loosepin_text::{choices, record};
 
 choices!(
-    /// Where a number may come from: the first word of the name of a test.
+    /// Possible sources of a number: the first word of the name of a test.
     pub(super) struct Origin(&'static str):
     "analytic" => "analytic",
     "published" => "published",

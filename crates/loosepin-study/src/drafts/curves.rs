@@ -1,4 +1,4 @@
-//! Curves over the cycle from the runs so far: quantiles of what was run, without the errors that bounds have.
+//! Curves over the cycle from the runs so far: quantiles of the runs, without the errors of bounds.
 
 use std::collections::BTreeMap;
 

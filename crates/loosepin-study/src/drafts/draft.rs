@@ -44,7 +44,7 @@ impl<'s> Drafting<'s> {
         Some(Pilot { plan, places })
     }
 
-    /// `plan` for what a draft tells; `None` if there is nothing of it.
+    /// The part of `plan` that a draft shows; `None` if there is none.
     fn without_curves(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
         let asks = || self.response.shared.plan.asks.iter();
         let curve = asks().find(|ask| ask.location == Where::Cycle);

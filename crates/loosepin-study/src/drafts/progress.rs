@@ -3,7 +3,7 @@
 use loosepin_bounds::{DoubleLoop, Failure, RunInputs, SampleTable};
 use loosepin_result::study::Draft;
 
-/// What a study does.
+/// Stage of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// Says which runs come next, or works out the answer of a question from those that are made.
@@ -14,7 +14,7 @@ pub enum Stage {
     Pictures,
     /// Puts the result together.
     Assembling,
-    /// Nothing more.
+    /// It is finished.
     Finished,
 }
 

@@ -22,7 +22,7 @@ const ROUND_OFF: f64 = 1e-9;
 /// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
 const MAX_CORNERS: usize = 1024;
 
-/// What is written of the input `path` in a table of inputs.
+/// The entry of the input `path` in a table of inputs.
 pub(super) fn entry_of<'t>(table: &Option<Entry<'t>>, path: &str) -> Option<Entry<'t>> {
     table.as_ref()?.get(path)
 }

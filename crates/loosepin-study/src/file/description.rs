@@ -1,4 +1,4 @@
-//! What a study file says of inputs and runs, checked and in SI.
+//! Inputs and runs as a study file describes them, checked and in SI.
 
 use loosepin_mechanics::model::{ContactId, Model, NormalDescription, QuantityId};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
@@ -97,7 +97,7 @@ pub struct RandomInput {
     pub quantity: QuantityId,
     /// Its distribution, SI, uncertain parameters in the middle.
     pub variable: RandomVariable,
-    /// Where the distribution comes from, in words, where it is not stated itself: a tolerance, a fit, a sample.
+    /// Source of the distribution, in words, if it is not stated itself: a tolerance, a fit, a sample.
     pub origin: Option<String>,
     /// Those of its parameters that are epistemic inputs.
     pub parameters: Vec<UncertainParameter>,
@@ -115,13 +115,13 @@ pub struct UncertainParameter {
 /// How random inputs go together: a Gaussian copula, or rows of a joint sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correlation {
-    /// The correlations in file order; none of a joint sample.
+    /// The correlations in file order; empty for a joint sample.
     pub stated: Vec<StatedCorrelation>,
     /// All of them.
     pub copula: Copula,
 }
 
-/// Mechanisms that agree with what was measured, in place of the distributions of the random inputs.
+/// Mechanisms that agree with the measurement, in place of the distributions of the random inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpecimenRows {
     /// The file, as it is written.
@@ -139,7 +139,7 @@ pub struct StatedCorrelation {
     pub first: usize,
     /// The other one.
     pub second: usize,
-    /// What the value measures.
+    /// Measure of the value.
     pub measure: CorrelationMeasure,
     /// The value as stated.
     pub value: f64,
@@ -147,7 +147,7 @@ pub struct StatedCorrelation {
     pub normal: f64,
 }
 
-/// What a correlation measures.
+/// Measure of a correlation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CorrelationMeasure {
     /// Ranks (Spearman).
@@ -156,18 +156,18 @@ pub enum CorrelationMeasure {
     Linear,
 }
 
-/// What is known only to lie in an interval, or to be one of a list.
+/// An unknown input: in an interval, or one of a list.
 #[derive(Debug, Clone)]
 pub struct EpistemicInput {
     /// Path in the model.
     pub path: String,
-    /// What it is.
+    /// Its subject.
     pub subject: EpistemicSubject,
-    /// What is known of it: SI, laws by their place in the list.
+    /// Its structure: SI, laws by their index in the list.
     pub variable: EpistemicVariable,
 }
 
-/// What an epistemic input stands for.
+/// The subject of an epistemic input.
 #[derive(Debug, Clone)]
 pub enum EpistemicSubject {
     /// A number of the model.
@@ -199,7 +199,7 @@ impl EpistemicInput {
         }
     }
 
-    /// What its values measure; a pure number for a law.
+    /// Dimension of its values; a pure number for a law.
     pub fn dimension(&self, model: &Model) -> Dimension {
         match self.subject {
             EpistemicSubject::Quantity(quantity) => model.quantities[quantity].dimension,
@@ -256,12 +256,12 @@ pub enum RareMethod {
     Automatic,
 }
 
-/// What may be loosened as far as the requirements allow.
+/// An allowance: an input that is loosened as far as the requirements allow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Allowance {
     /// Path of the input.
     pub path: String,
-    /// What of it is loosened.
+    /// The loosened number of the input.
     pub input: AllowedInput,
     /// The least value, SI: the lower end of the interval, or 0.
     pub least_si: f64,
@@ -284,7 +284,7 @@ pub struct AllowedFit {
     pub scatter: Distribution,
 }
 
-/// What of an input is loosened.
+/// The loosened number of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AllowedInput {
     /// Both ends of the interval of this epistemic input, the radial clearance of a fit.

@@ -109,7 +109,7 @@ impl StudyReader {
         }
     }
 
-    /// Reads what is known of a quantity where that is more than an interval or a list; `None` if it is neither.
+    /// Reads a structure of a quantity other than an interval or a list; `None` if it has none.
     fn structured(
         &mut self,
         known: &EpistemicTable<'_>,

@@ -156,7 +156,7 @@ impl Study {
         &self.stated
     }
 
-    /// Where the budget is written: in the file or on the command line.
+    /// Place of the budget: in the file or on the command line.
     pub fn budget_place(&self) -> Option<&Place> {
         self.budget_place.as_ref()
     }

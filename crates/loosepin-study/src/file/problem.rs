@@ -1,4 +1,4 @@
-//! What can be wrong with a study beyond its single entries.
+//! Problems of a study beyond its single entries.
 
 use super::sizes::MAX_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
@@ -8,7 +8,7 @@ use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::DistributionError;
 
 problems! {
-    /// What can be wrong with a study file. `entry` is a path in words.
+    /// Problems of a study file. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum StudyProblem | Path(PathError) {
         /// A path written without quotes, which TOML takes apart.
@@ -201,7 +201,7 @@ problems! {
         NothingRandom { entry: String } => Code::AskNotPossible,
             says("{entry}: there is no random input, so there are no small probabilities"),
             hint("omit 'method'");
-        /// A value of the model that the study does not come to.
+        /// A value of the model outside of the range of the study.
         FarFromModel { path: String, value: String, from: String, to: String } => Code::FarFromModel,
             says("'{path}' is {value} in the model, but from {from} to {to} here"),
             hint("a dimension has one nominal value, from which deviations are measured: correct the wrong one, or omit the mean to use the value \
@@ -310,7 +310,7 @@ problems! {
         BesideFits { entry: String, has_fits: bool } => Code::AskNotPossible,
             says("{entry} {}", if *has_fits { "cannot be used with fits: they have no cost" } else { "needs fits" }),
             hint("leave it out");
-        /// An offer beyond what is asked about.
+        /// An offer beyond the range of the question.
         OfferBeyond { entry: String, offer: String, up_to: String } => Code::AskNotPossible,
             says("{entry} has an offer of {offer}, but the largest value to try is {up_to}"),
             hint("write up_to = \"{offer}\", or remove the offer");

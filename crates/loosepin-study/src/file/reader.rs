@@ -1,4 +1,4 @@
-//! A study in the making: what was read so far, and what of it must be remembered until the end.
+//! A study being read: its parts so far, and notes for the checks at the end.
 
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
@@ -17,20 +17,20 @@ use std::sync::Arc;
 pub struct StudyReader {
     pub reader: Reader,
     pub model: Model,
-    /// What can be asked of the model.
+    /// Outputs of the model.
     pub outputs: Vec<StudyOutput>,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
     /// The one that answers first; never empty.
     pub readings: Vec<Reading>,
     pub tables: Vec<Arc<Source>>,
-    /// Of the distribution that is being read.
+    /// Parameters of the distribution being read.
     pub parameters: Parameters,
     /// Angles at which single numbers are asked for or required, rad: by output, deviation and the bits of the angle in names.
     pub poses: HashMap<((usize, Deviation), u64), Vec<f64>>,
     /// How large a promise is, where something is promised.
     pub promise: PromiseSettings,
-    /// What is asked so far, by its name.
+    /// Names of the questions so far.
     pub questions: HashSet<String>,
     /// Whether rows of a joint sample take the place of distributions.
     pub has_rows: bool,
@@ -48,7 +48,7 @@ impl StudyReader {
         self.reader.report(problem, entry.span);
     }
 
-    /// Reports what stands at a place; nothing comes of it.
+    /// Reports a problem at a place; returns `None`.
     pub fn refused<T>(&mut self, problem: &dyn Problem, span: Span) -> Option<T> {
         self.reader.report(problem, span);
         None

@@ -1,4 +1,4 @@
-//! What is run, how many runs, and how accurate.
+//! Settings of the runs: their number, and their accuracy.
 
 use super::description::Sampling;
 use super::reader::StudyReader;

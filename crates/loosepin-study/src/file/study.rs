@@ -16,18 +16,18 @@ use loosepin_result::study::{Budget, Together};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_uncertainty::EpistemicParameter;
 
-/// A study: what is uncertain in a model, and what is asked.
+/// A study: the uncertain inputs of a model, and the questions.
 #[derive(Debug, Clone)]
 pub struct Study {
     /// Name of the study.
     pub name: String,
     /// The model with its nominal values.
     pub model: Model,
-    /// Where the model was read from.
+    /// Path of the model.
     pub model_path: PathBuf,
     /// Seed of the random numbers; the same seed gives the same results.
     pub seed: u64,
-    /// What is run and recorded: that of the model with the numbers that the study overrides.
+    /// Recorded cycle: that of the model with the numbers that the study overrides.
     pub cycle: Cycle,
     /// How many runs, and how accurate.
     pub sampling: Sampling,
@@ -47,31 +47,31 @@ pub struct Study {
     pub specimen: Option<SpecimenRows>,
     /// Epistemic inputs in file order.
     pub epistemic: Vec<EpistemicInput>,
-    /// What can be asked about, in file order.
+    /// Available outputs, in file order.
     pub outputs: Vec<StudyOutput>,
-    /// What is asked, in file order.
+    /// Questions, in file order.
     pub asks: Vec<Ask>,
-    /// What is required, in file order.
+    /// Requirements, in file order.
     pub requirements: Vec<Requirement>,
     /// Readings of a backlash test, in file order: what `loosepin identify` narrows intervals by. A study does not look at them.
     pub measured: Vec<Measured>,
     /// Features of measured motions, in file order. A study does not look at them.
     pub motion: Vec<MeasuredMotion>,
-    /// What may be loosened as far as the requirements allow, in file order.
+    /// Allowances: inputs that are loosened as far as the requirements allow, in file order.
     pub allowances: Vec<Allowance>,
     /// How they are loosened together; `None` if each is by itself, the others as stated.
     pub together: Option<Together>,
-    /// What the tables of single questions state.
+    /// Settings from the tables of single questions.
     pub(crate) questions: QuestionSettings,
     /// How near the bounds are to be; empty where the samples are as stated.
     pub accuracy: Vec<AccuracyTarget>,
-    /// Where the study ends although its bounds are not yet as near.
+    /// Budget at which the study ends although its bounds are not yet accurate enough.
     pub budget: Option<Budget>,
-    /// What the command line states beside the file.
+    /// Statements of the command line besides the file.
     pub(super) stated: Vec<String>,
-    /// Where the budget is written.
+    /// Place of the budget.
     pub(super) budget_place: Option<Place>,
-    /// What is allowed in model and study and yet looks like an oversight.
+    /// Likely oversights in a valid model and study.
     pub warnings: Vec<Diagnostic>,
     pub(super) source: Arc<Source>,
     pub(super) tables: Vec<Arc<Source>>,

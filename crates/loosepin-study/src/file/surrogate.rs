@@ -36,7 +36,7 @@ record! {
     optional direct: DirectRuns = choice::<DirectRuns>(), "\"confirming\"", or "double-loop";
 }
 
-/// What stands behind `surrogate`.
+/// Kind of the value of `surrogate`.
 pub(super) const SURROGATE: Kind = Kind::AnyOf(&[choice::<SurrogateWord>(), Kind::Table(&SurrogateTable::KEYS)]);
 
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
@@ -48,7 +48,7 @@ const MIN_TRAINING: usize = 100;
 const CONFIRMING_PER_REPLICATE: usize = 16;
 
 impl StudyReader {
-    /// Reads what stands behind `surrogate`: a kind, or a table.
+    /// Reads the value of `surrogate`: a kind, or a table.
     pub fn read_surrogate(
         &mut self,
         written: Option<&Entry<'_>>,
@@ -83,7 +83,7 @@ impl StudyReader {
         })
     }
 
-    /// What is asked that the runs of the double loop alone answer.
+    /// Questions that the runs of the double loop alone answer.
     fn direct_questions(&self, asks: &[Ask]) -> Vec<&'static str> {
         let is_asked = |of: fn(&Ask) -> bool| asks.iter().any(of);
         let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();

@@ -37,7 +37,7 @@ pub(super) const DEVIATIONS: [(&str, Deviation); 4] =
 /// How a curve becomes one number; the words are those of results too.
 pub(super) const REDUCTIONS: [(&str, Reduction); Reduction::ALL.len()] = worded!(Reduction::ALL, word);
 
-/// Statistics without a number; nothing stands for what contributes.
+/// Statistics without a number; `None` stands for contributors.
 pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.len() + 1] = {
     let mut table = [("contributors", None); Statistic::PLAIN.len() + 1];
     let mut place = 0;
@@ -59,7 +59,7 @@ pub(super) fn numbers() -> impl Iterator<Item = &'static str> {
     Statistic::PLAIN.into_iter().chain(WITH_A_NUMBER).filter_map(statistic_name)
 }
 
-/// What a statistic measures, `of_output` that of the output: a probability is a number.
+/// Dimension of a statistic, `of_output` that of the output: a probability is a number.
 pub(crate) fn dimension_of_statistic(statistic: Statistic, of_output: Dimension) -> Dimension {
     if statistic.is_probability() { Dimension::NUMBER } else { of_output }
 }

@@ -19,7 +19,7 @@ pub(crate) fn budget(study: &Study, stated_runs: usize, row_length: usize) -> Op
 /// Limits of the question whose answer gives the bounds of a study.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
-    /// Where it ends although its goals are not reached.
+    /// Budget at which it ends although its goals are not reached.
     pub budget: Option<Budget>,
     /// Runs of all questions, samples not grown.
     pub stated_runs: usize,
@@ -38,7 +38,7 @@ impl Limits {
         self.most_of(self.stated_runs)
     }
 
-    /// Runs at most, once this question has come to `own_runs` runs.
+    /// Largest number of runs, if this question makes `own_runs` runs.
     pub fn most_runs_with(&self, own_runs: usize) -> usize {
         self.most_of(self.stated_runs.max(own_runs + self.reserved))
     }

@@ -1,19 +1,19 @@
-//! What a study will cost.
+//! Cost of a study.
 
 use loosepin_bounds::PromisePlan;
 
-/// What a study will come to.
+/// Estimated cost of a study.
 #[derive(Debug, Clone, Copy)]
 pub struct CostEstimate {
     /// As [`crate::plan_runs`].
     pub most_runs: usize,
-    /// Processor time of a run on the lanes of one thread, s; `None` if the first steps do not tell.
+    /// Processor time of a run on the lanes of one thread, s; `None` if the first steps do not show it.
     pub run_s: Option<f64>,
     /// Those of the runs that stand behind a promise, where something is promised.
     pub promise: Option<PromiseCost>,
 }
 
-/// What a promise costs.
+/// Cost of a promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PromiseCost {
     /// Ends that are promised together.

@@ -1,4 +1,4 @@
-//! What a study will come to: how many runs, and how long one of them takes.
+//! Estimated cost of a study: the number of its runs, and the duration of one.
 
 use crate::error::StudyError;
 use crate::file::Study;
@@ -28,8 +28,8 @@ const MIN_EVALUATIONS: f64 = 100.0;
 /// tells nothing of the rest.
 const MIN_FREE_SHARE: f64 = 0.1;
 
-/// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some hundred
-/// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
+/// Estimated number and duration of the runs of `study`: measured on the first runs of its plan, each given up after some hundred or
+/// thousand evaluations and extrapolated from its progress. No samples but these are drawn.
 ///
 /// # Errors
 /// As for [`crate::plan_runs`], or all timed runs failed.
@@ -50,7 +50,7 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     Ok(estimate)
 }
 
-/// What is known of the timed runs.
+/// Durations of the timed runs.
 #[derive(Default)]
 struct Timing {
     /// Evaluations of each run, and the share of its time that it came to with them.
@@ -84,7 +84,7 @@ impl Timing {
     }
 }
 
-/// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not tell.
+/// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not show it.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
 fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {

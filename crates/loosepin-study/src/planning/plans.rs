@@ -51,7 +51,7 @@ pub(crate) struct Plans {
 }
 
 impl Plans {
-    /// The plans of `study` on so many threads; its runs may be in a file where it has a folder.
+    /// The plans of `study` on `threads` threads; its runs may be in a file if it has a folder.
     ///
     /// # Errors
     /// Its sampling, its surrogates or one of its questions are not possible.
@@ -88,7 +88,7 @@ impl Plans {
     }
 }
 
-/// A file in `folder`, where there is one, for so many numbers; where it cannot be made, what is to be said.
+/// A file in `folder`, if there is one, for `numbers` numbers; if it cannot be made, a warning.
 fn scratch(folder: Option<&Path>, numbers: usize) -> (Option<Scratch>, Option<String>) {
     let Some(folder) = folder else { return (None, None) };
     let error = match Scratch::in_folder(folder) {
@@ -114,7 +114,7 @@ struct Size {
 }
 
 impl Size {
-    /// That there are no more runs than anybody waits for, and that the memory at hand suffices for them.
+    /// Checks that the number of runs is practical, and that the available memory suffices for them.
     fn check(self, at_hand: &MemoryAtHand) -> Result<(), StudyError> {
         let Self { runs, numbers, threads, .. } = self;
         if runs as u64 > MAX_RUNS {
@@ -148,12 +148,12 @@ impl Size {
     }
 }
 
-/// Whether so many runs are in a file where there is a folder for it.
+/// Whether this number of runs is kept in a file if there is a folder for it.
 fn is_large(runs: usize, numbers: usize) -> bool {
     numbers.saturating_mul(runs) >= MIN_IN_SCRATCH
 }
 
-/// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
+/// Largest number of runs of `study`; with a budget of time or rounds, the number before its samples grow.
 ///
 /// # Errors
 /// The study cannot begin, its sampling is not possible, its budget does not suffice for anything, or the memory at hand does not
@@ -162,7 +162,7 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     plan_runs_on(study, default_threads())
 }
 
-/// [`plan_runs`] on so many threads, each of which takes memory of its own.
+/// [`plan_runs`] on `threads` threads, each of which takes memory of its own.
 ///
 /// # Errors
 /// As for [`plan_runs`].
@@ -175,7 +175,7 @@ pub fn default_threads() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// The plans of `study` on so many threads, whose budget suffices for a first answer.
+/// The plans of `study` on `threads` threads, whose budget suffices for a first answer.
 pub(crate) fn planned(study: &Study, response: &StudyResponse, threads: usize) -> Result<Plans, StudyError> {
     let plans = Plans::new(study, response, true, threads)?;
     if matches!(plans.limits.budget, Some(Budget::Runs { .. })) {
@@ -190,7 +190,7 @@ pub(crate) fn planned(study: &Study, response: &StudyResponse, threads: usize) -
     Ok(plans)
 }
 
-/// How many runs `study` comes to at most, as [`plan_runs_on`], where shards make them.
+/// Largest number of runs of `study`, as [`plan_runs_on`], if shards make them.
 ///
 /// # Errors
 /// As for [`plan_runs_on`], and a budget of time: processes that do not run at the same time cannot share one.

@@ -1,4 +1,4 @@
-//! What a study has found: its bounds, then what its questions add.
+//! Findings of a study: its bounds, then the results of its questions.
 
 use super::curve_bands::{CurveBand, curve_bands};
 use super::rare::Rare;
@@ -12,7 +12,7 @@ use crate::runs::table::RunsTable;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::StudyResult;
 
-/// What a study has found so far.
+/// Findings of a study so far.
 pub struct Found {
     /// The double loop of the last round; `None` if the surrogate stands alone.
     pub double_loop: Option<DoubleLoop>,
@@ -39,7 +39,7 @@ pub struct StudyRun {
 }
 
 impl Found {
-    /// Nothing but bounds.
+    /// Bounds alone.
     pub fn new(bounds: Bounds, ended: RoundsEnd) -> Self {
         let (rare, curve_bands, other_readings) = (Vec::new(), Vec::new(), Vec::new());
         Self { double_loop: None, bounds, ended, rare, surrogate: None, curve_bands, other_readings }
@@ -60,7 +60,7 @@ impl Found {
         Ok(())
     }
 
-    /// What a result is made from.
+    /// The inputs of a result.
     pub fn material<'m>(&'m self, runs: &'m Runs<'_>) -> Material<'m> {
         let Runs { study, response, table, .. } = runs;
         let Self { double_loop, bounds, rare, .. } = self;

@@ -1,4 +1,4 @@
-//! What turns after the recorded ones change, where the motion does not repeat itself.
+//! Effect of turns after the recorded ones, if the motion does not repeat itself.
 //!
 //! Statistics are those of the recorded turns. Where a motion never repeats itself, later turns may go further: some of the runs are made
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
@@ -215,7 +215,7 @@ fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)>
     }
 }
 
-/// By how much more turns exceed what was recorded. Where the recorded turns end a step ends, so that both differ by its error.
+/// Excess of the later turns over the recorded ones. Where the recorded turns end a step ends, so that both differ by its error.
 fn excess(reduction: Reduction, recorded_si: f64, later_si: f64) -> f64 {
     let sign = if reduction == Reduction::Minimum { -1.0 } else { 1.0 };
     (sign * (later_si - recorded_si)).max(0.0)
@@ -226,7 +226,7 @@ fn keeps(limit: Limit, value_si: f64) -> bool {
     (lower..=upper).contains(&value_si)
 }
 
-/// As many runs as are stated, or so many that they take a small share of the turns of the study.
+/// The stated number of runs, or a number that takes a small share of the turns of the study.
 fn number_of_runs(settings: Settings, study: &Study, made: usize) -> usize {
     if let Some(runs) = settings.runs {
         return runs;

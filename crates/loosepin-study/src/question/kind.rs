@@ -1,4 +1,4 @@
-//! What every question is asked, and how a study file asks it.
+//! Interface of a question, and its keys in a study file.
 
 use super::found::{Found, StudyRun};
 use crate::assemble::Material;
@@ -20,7 +20,7 @@ pub trait Question: Send + Sync {
         0
     }
 
-    /// Adds what is known of its cost before anything has run.
+    /// Adds its expected cost before any run.
     fn add_cost(&self, cost: &mut CostEstimate) {
         let _ = cost;
     }
@@ -38,7 +38,7 @@ pub trait Question: Send + Sync {
     fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError>;
 }
 
-/// What a question is planned from.
+/// Inputs for planning a question.
 #[derive(Clone, Copy)]
 pub struct QuestionContext<'b> {
     pub study: &'b Study,
@@ -56,7 +56,7 @@ pub type Planned = Result<Option<Box<dyn Question>>, StudyError>;
 
 /// A kind of question.
 pub struct QuestionKind {
-    /// Its table in a study file; `None` where what a study states besides tells whether it is asked.
+    /// Its table in a study file; `None` if other statements of a study decide whether it is asked.
     pub table: Option<QuestionTable>,
     /// Plans it.
     pub planned: fn(&QuestionContext<'_>) -> Planned,
@@ -66,7 +66,7 @@ pub struct QuestionKind {
 pub struct QuestionTable {
     /// Its key, of a table that may be left out.
     pub key: Key,
-    /// Reads the table, where it is there, and states what holds for the question.
+    /// Reads the table, if it is there, and stores the settings of the question.
     pub read: fn(Option<&Entry<'_>>, &mut Reader, &mut QuestionSettings),
 }
 

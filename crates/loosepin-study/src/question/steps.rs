@@ -31,7 +31,7 @@ pub(crate) trait Steps: Send {
     }
 }
 
-/// What is wanted next.
+/// The next step of a question.
 pub(crate) enum Next<A> {
     /// Runs, in their order, that begin a step, and how many the step takes at most: the budget may refuse it.
     Step(Vec<RunInputs>, usize),

@@ -42,7 +42,7 @@ pub struct StudyColumn {
 /// All columns of a study, and which ask uses which.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnPlan {
-    /// What can be asked of the model.
+    /// Outputs of the model.
     pub outputs: Vec<StudyOutput>,
     /// The numbers of a run.
     pub columns: Vec<StudyColumn>,
@@ -56,7 +56,7 @@ pub struct ColumnPlan {
     places: HashMap<ColumnKey, usize>,
 }
 
-/// What tells one column from another: output, deviation, and the bits of a pose or the reduction.
+/// Key of a column: output, deviation, and the bits of a pose or the reduction.
 type ColumnKey = (usize, Deviation, Result<[u64; 2], Reduction>);
 
 impl StudyColumn {

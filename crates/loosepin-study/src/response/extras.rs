@@ -28,7 +28,7 @@ pub struct JointExtras {
     pub largest_penetration_m: f64,
     /// Largest normal force, N.
     pub peak_force_n: f64,
-    /// Restitution as stated; not a number for a law without one.
+    /// Restitution as stated; NaN for a law without one.
     pub nominal_restitution: f64,
     /// Restitution that a free impact delivers; NaN if it depends on the masses that meet.
     pub delivered_restitution: f64,
@@ -40,7 +40,7 @@ impl RunExtras {
     /// Numbers that are not of a joint.
     const COMMON: usize = 4;
 
-    /// Numbers of a run with so many joints with play.
+    /// Numbers of a run with `joints` joints with play.
     pub fn count(joints: usize) -> usize {
         Self::COMMON + JointExtras::COUNT * joints
     }
@@ -52,7 +52,7 @@ impl RunExtras {
         self.joints.iter().for_each(|joint| row.extend(joint.to_numbers()));
     }
 
-    /// Extras at the end of `row`, of a run with so many joints with play.
+    /// Extras at the end of `row`, of a run with `joints` joints with play.
     pub fn read(row: &[f64], joints: usize) -> Self {
         let (common, of_joints) = row[row.len() - Self::count(joints)..].split_at(Self::COMMON);
         Self {

@@ -13,8 +13,8 @@ use crate::study_run::all_failed;
 use loosepin_bounds::{DoubleLoop, Problem, Request, RunInputs, SampleTable};
 use loosepin_text::units::SiUnit;
 
-/// The double loop of a study over other columns than those that it asks for: Z = h(Y), Y what a run records, h a function of
-/// whoever calls, over the same inputs with the same random numbers.
+/// The double loop of a study over other columns than its own: Z = h(Y), Y the record of a run, h a function of the caller, over the same
+/// inputs with the same random numbers.
 ///
 /// Rounds come from [`FurtherOutputs::plan`]. [`FurtherOutputs::run`] makes their runs; the caller turns each row into the further
 /// columns and adds it to the table that the plan is asked with. Sizes of the samples are those stated: accuracy, budget,
@@ -34,12 +34,12 @@ pub struct RecordedOutput {
     pub unit: SiUnit,
     /// Angles of the drive at the points of a curve, rad; `None` for a number.
     pub pose_rad: Option<Vec<f64>>,
-    /// Where its values stand in a row.
+    /// Columns of its values in a row.
     pub columns: Vec<usize>,
 }
 
 impl<'s> FurtherOutputs<'s> {
-    /// Plans the statistics `requests` of so many further `columns`.
+    /// Plans the statistics `requests` of `columns` further columns.
     ///
     /// # Errors
     /// The study cannot begin, or its sampling or a request is not possible.
@@ -56,7 +56,7 @@ impl<'s> FurtherOutputs<'s> {
         &self.plan
     }
 
-    /// What every run records, in the order in which the study asks for it.
+    /// Recorded outputs of every run, in the order in which the study asks for them.
     pub fn recorded(&self) -> Vec<RecordedOutput> {
         let plan = &self.response.shared.plan;
         let mut recorded: Vec<RecordedOutput> = Vec::new();

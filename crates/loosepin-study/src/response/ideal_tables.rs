@@ -14,7 +14,7 @@ const MAX_NUMBERS: usize = 8 << 20;
 pub struct IdealKey(Vec<u64>);
 
 impl IdealKey {
-    /// That of `sample`, which has no play and whose points are `arms`, over `window`; nothing is changed. Where drives move everything,
+    /// Key of `sample`, which has no play and whose points are `arms`, over `window`; nothing is changed. Where drives move everything,
     /// forces and initial states do not matter.
     pub fn new(sample: &mut Sample<f64>, is_driven: bool, arms: &Arms, window: &Window) -> Self {
         let tables = sample.drives.table_points().chain(sample.references.table_points());
@@ -32,7 +32,7 @@ impl IdealKey {
     }
 }
 
-/// What is known of the ideal motion of a mechanism whose loops close.
+/// Cached ideal motion of a mechanism whose loops close.
 #[derive(Debug, Clone, Default)]
 pub struct CachedIdealMotion {
     /// Its table, where deviations from it are asked for.
@@ -62,7 +62,7 @@ struct Cache {
 }
 
 impl IdealTables {
-    /// What is known of a mechanism.
+    /// The cached motion of a mechanism.
     pub fn find(&self, key: &IdealKey) -> Option<CachedIdealMotion> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).motions.get(key).cloned()
     }

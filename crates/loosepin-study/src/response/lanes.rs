@@ -167,7 +167,7 @@ impl StudyResponse {
     }
 }
 
-/// What the row of a run tells of a joint with play beside what the run counted.
+/// Numbers of a joint with play in the row of a run, besides its counters.
 struct ContactNumbers {
     has_limit: bool,
     nominal_restitution: f64,

@@ -1,4 +1,4 @@
-//! What a study can ask about: the columns of its model, and the errors of its paths.
+//! Outputs that a study can ask about: the columns of its model, and the errors of its paths.
 
 use loosepin_mechanics::model::{JointId, Model, Position, Recorded, WearMeasure};
 use loosepin_result::study::PathError;
@@ -22,11 +22,11 @@ pub struct StudyOutput {
     pub unit: SiUnit,
     /// Its dimension.
     pub dimension: Dimension,
-    /// What is seen of a run.
+    /// Its source in a run.
     pub seen: OutputSource,
 }
 
-/// What is seen of a run.
+/// Source of an output in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OutputSource {
     /// A number that can be read at any instant.

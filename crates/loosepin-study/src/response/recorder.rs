@@ -1,4 +1,4 @@
-//! What a study keeps of one run: values at poses, and the recorded part reduced to single numbers.
+//! Recording of one run for a study: values at poses, and the recorded part reduced to single numbers.
 //!
 //! Positions, and values of other outputs that are reduced, are followed on the lanes ([`loosepin_simulate::Follow`]); everything else is
 //! read by looking inside the steps.
@@ -19,7 +19,7 @@ use loosepin_simulate::{
 use loosepin_text::units::distinct;
 use std::sync::Arc;
 
-/// Where the value of a column comes from.
+/// Source of the value of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ColumnSource {
     /// A reading at an instant: its index in [`Follow::readings`], and that of the instant.
@@ -40,16 +40,16 @@ enum ColumnSource {
     Looked { deviation: usize, reduction: Reduction },
 }
 
-/// What every run of a study shares: the columns, and the nominal ideal motion.
+/// Data shared by all runs of a study: the columns, and the nominal ideal motion.
 #[derive(Debug)]
 pub struct Shared {
     /// The columns.
     pub plan: ColumnPlan,
-    /// What is followed on the lanes: all outputs that are used and are positions.
+    /// Quantities followed on the lanes: all used outputs that are positions.
     pub follow: Follow,
     /// Turns since the start of the recorded part at which these are read.
     instants_turns: Vec<f64>,
-    /// Of each column.
+    /// Source of each column.
     origins: Vec<ColumnSource>,
     /// Outputs and deviations that are followed by looks inside the steps.
     looked: Vec<(usize, Deviation)>,
@@ -69,7 +69,7 @@ pub struct Shared {
     pub nominal_curve: Arc<IdealCurve>,
     /// The nominal ideal motion, where forces decide it.
     pub nominal_motion: Option<Arc<FreeMotion>>,
-    /// Nominal ideal value of each column's output at its pose; not a number for reduced columns.
+    /// Nominal ideal value of each column's output at its pose; NaN for reduced columns.
     pub nominal_at_pose: Vec<f64>,
 }
 
@@ -177,7 +177,7 @@ impl Shared {
         self.looked.iter().any(|(_, of)| matches!(of, Deviation::Total | Deviation::Dimensional))
     }
 
-    /// What is followed in a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
+    /// References of a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
     pub fn followed(&self, own: Option<Arc<IdealCurve>>, window: &Window, turn_s: f64) -> FollowedRun {
         let is_read = self
             .origins
@@ -235,7 +235,7 @@ fn is_integral(reduction: Reduction) -> bool {
     matches!(reduction, Reduction::Mean | Reduction::RootMeanSquare)
 }
 
-/// Turns of the pose of a column; not a number of a reduced one.
+/// Turns of the pose of a column; NaN for a reduced one.
 fn pose_turns(plan: &ColumnPlan, column: usize) -> f64 {
     match plan.columns[column].spot {
         Location::Pose { turns, .. } => turns,

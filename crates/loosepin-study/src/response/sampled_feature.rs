@@ -1,4 +1,4 @@
-//! Features of equidistant samples: the same for what was measured and for what is simulated.
+//! Features of equidistant samples: the same for measured and for simulated values.
 
 use crate::file::SampledFeature;
 use loosepin_result::study::Reduction;

@@ -100,7 +100,7 @@ pub struct StudyResponse {
     /// The mechanism of each combination of laws, that of the first laws first, the law of the first contact changing fastest;
     /// compiled at the nominal values with the epistemic inputs in the middle of their intervals and at the first of a list.
     pub mechanisms: Vec<Mechanism>,
-    /// What a run delivers, and the nominal ideal motion.
+    /// Columns of a run, and the nominal ideal motion.
     pub shared: Shared,
     /// Names of the joints with play, each of which has extras in a row.
     pub joints: Vec<String>,
@@ -122,7 +122,7 @@ pub struct StudyResponse {
     pub(crate) largest_evaluations: u64,
 }
 
-/// Where the value of an epistemic input goes.
+/// Target of the value of an epistemic input.
 #[derive(Debug, Clone, Copy)]
 enum Epistemic {
     /// To a number of the model.
@@ -301,7 +301,7 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
     Ok((0..combinations).map(of).collect::<Result<Vec<Model>, LawError>>()?)
 }
 
-/// A run of so many turns before the recorded ones, and of these, must end in a person's time.
+/// Checks that a run of `transient` turns and `recorded` ones ends within a practical time.
 pub fn check_turns(transient: f64, recorded: f64) -> Result<(), PrepareError> {
     for (turns, what, most, key) in [
         (recorded, "recorded", MAX_RECORDED_TURNS, "recorded_turns"),

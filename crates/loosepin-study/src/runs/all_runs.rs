@@ -76,7 +76,8 @@ impl<'s> Runs<'s> {
         }
     }
 
-    /// Makes the runs of the pilot in `round`, the first one, and tells their draft; the rows by their place, the other places have no entry.
+    /// Makes the runs of the pilot in `round`, the first one, and reports their draft; the rows by their place, the other places have no
+    /// entry.
     ///
     /// # Errors
     /// The store cannot be used.

@@ -18,8 +18,8 @@ pub(crate) struct Work<'w> {
     pub stop: &'w AtomicBool,
 }
 
-/// The rows of a batch, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop has kept from
-/// starting or from ending.
+/// The rows of a batch, the `kept` ones unchanged; `None` for runs that are not to be made, or that a stop has kept from starting or from
+/// ending.
 ///
 /// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
 /// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.

@@ -18,8 +18,8 @@ pub struct RequestedRuns<'r> {
 
 /// Makes runs outside of this process.
 pub trait RunProvider: Sync {
-    /// Makes what is asked for, in any order, and hands every run to `finished` by its place as soon as it is known. Returns before
-    /// all are made where `is_stopped` says so.
+    /// Makes the requested runs, in any order, and passes each to `finished` with its place as soon as it is known. Returns before all are
+    /// made where `is_stopped` says so.
     ///
     /// # Errors
     /// In words, why they cannot be made.
@@ -31,8 +31,8 @@ pub trait RunProvider: Sync {
     ) -> Result<(), String>;
 }
 
-/// The rows of a batch made by `provider`, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop
-/// has kept from being made.
+/// The rows of a batch made by `provider`, the `kept` ones unchanged; `None` for runs that are not to be made, or that a stop has kept from
+/// being made.
 pub(crate) fn provided_rows(
     provider: &dyn RunProvider,
     work: &Work<'_>,

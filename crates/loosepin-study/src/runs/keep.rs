@@ -33,7 +33,7 @@ impl<'s> RunLists<'s> {
         StoredRuns { store: self.store, list: self.begun.fetch_add(1, Ordering::Relaxed) }
     }
 
-    /// A list is finished with so many runs.
+    /// A list is finished with `runs` runs.
     pub fn close(&self, runs: usize) {
         self.finished_runs.fetch_add(runs, Ordering::Relaxed);
     }
@@ -75,7 +75,7 @@ impl StoredRuns<'_> {
         }
     }
 
-    /// Whether what is finished cannot be kept any more.
+    /// Whether finished runs can no longer be stored.
     pub fn is_broken(&self) -> bool {
         self.store.is_some_and(RunStore::is_broken)
     }

@@ -11,7 +11,7 @@ pub const STATED_BYTES: u64 = 16 << 30;
 const ARENAS_FROM_BYTES: u64 = 1 << 30;
 /// Address space that glibc reserves for the allocations of a thread (an arena), bytes.
 pub const ARENA_BYTES: u64 = 64 << 20;
-/// One part in so many of a limited address space may be reserved for arenas.
+/// Reciprocal share of a limited address space that may be reserved for arenas.
 pub const ARENAS_PART: u64 = 8;
 /// Most arenas.
 pub const MAX_ARENAS: u64 = 64;
@@ -27,10 +27,10 @@ pub enum MemoryKind {
     Addresses,
 }
 
-/// What the process may still take of each kind, bytes.
+/// Available memory of each kind for the process, bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemoryAtHand {
-    /// Of [`MemoryKind::Pages`]; [`STATED_BYTES`] where the system does not tell, as outside of Linux.
+    /// Available [`MemoryKind::Pages`]; [`STATED_BYTES`] if the system does not report it, as outside of Linux.
     pub pages_bytes: u64,
     /// Of [`MemoryKind::Data`], where that is limited.
     pub data_bytes: Option<u64>,
@@ -45,7 +45,7 @@ impl MemoryAtHand {
         Self::from_system(Path::new("/")).unwrap_or(unlimited)
     }
 
-    /// As Linux tells it in the files below `root`.
+    /// Available memory as Linux reports it in the files below `root`.
     fn from_system(root: &Path) -> Option<Self> {
         let machine = kibibytes_after(&read_to_string(root.join("proc/meminfo")).ok()?, "MemAvailable:")?;
         let [data_bytes, addresses_bytes] =
@@ -62,7 +62,7 @@ impl MemoryAtHand {
         Some(Self { pages_bytes, data_bytes, addresses_bytes })
     }
 
-    /// What there is of `kind`, where it is limited.
+    /// Available memory of `kind`, if it is limited.
     pub fn bytes_of(&self, kind: MemoryKind) -> Option<u64> {
         match kind {
             MemoryKind::Pages => Some(self.pages_bytes),

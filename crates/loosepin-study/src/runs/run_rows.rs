@@ -27,7 +27,7 @@ struct Ready {
 }
 
 impl RunRows {
-    /// Makes runs of `study` on so many threads.
+    /// Makes runs of `study` on `threads` threads.
     ///
     /// # Errors
     /// The study cannot begin, or the threads could not be started.
@@ -56,7 +56,8 @@ impl RunRows {
         self.make_until(loosened, inputs, &|| true)
     }
 
-    /// As [`Self::make`]; `finished` hears of every run that ends, and says whether others are to begin: rows of those that are not are left out.
+    /// As [`Self::make`]; `finished` is called for every run that ends, and returns whether others are to begin: rows of runs that did not
+    /// begin are left out.
     ///
     /// # Errors
     /// Inputs cannot be loosened so.

@@ -5,7 +5,7 @@ use std::fmt;
 
 use loosepin_store::Shard;
 
-/// What of a study is made here. Results do not depend on it.
+/// The subset of the runs of a study that is made here. Results do not depend on it.
 ///
 /// A study asks for its runs in rounds, each of which depends on the rounds before it alone. Whoever makes a part of them keeps his
 /// runs in a store, and comes no further than the first round of which a run is missing.
@@ -15,7 +15,7 @@ pub enum RunSubset {
     Whole,
     /// The runs of a shard.
     Shard(Shard),
-    /// What the shards have left, where it is little: rounds of at most so many runs.
+    /// The few runs left by the shards: rounds of at most `largest_round` runs.
     Joined {
         /// How many shards there are.
         of: u32,

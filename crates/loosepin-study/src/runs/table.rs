@@ -58,7 +58,7 @@ impl RunData {
     }
 }
 
-/// What a column is called that is one number a run.
+/// Name of a column with one number for each run.
 pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
     let column = &plan.columns[index];
     let at = match column.spot {
@@ -68,7 +68,7 @@ pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
     format!("{} {at}", curve_name(plan, index))
 }
 
-/// What the curve is called that a column is a point of: output and deviation.
+/// Name of the curve that a column is a point of: output and deviation.
 pub fn curve_name(plan: &ColumnPlan, index: usize) -> String {
     let column = &plan.columns[index];
     format!("{} {}", plan.outputs[column.output].name, column.deviation.word())

@@ -20,7 +20,7 @@ use loosepin_text::units::SiUnit;
 /// Halvings of the range of what may be loosened, as in a study.
 const HALVINGS: usize = 7;
 
-/// What was judged.
+/// Judgement of a requirement.
 pub(crate) struct Judgement {
     pub requirements: Vec<MotionRequirement>,
     pub allowances: Vec<MotionAllowance>,
@@ -44,7 +44,7 @@ pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     Ok(Judgement { requirements, allowances })
 }
 
-/// Where the positions of a requirement stand among the questions.
+/// Index of the positions of a requirement among the questions.
 enum Asked {
     One(usize),
     /// x and y of a point: what lies between them bounds every error of its path.

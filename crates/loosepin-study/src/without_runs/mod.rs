@@ -1,5 +1,4 @@
-//! What is answered without dynamics: the ideal motion, worst cases, requirements judged by them.
-//! `loosepin motion` and the studio's band show it.
+//! Answers without dynamics: the ideal motion, worst cases, requirements judged by them. `loosepin motion` and the studio's band show it.
 
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;

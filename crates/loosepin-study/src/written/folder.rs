@@ -15,7 +15,7 @@ use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
 use loosepin_text::diagnostics::{Diagnostics, Problem};
 
-/// What became of a study in a folder.
+/// Outcome of a study in a folder.
 pub enum StudyOutcome {
     /// Its results stand in the folder.
     Finished {
@@ -28,14 +28,14 @@ pub enum StudyOutcome {
     Interrupted {
         /// The finished runs.
         finished: Box<RunsTable>,
-        /// The runs that it may come to.
+        /// Upper limit of its runs.
         most_runs: usize,
         /// The folder.
         folder: PathBuf,
     },
 }
 
-/// Whose runs the store of a study with these inputs holds.
+/// Identity of the store of a study with these inputs.
 pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
     StoreIdentity { version: loosepin_text::VERSION.to_owned(), inputs: inputs.to_string() }
 }
@@ -83,7 +83,7 @@ pub fn begin_in_folder(
     }
 }
 
-/// Writes what came of a study that began at `started` into its folder, or keeps there what there is of it; `page` makes its report.
+/// Writes the outcome of a study that began at `started` into its folder, or keeps the finished runs there; `page` makes its report.
 ///
 /// # Errors
 /// Why it has no result, or cannot be written.

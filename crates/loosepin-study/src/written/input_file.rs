@@ -9,12 +9,12 @@ use loosepin_text::document::{parse_toml, read_source};
 use crate::file::Study;
 use crate::file::says_study;
 
-/// What a file turned out to be.
+/// Kind and content of a file.
 #[derive(Debug, Clone)]
 pub enum InputFile {
     /// A mechanism with its nominal values.
     Model(Box<Model>),
-    /// What is uncertain in a model, and what is asked.
+    /// The uncertain inputs of a model, and the questions.
     Study(Box<Study>),
 }
 
@@ -83,7 +83,7 @@ problems! {
         StudyForModel { model: String } => Code::WrongKindOfFile,
             says("this is a study; expected a model"),
             hint("its model is {model}");
-        /// Nothing in it.
+        /// An empty file.
         Empty => Code::WrongKindOfFile,
             says("the file is empty: neither a model nor a study"),
             hint("`loosepin new slider-crank` writes an example of both");

@@ -1,4 +1,4 @@
-//! What a study or a run of a model is computed from, for its hash.
+//! Inputs of a study or of a run of a model, for its hash.
 
 use crate::file::Study;
 use loosepin_mechanics::model::Model;

@@ -77,7 +77,7 @@ pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[M
 
 /// A run that came to its end, with its files written.
 pub struct FinishedRun {
-    /// What the page shows.
+    /// The record of the page.
     pub record: SimulationRecord,
     /// Why it counts as failed all the same: its energy account does not bear it out.
     pub failure: Option<Diagnostic>,

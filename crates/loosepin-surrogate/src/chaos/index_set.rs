@@ -1,7 +1,7 @@
 //! Which products of polynomials are candidates.
 
-/// All multi-indices α ≠ 0 with (Σ α_i^q)^(1/q) <= p, as pairs of input and degree, in the order of their total degree;
-/// nothing where there are more than `most`.
+/// All multi-indices α ≠ 0 with (Σ α_i^q)^(1/q) <= p, as pairs of input and degree, in the order of their total degree; `None` if there are
+/// more than `most`.
 pub(crate) fn hyperbolic_set(
     inputs: usize,
     degree: usize,

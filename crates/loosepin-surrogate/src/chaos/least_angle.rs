@@ -5,7 +5,7 @@ use loosepin_math::dense::dot;
 /// Correlation, relative to the first, at which nothing is left to be explained.
 const MIN_CORRELATION: f64 = 1e-10;
 
-/// Columns centred and of length one; nothing in place of those that are constant.
+/// Columns centred and of length one; `None` in place of those that are constant.
 fn normalised(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
     columns
         .iter()

@@ -10,7 +10,7 @@ const MIN_INDEPENDENCE: f64 = 1e-9;
 pub(crate) struct Regression {
     /// Columns of Q.
     directions: Vec<Vec<f64>>,
-    /// Columns of R⁻¹, each as long as its number.
+    /// Columns of R⁻¹; column k has k entries.
     inverse: Vec<Vec<f64>>,
     /// Qᵀ y
     shares: Vec<f64>,

@@ -100,7 +100,7 @@ impl Whitened {
         Some(Self::of_factor(Arc::new(Factor::try_new(covariance, order)?.closed()), order, trend))
     }
 
-    /// [`Self::try_new`] of a V that has been factorised.
+    /// [`Self::try_new`] from a factorised V.
     pub fn of_factor<'c>(factor: Arc<Factor>, order: usize, trend: impl IntoIterator<Item = &'c Vec<f64>>) -> Self {
         let trend = of_each(trend, |columns| factor.whitening.multiply_each::<COLUMNS_AT_ONCE>(columns));
         let by_point: Vec<f64> = (0..order).flat_map(|point| trend.iter().map(move |column| column[point])).collect();

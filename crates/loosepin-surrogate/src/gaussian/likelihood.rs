@@ -12,7 +12,7 @@ use crate::gaussian::gaussian_process::Whitened;
 use crate::gaussian::kernel::Kernel;
 use loosepin_math::dense::{Cholesky, dot};
 
-/// What a process is fitted to.
+/// Observations that a process is fitted to.
 pub(crate) struct Observations<'a> {
     /// One row a point.
     pub points: &'a [Vec<f64>],

@@ -46,7 +46,8 @@ pub(crate) struct Layers {
 }
 
 impl Layers {
-    /// Of the fits of all modes over `inputs` inputs; that which is no network where there is one. A constant is one without neurons.
+    /// The graph of the fits of all modes over `inputs` inputs; an error with the first fit that is no network. A constant is one without
+    /// neurons.
     pub fn new(fits: &[Fitted], inputs: usize) -> Result<Self, &Fitted> {
         if let Some(other) = fits.iter().find(|fit| !matches!(fit.form(), Form::Network(_) | Form::Constant)) {
             return Err(other);

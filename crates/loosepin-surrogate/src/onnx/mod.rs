@@ -14,5 +14,5 @@ mod protobuf;
 
 pub(super) use graph::{Layers, model};
 
-/// What a file says about itself: pairs of a name and a text, in this order.
+/// Metadata of a file: pairs of a name and a text, in this order.
 pub type OnnxMetadata = Vec<(String, String)>;

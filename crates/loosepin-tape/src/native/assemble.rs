@@ -19,7 +19,7 @@ pub(super) struct Layout {
     pub step_bytes: usize,
 }
 
-/// Bytes of a function `extern "sysv64" fn(*const *mut f64, u32)`; nothing but [`assemble`] makes them.
+/// Bytes of a function `extern "sysv64" fn(*const *mut f64, u32)`; only [`assemble`] makes them.
 #[derive(Debug)]
 pub(super) struct Code {
     bytes: Vec<u8>,

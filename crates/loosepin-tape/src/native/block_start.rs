@@ -1,8 +1,8 @@
-//! Where the blocks of a program lie among those of a sequence of programs.
+//! Places of the blocks of a program among those of a sequence of programs.
 
 use super::MAX_BLOCKS;
 
-/// Where a block of a program begins.
+/// Start of a block of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BlockStart {
     /// Which of the blocks that a sequence is run on.

@@ -85,7 +85,7 @@ fn fused_opcode(form: FusedForm, signs: FusedSigns) -> Opcode {
     Opcode { prefix: PREFIX_66, map: MAP_0F38, byte, is_wide_vex: true }
 }
 
-/// The quiet predicates: ordered where the answer is no for what is not a number, unordered where it is yes.
+/// The quiet predicates: ordered where the answer is no for NaN, unordered where it is yes.
 fn predicate_byte(predicate: Predicate) -> u8 {
     match predicate {
         Predicate::Less => 0x11,
@@ -100,7 +100,7 @@ fn predicate_byte(predicate: Predicate) -> u8 {
 struct Fixup {
     /// Position of four bytes.
     at: usize,
-    /// Where the instruction ends, from which the address counts.
+    /// End of the instruction, from which the address counts.
     end: usize,
     constant: u32,
 }

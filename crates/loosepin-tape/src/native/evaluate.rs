@@ -79,8 +79,8 @@ impl Interpreted {
         }
     }
 
-    /// Runs on plain `f64` numbers, with the same bits as machine code (except for which of the numbers "not a number" a result is).
-    /// `scratch` is work space, which grows to what is needed and can be used again.
+    /// Runs on plain `f64` numbers, with the same bits as machine code (except for the bits of NaN). `scratch` is work space, which grows
+    /// to what is needed and can be used again.
     ///
     /// # Errors
     ///
@@ -143,7 +143,7 @@ impl Interpreted {
     }
 }
 
-/// Refuses `blocks` that are fewer, or shorter, than so many values of so many `lanes`.
+/// Refuses too few or too short `blocks` for `values` values of `lanes` lanes.
 pub(super) fn check_blocks(blocks: &[&mut [f64]], values: &[usize], lanes: usize) -> Result<(), NativeError> {
     if blocks.len() < values.len() {
         return Err(NativeError::TooFewBlocks { given: blocks.len(), needed: values.len() });

@@ -272,7 +272,7 @@ impl Graph {
         self.binary(BinaryOperation::Maximum, left, right)
     }
 
-    /// The lanes with `left < right`; none where one of the two is not a number.
+    /// The lanes with `left < right`; none if one of the two is NaN.
     pub fn less_than(&mut self, left: Value, right: Value) -> Mask {
         if left == right {
             return self.always(false);

@@ -7,8 +7,8 @@ use super::graph::{Graph, Value};
 use super::node::{Node, NodeIndex, Slot};
 use super::program::Program;
 
-/// What programs compute from the first values of one block alone: a program of its own computes it when these values change and
-/// puts it behind them; the others read it there. The operations are the same, and so are the bits.
+/// Computations of programs from the first values of one block alone: a program of its own does them when these values change and puts the
+/// results behind them; the others read them there. The operations are the same, and so are the bits.
 ///
 /// ```
 /// use loosepin_tape::native::{Graph, Hoisted, Slot};
@@ -43,7 +43,7 @@ pub struct Hoisted {
 }
 
 impl Hoisted {
-    /// Nothing yet; `given` values of `block` are those that change seldom.
+    /// An empty program; the first `given` values of `block` are those that change seldom.
     pub fn new(block: u8, given: usize) -> Self {
         Self { block, given, graph: Graph::new(), computed: Vec::new(), places: HashMap::new() }
     }
@@ -83,7 +83,7 @@ impl Hoisted {
         Program::new(&rest, &outputs)
     }
 
-    /// The program that computes what was taken out of all others.
+    /// The program with the computations taken out of all others.
     ///
     /// # Errors
     ///
@@ -98,7 +98,7 @@ impl Hoisted {
         Slot { block: self.block, index }
     }
 
-    /// Where a node of the own graph is put.
+    /// Slot of a node of the own graph.
     fn place(&mut self, node: NodeIndex) -> Slot {
         let next = self.end() as u32;
         let place = *self.places.entry(node).or_insert(next);

@@ -8,7 +8,7 @@ pub(super) type VectorRegister = u8;
 /// The number of the register of a mask: k1 to k7 for AVX-512, a vector register for AVX2.
 pub(super) type MaskRegister = u8;
 
-/// Where a whole vector lies.
+/// Location of a whole vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Memory {
     /// In a block of the caller.

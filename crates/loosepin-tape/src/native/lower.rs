@@ -36,7 +36,7 @@ impl Unit {
     }
 }
 
-/// Where a vector comes from.
+/// Source of a vector.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct VectorSource {
     /// Lies there from the start.

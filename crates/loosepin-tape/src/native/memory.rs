@@ -31,7 +31,7 @@ type Entry = unsafe extern "C" fn(*const *mut f64, u32);
 pub struct Kernel {
     #[expect(dead_code, reason = "it is kept for as long as its code may be called")]
     memory: Arc<Mmap>,
-    /// Where its code begins.
+    /// Entry point of its code.
     entry: Entry,
     lanes: usize,
     values_per_block: Vec<usize>,
@@ -276,7 +276,7 @@ impl PlacedKernels {
     }
 }
 
-/// The parts of a program's blocks of so many values that lie at `places`; those without a value have none.
+/// The ranges of a program's blocks with `values` values that lie at `places`; blocks without a value have none.
 ///
 /// # Errors
 ///

@@ -109,7 +109,7 @@ pub(super) enum Node {
         addend: NodeIndex,
         signs: FusedSigns,
     },
-    /// `left < right`, or its contrary, which holds for what is not a number.
+    /// `left < right`, or its contrary, which holds for NaN.
     LessThan {
         left: NodeIndex,
         right: NodeIndex,
@@ -164,7 +164,7 @@ impl Node {
         matches!(self, Self::Input(_) | Self::Constant(_))
     }
 
-    /// The node gives a mask and not a number.
+    /// Whether the node gives a mask instead of a number.
     pub fn is_mask(&self) -> bool {
         matches!(self, Self::LessThan { .. } | Self::Always(_) | Self::MaskNot { .. })
     }

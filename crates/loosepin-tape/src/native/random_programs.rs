@@ -37,7 +37,7 @@ pub(super) struct Shape {
     pub nodes: usize,
     pub inputs: usize,
     pub outputs: usize,
-    /// Operands are taken from so many of the youngest values: more means more values alive.
+    /// Operands are taken from this number of the youngest values: more means more values alive.
     pub reach: usize,
     pub blocks: usize,
     /// Some outputs take the place of inputs.
@@ -122,7 +122,7 @@ pub(super) fn random_graph(random: &mut Random, shape: &Shape) -> (Graph, Vec<(S
     (graph, outputs)
 }
 
-/// The bits, with all numbers "not a number" alike.
+/// The bits, the same for all NaN.
 pub(super) fn comparable(number: f64) -> u64 {
     if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() }
 }

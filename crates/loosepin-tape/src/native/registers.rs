@@ -9,7 +9,7 @@ use super::Level;
 use super::instruction::{Instruction, Memory};
 use super::lower::{Lowered, ValueIndex};
 
-/// Where a value is now.
+/// Current location of a value.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ValueLocation {
     register: Option<u8>,
@@ -48,7 +48,7 @@ pub(super) struct Allocator<'a> {
     pub places: Vec<ValueLocation>,
     /// Positions of the units to come that read a value, last first, so that the next one is at the end.
     pub uses: Vec<Vec<usize>>,
-    /// The unit at hand.
+    /// The current unit.
     pub position: usize,
     free_frame_vectors: Vec<u32>,
     pub frame_vectors: u32,

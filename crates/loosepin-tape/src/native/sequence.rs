@@ -17,8 +17,8 @@ pub struct Routine {
 }
 
 impl Routine {
-    /// `programs` for so many lanes: as machine code for `level`, or to be interpreted. What no machine code can be had for is
-    /// interpreted as well.
+    /// `programs` for `lanes` lanes: as machine code for `level`, or to be interpreted. What no machine code can be had for is interpreted
+    /// as well.
     pub fn all(programs: Vec<Program>, level: Option<Level>, lanes: usize) -> Vec<Self> {
         let kernels = level.map_or_else(Vec::new, |level| match Kernel::compile_together(&programs, level, lanes) {
             Ok(kernels) => kernels.into_iter().map(Some).collect(),

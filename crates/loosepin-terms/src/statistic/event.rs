@@ -14,7 +14,7 @@ pub enum Event {
 }
 
 impl Event {
-    /// Whether `value` has the property; one that is not a number has none.
+    /// Whether `value` has the property; NaN has none.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Above(limit) => value > limit,

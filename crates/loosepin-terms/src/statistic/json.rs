@@ -32,7 +32,7 @@ impl<'de> Deserialize<'de> for Statistic {
     }
 }
 
-/// Reads what stands in a file.
+/// Reads a statistic from a file.
 struct Written;
 
 impl<'de> Visitor<'de> for Written {

@@ -1,10 +1,10 @@
-//! What a statistic says of itself. Whoever works with statistics asks for these properties, never for a statistic by its name.
+//! Interface of a statistic. Whoever works with statistics asks for these properties, never for a statistic by its name.
 
 use std::any::Any;
 
 use super::event::Event;
 
-/// What is written of a statistic.
+/// Names of a statistic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Description {
     /// Word in study files, in results and in Python.
@@ -13,15 +13,15 @@ pub struct Description {
     pub with_article: &'static str,
     /// In a table, with {} where its number stands: "{} quantile".
     pub words: &'static str,
-    /// What it is called elsewhere, with how study files write that.
+    /// Its names elsewhere, with the spelling of study files.
     pub synonyms: &'static [(&'static str, &'static str)],
-    /// What it is of.
+    /// Its form.
     pub form: Form,
     /// Its number, where it has one.
     pub number: Option<Number>,
 }
 
-/// What a statistic is of.
+/// The random variable of a statistic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     /// One number for each column.
@@ -82,10 +82,10 @@ pub enum Estimation {
     Sampled,
 }
 
-/// What S(-Y) has to do with S(Y).
+/// Relation of S(-Y) to S(Y).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mirrored {
-    /// Nothing that is used.
+    /// No used relation.
     Unrelated,
     /// S(-Y) = -S(Y).
     Opposite,
@@ -93,18 +93,18 @@ pub enum Mirrored {
     OppositeWith(f64),
 }
 
-/// What errors e of the values do to a statistic.
+/// Effect of errors e of the values on a statistic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorEffect {
     /// For |e| <= h it lies between its values for Y - h and Y + h, that for Y itself among them.
     Shifts,
     /// By √E(e²) at most.
     RootMeanSquare,
-    /// Nothing is known: it may become anything.
+    /// Unknown: the statistic may take any value.
     Unknown,
 }
 
-/// What a statistic S of a random variable Y does. Where nothing is stated the answer is the careful one: bounds are then wider, never
+/// Properties of a statistic S of a random variable Y. Where nothing is stated the answer is the careful one: bounds are then wider, never
 /// wrong.
 pub trait StatisticKind: Any {
     /// S of a sample, whose values are in increasing order and finite, each with the same weight. Not a number of none, and for a statistic

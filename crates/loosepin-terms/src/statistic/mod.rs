@@ -42,7 +42,7 @@ macro_rules! statistics {
                 [$(Self::$variant(number)),+]
             }
 
-            /// What is written of it.
+            /// Its names.
             pub const fn description(self) -> &'static Description {
                 match self {
                     $(Self::$plain => &$plain_file::$plain::DESCRIPTION,)+
@@ -101,7 +101,7 @@ impl Statistic {
         Self::Quantile(probability)
     }
 
-    /// What the chart of a curve shows at each of its points: its middle, and both ends of a band between two quantiles.
+    /// Statistics in the chart of a curve at each of its points: its middle, and both ends of a band between two quantiles.
     pub const fn of_curve_point(band: [f64; 2]) -> [Self; 3] {
         [Self::Mean, Self::Quantile(band[0]), Self::Quantile(band[1])]
     }
@@ -111,13 +111,12 @@ impl Statistic {
         Self::SimultaneousBand(share)
     }
 
-    /// What the chart of a single number shows: its distribution function.
+    /// Statistic in the chart of a single number: its distribution function.
     pub const fn of_single_number() -> Self {
         Self::Cdf
     }
 
-    /// What of an error of every value tells how far a statistic goes that is [moved by its root mean square](ErrorEffect::RootMeanSquare): of its
-    /// square this one.
+    /// Statistic of the squared error of every value that bounds a statistic with [`ErrorEffect::RootMeanSquare`].
     pub const fn of_squared_error() -> Self {
         Self::Mean
     }
@@ -193,7 +192,7 @@ impl Statistic {
         matches!(self.estimation(), None | Some(Estimation::Counted(_) | Estimation::Ordered(_)))
     }
 
-    /// The statistic of a sample whose values are finite and in increasing order; not a number of none, and where it is more than one number.
+    /// The statistic of a sample whose values are finite and in increasing order; NaN if there are none, and if it is more than one number.
     pub fn of_sorted(self, sorted: &[f64]) -> f64 {
         self.with_kind(|kind| kind.of_sorted(sorted))
     }
@@ -227,7 +226,7 @@ impl Statistic {
         }
     }
 
-    /// What errors of the values do to it.
+    /// Effect of errors of the values.
     pub fn effect_of_errors(self) -> ErrorEffect {
         self.with_kind(StatisticKind::effect_of_errors)
     }

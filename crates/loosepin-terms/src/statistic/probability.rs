@@ -71,7 +71,7 @@ impl StatisticKind for ProbabilityAbove {
         [0.0, 1.0]
     }
 
-    /// Where the event here implies the other one: a >= b gives P(Y > a) <= P(Y > b) and P(Y > a) <= P(|Y| > b).
+    /// Whether the event here implies the other one: a >= b gives P(Y > a) <= P(Y > b) and P(Y > a) <= P(|Y| > b).
     fn never_exceeds(&self, other: &dyn StatisticKind) -> bool {
         as_kind(other).is_some_and(|Self(other)| self.0 >= *other)
             || as_kind(other).is_some_and(|ProbabilityBeyond(other)| self.0 >= *other)

@@ -1,4 +1,4 @@
-//! What people read, as plain data: sections of sentences, lists, facts, tables and figures.
+//! Texts for people, as plain data: sections of sentences, lists, facts, tables and figures.
 //!
 //! Whoever knows the facts makes an [`Article`], or a [`Section`] of one; `loosepin-report` shows it on a page and on a terminal. So a
 //! sentence or a table is made once, and the two cannot come to say different things.

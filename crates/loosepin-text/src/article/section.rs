@@ -15,7 +15,7 @@ pub struct Article {
 /// Blocks below a heading.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Section {
-    /// What a link on the page names.
+    /// Anchor of links on the page.
     pub id: &'static str,
     /// The heading; empty where the section needs none.
     pub heading: Text,
@@ -26,7 +26,7 @@ pub struct Section {
 /// A part of a section.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
-    /// What it is.
+    /// Its content.
     pub content: Content,
     /// The only medium that shows it; `None` if both do.
     pub only: Option<Medium>,
@@ -34,18 +34,18 @@ pub struct Block {
     pub is_close: bool,
 }
 
-/// What a block is. A block without content is not shown.
+/// Content of a block. A block without content is not shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
     /// A heading within the section.
     Heading(Text),
     /// Sentences, each a paragraph; each begins a line of a terminal.
     Sentences(Vec<Text>),
-    /// A remark on what stands before it, such as where the rest is.
+    /// A remark on the content before it, such as where the rest is.
     Note(Text),
     /// Sentences in a list.
     Points(Vec<Text>),
-    /// Names and what is known of them.
+    /// Names and facts about them.
     Facts(Vec<Fact>),
     /// A table.
     Table(Table),
@@ -53,12 +53,12 @@ pub enum Content {
     Figure(String),
 }
 
-/// A name and what is known of it.
+/// A name and the facts about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fact {
     /// The name; empty where the lines say themselves what they are of.
     pub name: String,
-    /// What is known, each on a line of its own.
+    /// The facts, one per line.
     pub lines: Vec<Text>,
 }
 

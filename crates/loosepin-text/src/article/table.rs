@@ -9,9 +9,9 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// The rows, in groups with a heading of their own; a terminal makes a table of each group that has one.
     pub groups: Vec<Group>,
-    /// What its rows are of; empty where the section says it.
+    /// Subject of its rows; empty if the section states it.
     pub title: Text,
-    /// What the page says below it; empty where nothing needs to be said.
+    /// Caption below it on the page; empty if there is none.
     pub caption: Text,
 }
 
@@ -33,7 +33,7 @@ pub struct Column {
 /// Rows that belong together.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Group {
-    /// What they are of; empty where there is one group.
+    /// Subject of the group; empty if there is one group.
     pub heading: Text,
     /// The rows.
     pub rows: Vec<Vec<Cell>>,

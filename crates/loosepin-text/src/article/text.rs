@@ -1,6 +1,6 @@
 //! A text with emphasised parts.
 
-/// Where a text is read.
+/// Medium of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Medium {
     /// A page: typographic minus, superscripts, thousands apart, emphasis, figures.

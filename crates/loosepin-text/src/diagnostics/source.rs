@@ -25,7 +25,7 @@ impl PartialEq for Source {
 
 impl Eq for Source {}
 
-/// A byte that begins a character, and what stands before it.
+/// The first byte of a character, and the count of units before it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Position {
     byte: usize,

@@ -1,4 +1,4 @@
-//! What two TOML texts say differently: entry by entry, by value and not by how it is written.
+//! Differences between two TOML texts: entry by entry, by value and not by spelling.
 
 use std::sync::Arc;
 
@@ -17,9 +17,9 @@ const ROUND_OFF: f64 = 1e-12;
 pub struct Difference {
     /// Keys from the top, members of lists of tables by their place from 1: `ask`, `2`, `statistic`.
     pub keys: Vec<String>,
-    /// What the first text has, quotes left out; `None` if it has no such entry.
+    /// Entry of the first text, without quotes; `None` if it has no such entry.
     pub before: Option<String>,
-    /// What the second text has.
+    /// Entry of the second text.
     pub after: Option<String>,
 }
 

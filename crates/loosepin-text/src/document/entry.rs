@@ -13,7 +13,7 @@ use crate::units::{Dimension, Rule};
 /// A table whose keys have been checked.
 #[derive(Debug, Clone)]
 pub struct Table<'t> {
-    /// Where it stands.
+    /// Its path.
     pub path: EntryPath,
     /// Its header.
     pub span: Span,
@@ -24,7 +24,7 @@ pub struct Table<'t> {
 /// One `key = value`.
 #[derive(Debug, Clone)]
 pub struct Entry<'t> {
-    /// Where it stands.
+    /// Its path.
     pub path: EntryPath,
     /// The key as written.
     pub name: &'t str,
@@ -68,7 +68,7 @@ impl<'t> Table<'t> {
         quantity_of(self.keys.find(key)?)
     }
 
-    /// What the table of keys says of a key.
+    /// Description of a key in the table of keys.
     pub fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys.find(name)
     }

@@ -69,7 +69,7 @@ problems! {
             entry: String,
             found: String,
             due: &'static str,
-            /// How it is written, for example `mass = "0.3 kg"`; empty where no key tells.
+            /// An example, `mass = "0.3 kg"`; empty if the key has none.
             example: String,
         } => Code::WrongType,
             says("{entry} is {found}; expected {due}"),
@@ -91,7 +91,7 @@ problems! {
             found: String,
             choices: Vec<&'static str>,
             nearest: Option<String>,
-            /// What the key means; empty where no key tells.
+            /// Meaning of the key; empty if it has none.
             doc: &'static str,
         } => Code::UnknownChoice,
             says("{entry} is '{found}'; must be {}", one_of(choices)),
@@ -138,7 +138,7 @@ fn is_probability(rule: &Rule) -> bool {
     matches!(rule, Rule::Probability | Rule::RequiredProbability)
 }
 
-/// A table in front of what is wrong with it; nothing for the top of the file.
+/// A table in front of its problem; empty for the top of the file.
 fn prefix(table: &str) -> String {
     if table.is_empty() { String::new() } else { format!("{table}: ") }
 }

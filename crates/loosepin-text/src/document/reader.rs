@@ -139,7 +139,7 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// Nothing read yet.
+    /// A reader that has read nothing yet.
     pub fn new(source: &Arc<Source>) -> Reader {
         Reader { source: Arc::clone(source), diagnostics: Diagnostics::new() }
     }
@@ -350,7 +350,7 @@ impl Reader {
         self.refuse(&problem, entry.span)
     }
 
-    /// The number at an entry; nothing is said where it is something else.
+    /// The number at an entry; `None`, without a diagnostic, if it is something else.
     pub fn number_at(&self, entry: &Entry<'_>) -> Option<f64> {
         match entry.value {
             DeValue::Integer(number) => number.as_str().parse().ok(),
@@ -546,7 +546,7 @@ impl Reader {
         Span { start: start + part.start, end: start + part.end.max(part.start + 1).min(text.len() + 1) }
     }
 }
-/// A quantity with a decimal comma, `50,5 mm`, as it is written here; `None` if that is not what stands there.
+/// A quantity with a decimal comma, `50,5 mm`, with a decimal point; `None` if the text is something else.
 fn with_point(text: &str) -> Option<String> {
     let (before, after) = text.split_once(',')?;
     let is_number = before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit());

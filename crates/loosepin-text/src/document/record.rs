@@ -17,7 +17,7 @@ impl Reads for Reader {
     }
 }
 
-/// What `R` reads at an entry.
+/// A value that `R` reads at an entry.
 pub trait Value<'t, R: ?Sized>: Sized {
     /// The value; `None` after a diagnostic.
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
@@ -77,7 +77,7 @@ pub const fn count(least: u64, most: u64) -> Kind {
     Kind::Count { least, most }
 }
 
-/// Whatever stands there, to be read by the hand of whoever knows more.
+/// Any entry, to be read by code that knows more about it.
 impl<'t, R: ?Sized> Value<'t, R> for Entry<'t> {
     fn read(_reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
         Some(entry.clone())

@@ -23,7 +23,7 @@ pub struct Dimension {
     pub temperature: f64,
 }
 
-/// What is said of a dimension that has a constant; nothing is empty text.
+/// Names of a dimension that has a constant; a missing one is an empty text.
 struct NamedDimension {
     dimension: Dimension,
     /// Its SI unit, where that is not written with kg, m, rad and s.

@@ -65,8 +65,7 @@ pub fn format_value(value_si: f64, dimension: Dimension) -> String {
     ReadableUnit::default_for(dimension).format(value_si)
 }
 
-/// SI values that are held against one another, as by [`format_value`], with as many further digits as tell those apart that differ:
-/// `1.0000001` beside `1`.
+/// SI values to be compared, as by [`format_value`], with enough further digits to distinguish different ones: `1.0000001` beside `1`.
 pub fn format_apart<const N: usize>(values_si: [f64; N], dimension: Dimension) -> [String; N] {
     let unit = ReadableUnit::default_for(dimension);
     let texts = |digits: usize| values_si.map(|value_si| unit.format_digits(value_si, digits));
@@ -77,7 +76,7 @@ pub fn format_apart<const N: usize>(values_si: [f64; N], dimension: Dimension) -
     (SHOWN_DIGITS..ALL_DIGITS).map(texts).find(are_apart).unwrap_or_else(|| texts(ALL_DIGITS))
 }
 
-/// A value that broke a [`Rule`], with as many digits as tell it from the numbers of the rule.
+/// A value that broke a [`Rule`], with enough digits to distinguish it from the numbers of the rule.
 pub fn format_refused(value_si: f64, dimension: Dimension) -> String {
     let [zero, half, one, turns, angle] = Rule::LIMITS;
     let [found, ..] = format_apart([value_si, zero, half, one, turns, angle], dimension);

@@ -2,7 +2,7 @@
 
 /// Significant digits shown: more than a person reads, fewer than round-off reaches.
 pub(super) const SHOWN_DIGITS: usize = 7;
-/// Digits that tell any two numbers apart.
+/// Digits that distinguish any two numbers.
 pub(super) const ALL_DIGITS: usize = 17;
 
 /// Decimal exponents outside this range are written with an exponent.

@@ -38,7 +38,7 @@ impl Copula {
 /// the row: the i-th of n for [(i - 1)/n, i/n). The others play no part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmpiricalCopula {
-    /// Of each row the places of its values among the values of their columns in increasing order.
+    /// Ranks of the values of each row in their columns, from the smallest.
     ranks: Vec<Vec<usize>>,
     inputs: usize,
 }

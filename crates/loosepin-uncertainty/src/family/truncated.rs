@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::{Discrete, Family, MIN_SHARE_KEPT, Tails};
 use crate::variables::distribution::DistributionError;
 
-/// What lies between `lower` and `upper` (an end may be infinite), rescaled: F_t(x) = (F(x) - F(lower))/(F(upper) - F(lower)).
+/// Distribution cut to the interval between `lower` and `upper` (an end may be infinite), and rescaled: F_t(x) = (F(x) -
+/// F(lower))/(F(upper) - F(lower)).
 #[derive(Debug)]
 pub struct Truncated {
     of: Arc<dyn Family>,

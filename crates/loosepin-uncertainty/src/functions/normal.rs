@@ -7,7 +7,7 @@ pub fn normal_cdf(x: f64) -> f64 {
     0.5 * libm::erfc(-x * FRAC_1_SQRT_2)
 }
 
-/// The x with Φ(x) = `probability`; -∞ at 0, +∞ at 1, not a number outside \[0, 1\].
+/// The x with Φ(x) = `probability`; -∞ at 0, +∞ at 1, NaN outside \[0, 1\].
 ///
 /// Relative accuracy about 1e-16 for every probability from 1e-300 to 1 - 1e-16. Source: M. J. Wichura, "Algorithm AS 241: the
 /// percentage points of the normal distribution", Applied Statistics 37 (1988) 477-484, function PPND16.

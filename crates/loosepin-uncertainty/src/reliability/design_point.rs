@@ -1,4 +1,4 @@
-//! Where the event is nearest: design points of first-order reliability.
+//! Nearest points of the event: design points of first-order reliability.
 
 use super::{dot, square};
 use crate::{hash, normal};

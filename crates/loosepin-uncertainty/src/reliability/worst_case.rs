@@ -38,9 +38,9 @@ pub struct IndexExtreme {
 /// Both ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexRange {
-    /// Where the index is smallest, so that the event is likeliest.
+    /// Place of the smallest index, so of the likeliest event.
     pub smallest: IndexExtreme,
-    /// Where it is largest.
+    /// Place of the largest index.
     pub largest: IndexExtreme,
     /// Evaluations of the limit state.
     pub runs: usize,

@@ -69,8 +69,7 @@ impl RandomVariable {
         self.family.tails(x).above
     }
 
-    /// The x with P(X <= x) = `probability`: increasing, accurate in both tails; the ends of the support at 0 and 1, not
-    /// a number outside \[0, 1\].
+    /// The x with P(X <= x) = `probability`: increasing, accurate in both tails; the ends of the support at 0 and 1, NaN outside \[0, 1\].
     pub fn quantile(&self, probability: f64) -> f64 {
         if !(0.0..=1.0).contains(&probability) {
             return f64::NAN;

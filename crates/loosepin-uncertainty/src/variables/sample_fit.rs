@@ -45,8 +45,8 @@ pub struct GoodnessOfFit {
     pub kolmogorov_smirnov: f64,
     /// Anderson's and Darling's A², which looks at the tails.
     pub anderson_darling: f64,
-    /// Whether A² exceeds what samples of the family itself exceed in 5 % of the cases when their parameters are fitted;
-    /// nothing for gamma, whose limit depends on its shape.
+    /// Whether A² exceeds what samples of the family itself exceed in 5 % of the cases when their parameters are fitted; `None` for gamma,
+    /// whose limit depends on its shape.
     pub is_rejected: Option<bool>,
 }
 

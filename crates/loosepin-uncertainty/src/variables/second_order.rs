@@ -31,8 +31,8 @@ impl SecondOrder {
         &self.variable
     }
 
-    /// Where it is looked at: its support where that has two ends, else between the quantiles at Φ(-3) and Φ(3), outside of
-    /// which it lies with a probability of 0.27 %.
+    /// Examined range: its support if that has two ends, else between the quantiles at Φ(-3) and Φ(3), outside of which it lies with a
+    /// probability of 0.27 %.
     pub fn range(&self) -> Interval {
         self.range
     }

@@ -187,7 +187,7 @@ impl DesignMatrix {
         CrossFit { coefficients, residuals }
     }
 
-    /// By how much Σ_r g_r·c_r changes with the value of each run, c_r the coefficients that were fitted without replicate r: Σ_(r not of i)
+    /// Derivative of Σ_r g_r·c_r by the value of each run, c_r the coefficients that were fitted without replicate r: Σ_(r not of i)
     /// g_r·G_r⁻¹ φ_i, φ_i the terms at run i; `gradients`: g_r.
     pub fn sensitivities(&self, gradients: impl Iterator<Item = Vec<f64>>) -> Vec<f64> {
         let size = self.basis.terms.len();

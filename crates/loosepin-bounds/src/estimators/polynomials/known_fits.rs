@@ -4,10 +4,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::inner_basis::DesignMatrix;
 
-/// What a fit says of the polynomials of its degree.
+/// Quality of a fit with polynomials of its degree.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Assessment {
-    /// What they leave at most, at any run.
+    /// Largest residual at any run.
     pub largest_residual: f64,
     /// An error of the mean that degrees are compared by.
     pub error: f64,
@@ -26,7 +26,7 @@ struct CachedFit<S> {
 }
 
 impl<S> FitCache<S> {
-    /// What is known of the polynomials of `design`; else what `find` finds, which is then kept.
+    /// The assessment of the polynomials of `design`; else that of `find`, which is then kept.
     pub fn assessment(&self, design: &Arc<DesignMatrix>, find: impl FnOnce() -> Assessment) -> Assessment {
         let known = self.list().iter().find(|own| Arc::ptr_eq(&own.design, design)).map(|own| own.assessment);
         known.unwrap_or_else(|| {

@@ -195,7 +195,7 @@ impl Conditional {
 }
 
 impl Line {
-    /// F along the line; `near`: a root of a value near `y`, or not a number, becomes the last one found.
+    /// F along the line; `near` is a root for a value near `y`, or NaN, and becomes the last root found.
     fn at(&self, axis: Axis, y: f64, residual: f64, near: &mut f64) -> AtValue {
         let (first, last) = (self.turns[0], self.turns[self.turns.len() - 1]);
         let mut at = AtValue { cdf: if first.value <= y { first.cdf } else { 0.0 }, ..AtValue::default() };
@@ -221,7 +221,7 @@ impl Line {
         at
     }
 
-    /// Where the polynomial is `y` between two places on either side of it, and its slope there; sought from `near` where that lies
+    /// The root of the polynomial less `y` between two places on either side of it, and the slope there; sought from `near` if that lies
     /// between them.
     fn root(&self, y: f64, first: Turn, second: Turn, near: f64) -> (f64, f64) {
         let rises = second.value > first.value;
@@ -273,9 +273,9 @@ fn turns(of: &Univariate, slopes: &[f64]) -> Vec<Turn> {
     turns
 }
 
-/// Where the slope vanishes between two places at which it has the values `slopes`, by false position with the Illinois rule (M. Dowell
-/// and P. Jarratt, "A modified regula falsi method for computing the root of an equation", BIT 11 (1971) 168-174). The value is flat
-/// there, so that it is known far better than the place.
+/// The point where the slope vanishes between two places with the slopes `slopes`, by false position with the Illinois rule (M. Dowell and
+/// P. Jarratt, "A modified regula falsi method for computing the root of an equation", BIT 11 (1971) 168-174). The value is flat there, so
+/// that it is known far better than the place.
 fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut at_right]: [f64; 2]) -> f64 {
     let (mut found, mut has_moved_left) = (left, None);
     // Where the slope at an end is next to nothing the first steps are short, and say nothing of how near the extreme is.

@@ -39,11 +39,11 @@ pub(crate) type Weights = Vec<(usize, f64)>;
 /// One run.
 #[derive(Debug)]
 pub(crate) struct SingleRun {
-    /// Where it stands in the table.
+    /// Row in the table.
     pub row: usize,
     /// Coordinates t of its random inputs.
     pub coordinates: Vec<f64>,
-    /// Outer points that tell what to expect at its u.
+    /// Weights of the outer points that predict the value at its u.
     pub weights: Weights,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct SingleRuns {
     pub left_out: Vec<(usize, Weights)>,
 }
 
-/// What single runs show that the samples of a column do not.
+/// Events that single runs show and the samples of a column do not.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Contradiction {
     pub unseen: UnsampledEvents,

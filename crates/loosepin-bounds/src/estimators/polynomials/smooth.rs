@@ -98,8 +98,8 @@ impl Smooth {
         parts.map(square).collect()
     }
 
-    /// By how much the mean of [`Self::squares`] changes with each of `values`, those of the sample: 2(y - m)/N, and by way of each p_r 2/R
-    /// times what the mean of (p_r - m) dp_r over its replicate falls short of the expected value of it.
+    /// Derivative of the mean of [`Self::squares`] by each of `values`, those of the sample: 2(y - m)/N, and by way of each p_r 2/R times
+    /// the amount by which the mean of (p_r - m) dp_r over its replicate falls short of its expected value.
     fn slopes_of_squares(&self, values: &[f64], mean: f64) -> impl Iterator<Item = f64> {
         let of_polynomials: Vec<f64> =
             values.iter().zip(&self.fit.residuals).map(|(value, left)| value - left).collect();
@@ -156,7 +156,7 @@ impl Smooth {
         (0..self.design.basis.terms.len()).map(|term| sum(term) / count).collect()
     }
 
-    /// What it was fitted with.
+    /// The design matrix of the fit.
     pub fn design(&self) -> &Arc<DesignMatrix> {
         &self.design
     }
@@ -165,7 +165,7 @@ impl Smooth {
         RESIDUAL_MARGIN * self.largest_residual().max(self.residual_of_others)
     }
 
-    /// What the polynomials leave at most, at any run.
+    /// Largest residual of the polynomials at any run.
     pub fn largest_residual(&self) -> f64 {
         largest_magnitude(&self.fit.residuals)
     }
@@ -191,7 +191,7 @@ impl Smooth {
         Estimate { value, below: error.min(value), above: error.min(1.0 - value) }
     }
 
-    /// An index that grows with the probability P of `event` and tells where to go where P is flat at 0 or 1:
+    /// An index that grows with the probability P of `event` and has a slope where P is flat at 0 or 1:
     ///
     /// ```text
     /// asinh z, z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
@@ -275,7 +275,7 @@ impl Smooth {
     }
 }
 
-/// Largest magnitude of `values`, 0 of none.
+/// Largest magnitude of `values`; 0 if there are none.
 pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }

@@ -29,7 +29,7 @@ pub(in crate::search) struct Assessment<'m> {
 }
 
 impl<'m> Assessment<'m> {
-    /// Of so many noise ratios, values with so many degrees of freedom; no variance lies below `floor`.
+    /// An empty assessment for `levels` noise ratios and values with `freedom` degrees of freedom; no variance lies below `floor`.
     pub fn new(levels: usize, freedom: f64, floor: f64) -> Self {
         let (least, least_of_level) = (f64::INFINITY, f64::INFINITY);
         Self { assessed: Vec::new(), freedom, floor, levels, level: 0, least, least_of_level }
@@ -115,7 +115,7 @@ pub(in crate::search) fn least_honest(assessed: &[Assessed<'_>], residual: &[f64
     least
 }
 
-/// Of the models that cannot be told apart the one to be taken.
+/// The most cautious of the models that are equally likely.
 pub(in crate::search) fn cautious(mut assessed: Vec<Assessed<'_>>) -> Option<Assessed<'_>> {
     let least = assessed.iter().fold(f64::INFINITY, |least, own| least.min(own.misfit));
     assessed.retain(|own| own.misfit <= least + TOLERATED_MISFIT);

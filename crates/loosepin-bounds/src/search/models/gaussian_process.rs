@@ -48,7 +48,7 @@ pub(crate) struct ObservedPoints {
 }
 
 impl ObservedPoints {
-    /// What models on `points` share at `places`.
+    /// The terms that models on `points` share at `places`.
     pub fn new(places: Vec<Vec<f64>>, points: &[Vec<f64>], trend: Trend) -> Self {
         let distances = places.chunks(PLACES_AT_ONCE).map(|own| distances_of_each(own, points)).collect();
         let terms = places.chunks(PLACES_AT_ONCE).map(|own| terms_of_each(own, trend)).collect();
@@ -216,8 +216,8 @@ struct Prediction {
 }
 
 impl Model {
-    /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row);
-    /// nothing where V is singular to round-off. The points may have been appended to those of a factor that is `known`.
+    /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by
+    /// row); `None` if V is singular to round-off. The points may have been appended to those of a factor that is `known`.
     pub fn try_new(
         place: usize,
         points: &[Vec<f64>],

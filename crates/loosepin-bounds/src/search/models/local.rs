@@ -58,7 +58,7 @@ impl SmoothedRegion {
     }
 }
 
-/// By which part a place is predicted, and which of the places of its smoother it is.
+/// The part that predicts a place, and the index of the place in its smoother.
 #[derive(Debug, Clone, Copy)]
 struct Owner {
     part: usize,

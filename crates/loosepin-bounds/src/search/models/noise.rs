@@ -1,18 +1,18 @@
-//! What is known of the sampling noise of a statistic over the box.
+//! Sampling noise of a statistic over the box.
 
-/// What is known of the sampling noise of the values at the points.
+/// Sampling noise of the values at the points.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Noise {
     /// Its mean variance.
     pub variance: f64,
-    /// By how much each replicate of the sample differs from the value at every point, replicate by replicate; empty if that is not
-    /// known. Where the same random numbers give nearly the same error at neighbouring points these differences are smooth in u, and
-    /// no part of them is between the points.
+    /// Difference of each replicate of the sample from the value at every point, replicate by replicate; empty if unknown. Where the same
+    /// random numbers give nearly the same error at neighbouring points these differences are smooth in u, and no part of them is between
+    /// the points.
     pub replicates: Vec<Vec<f64>>,
 }
 
 impl Noise {
-    /// Nothing is sampled, or as good as nothing.
+    /// No sampling noise, or a negligible one.
     pub const NONE: Self = Self { variance: 0.0, replicates: Vec::new() };
 
     /// That at some of the points.

@@ -75,12 +75,12 @@ impl Branch<'_> {
         self.model.as_ref().is_some_and(TargetModel::is_rough)
     }
 
-    /// Predictions at the candidates of the search, in their order, then at other places; nothing without a model.
+    /// Predictions at the candidates of the search, in their order, then at other places; `None` without a model.
     pub fn at_candidates(&self, allowance: Allowance) -> Option<impl Iterator<Item = Forecast>> {
         self.model.as_ref().map(|model| model.at_places(allowance))
     }
 
-    /// Prediction at `place`; nothing without a model.
+    /// Prediction at `place`; `None` without a model.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Option<Forecast> {
         self.model.as_ref().map(|model| model.at(place, allowance))
     }
@@ -150,7 +150,7 @@ impl<'a> Search<'a> {
         Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
     }
 
-    /// Whether there are so many targets that they are the poses of curves.
+    /// Whether the targets are numerous enough to be the poses of curves.
     pub fn is_of_curves(&self) -> bool {
         self.targets > MAX_LOCATED_TARGETS
     }

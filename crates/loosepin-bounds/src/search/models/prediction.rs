@@ -1,4 +1,4 @@
-//! What a model predicts of a statistic at a place, and how far it may err.
+//! Prediction of a statistic at a place, and its error.
 
 /// A prediction from the three parts of a statistic over u: what is smooth, what is rough and belongs to the response, and what is noise
 /// of sampling, which is no part of it.
@@ -8,7 +8,7 @@ pub(crate) struct Prediction {
     pub mean: f64,
     /// Its standard deviation.
     pub deviation: f64,
-    /// The rough part, whose mean is 0; none where nobody asked for it.
+    /// The rough part, whose mean is 0; none if it was not requested.
     pub roughness: Roughness,
 }
 
@@ -17,13 +17,13 @@ pub(crate) struct Prediction {
 pub(crate) struct Roughness {
     /// Its standard deviation ω over u.
     pub deviation: f64,
-    /// By how much the upper end of its one-sided interval of 95 % exceeds it.
+    /// Difference between the upper end of its one-sided interval of 95 % and the prediction.
     pub error: f64,
-    /// By how much both are enlarged for what lies below the smooth part, and above it.
+    /// Factors of both errors for the deviations below and above the smooth part.
     pub distrust: [f64; 2],
 }
 
-/// By how much a prediction may err.
+/// Allowance for the error of a prediction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Allowance {
     deviations: f64,
@@ -42,15 +42,15 @@ const GREATEST: f64 = 3.85;
 const BEYOND_GREATEST: f64 = 0.9;
 
 impl Allowance {
-    /// What is expected.
+    /// The expected value, without allowance.
     pub const NONE: Self = Self { deviations: 0.0, concedes_roughness: false };
     /// One deviation of the smooth part.
     pub const ONE: Self = Self { deviations: 1.0, concedes_roughness: false };
-    /// What the search hopes for: roughness leads nowhere.
+    /// Optimistic allowance of the search: the rough part is left out.
     pub const HOPED: Self = Self { deviations: HOPED, concedes_roughness: false };
-    /// What is conceded of the smooth part.
+    /// Allowance for the error of the smooth part.
     pub const CONCEDED_TREND: Self = Self { deviations: CONCEDED, concedes_roughness: false };
-    /// What is conceded.
+    /// Allowance for the error of the whole prediction.
     pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
 
     /// Standard deviations of the smooth part.

@@ -37,8 +37,8 @@ impl SharedGrids {
         kept.0.lock().unwrap_or_else(PoisonError::into_inner).insert(purpose, grids);
     }
 
-    /// The grid of a part of those `points` (their numbers), or what `make` gives, which is then kept; it is told the earlier ones. Nobody
-    /// waits for another who makes it: both make the same.
+    /// The cached grid of the part of the `points` with these numbers, or the result of `make`, which is then kept; `make` is given the
+    /// earlier grids. Nobody waits for another who makes it: both make the same.
     pub fn of(
         &self,
         points: &[usize],

@@ -342,7 +342,7 @@ impl Fit<'_> {
         Some(Kinked { means, deviation: suspected.deviation(model), largest_miss: suspected.largest_miss() })
     }
 
-    /// What `kinked` of this fit expects at every one of [`Self::places`].
+    /// Predictions of `kinked`, fitted to the same values, at every one of [`Self::places`].
     pub fn kinked_at_places<'s>(&'s self, kinked: &'s Kinked) -> impl Iterator<Item = Prediction> + 's {
         let deviations = self.smoother.grid.with_kinks().map(|model| self.smoother.at_places(model).deviations());
         let of = |(mean, deviation): (&f64, &f64)| Prediction {

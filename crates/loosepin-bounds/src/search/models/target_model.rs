@@ -15,11 +15,11 @@ const HALF_STEP: f64 = 1e-4;
 /// Prediction of a target at a place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Forecast {
-    /// Of the target.
+    /// Prediction of the target.
     Plain(Prediction),
     /// Of an index.
     Index(IndexForecast),
-    /// Of the indices of two events.
+    /// Predictions of the indices of two events.
     Either([IndexForecast; 2]),
 }
 
@@ -29,7 +29,7 @@ impl Forecast {
         self.moved(Allowance::NONE, 1.0)
     }
 
-    /// By how much it moves where its model, or that of each event, errs by one of its standard deviations.
+    /// Change of the target where its model, or that of each event, errs by one of its standard deviations.
     pub fn deviation(self) -> f64 {
         self.moved(Allowance::ONE, 1.0) - self.mean()
     }
@@ -49,11 +49,11 @@ impl Forecast {
 
 /// The model of a target on the points at which it is defined.
 pub(crate) enum TargetModel<'a> {
-    /// Of the target itself.
+    /// Fits of the target itself.
     Plain(LocalFits<'a>),
     /// Of an index.
     Index(IndexModel<'a>),
-    /// Of the indices of two events.
+    /// Models of the indices of two events.
     Either(Box<[IndexModel<'a>; 2]>),
 }
 

@@ -50,7 +50,7 @@ impl Search<'_> {
         chosen
     }
 
-    /// Where the straight lines through the points beside `extreme` along `axis` meet, and their value there.
+    /// Intersection of the straight lines through the points beside `extreme` along `axis`, and the value there.
     fn kink(&self, target: &Target, extreme: usize, axis: usize) -> Option<(BoxPoint, f64)> {
         let centre = &self.points[extreme];
         let is_on_line = |point: &BoxPoint| {

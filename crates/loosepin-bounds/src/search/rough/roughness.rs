@@ -17,7 +17,7 @@ use crate::search::models::prediction::Roughness;
 use loosepin_math::dense::{Cholesky, gram, multiply};
 use loosepin_math::{FourRows, exponentials, interleaved};
 
-/// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
+/// Gain by chance of a further parameter in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
 pub(in crate::search) const GAIN_OF_A_PARAMETER: f64 = 2.0;
 
@@ -43,11 +43,11 @@ const REPLICATES_AT_ONCE: usize = 8;
 pub(in crate::search) struct Scatter {
     /// Where their variance depends on u.
     slopes: Option<Slopes>,
-    /// By how much the standard deviation is enlarged since the model predicts some estimate worse than it should.
+    /// Factor of the standard deviation where the model predicts some estimate worse than it should.
     pub distrust: f64,
     /// The same for what lies below a prediction, and above it.
     sided: [f64; 2],
-    /// What all this adds to -2 ln likelihood.
+    /// Penalty of all parameters in -2 ln likelihood.
     pub price: f64,
 }
 
@@ -72,7 +72,7 @@ struct Fitted {
     gain: f64,
 }
 
-/// What ln v(u) may depend on, for one set of points.
+/// Regressors of ln v(u) for one set of points.
 pub(in crate::search) struct Regressors {
     /// ū
     centre: Vec<f64>,
@@ -113,7 +113,7 @@ pub(in crate::search) struct RoughPart {
 }
 
 impl Scatter {
-    /// That of `errors` with the same variance, in standard deviations, whose sum of squares has so many degrees of freedom.
+    /// Constant roughness of `errors`, in standard deviations, whose sum of squares has `freedom` degrees of freedom.
     pub fn even(errors: &[f64], freedom: f64) -> Self {
         Self::with(None, errors, freedom, 0.0)
     }

@@ -51,7 +51,7 @@ pub(in crate::search) struct SuspectedKinks<'m> {
     smoothest: Assessed<'m>,
 }
 
-/// By how much the likeliest model with one derivative is less likely than the likeliest of those without noise.
+/// Log-likelihood of the likeliest model with one derivative, relative to the likeliest of those without noise.
 pub(in crate::search) struct Likelihoods<'m> {
     excess: f64,
     smoothest: Assessed<'m>,
@@ -70,8 +70,8 @@ impl<'m> Likelihoods<'m> {
         (excess < SMOOTH).then_some(Self { excess, smoothest })
     }
 
-    /// The `values` to which they belong, less their mean, and their `residual` of the polynomial with so many degrees of `freedom`; no variance
-    /// lies below `floor`, and `of_noise` is the standard deviation of their sampling noise.
+    /// Adds the `values` of the points, less their mean, and their `residual` of the polynomial, with `freedom` degrees of freedom; no
+    /// variance lies below `floor`, and `of_noise` is the standard deviation of their sampling noise.
     pub fn with(
         self,
         values: Vec<f64>,
@@ -139,8 +139,8 @@ mod tests {
         (2.5 * u[0] - 1.5 * u[1] + 6.0 * phase).sin() + 0.5 * (3.0 * u[1] + 12.0 * phase).sin()
     }
 
-    /// How far below its values the fit of each phase lets a function go where it has kinks; nothing where it is taken for smooth. Then
-    /// its least value of a fine grid.
+    /// Lowest possible value of a function with kinks by the fit of each phase, relative to its values; `None` if the function counts as
+    /// smooth. Then its least value of a fine grid.
     fn least(function: impl Fn(&[f64], f64) -> f64) -> Vec<(Option<f64>, f64)> {
         let points = first_points(7, 2, POINTS).unwrap();
         let smoother = Smoother::try_new(points.clone(), &candidates(2).unwrap(), true, &Axes::open(2)).unwrap();

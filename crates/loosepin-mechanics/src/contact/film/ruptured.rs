@@ -57,7 +57,7 @@ struct Grid {
     /// Conductance through the face before each station and behind the last one, for h³ times width.
     along: Vec<f64>,
     pressures: Vec<f64>,
-    /// Where the film is whole.
+    /// Whether the film is unruptured, for each node.
     is_whole: Vec<bool>,
     /// θ from which on there is a film, if not everywhere.
     begin: Option<f64>,

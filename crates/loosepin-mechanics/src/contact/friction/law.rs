@@ -61,7 +61,7 @@ macro_rules! friction_numbers {
 }
 pub(super) use friction_numbers;
 
-/// A number that friction laws take from the model file: its key, and the part of friction that it tells of.
+/// A number that friction laws take from the model file: its key, and the part of friction that it belongs to.
 #[derive(Debug, Clone, Copy)]
 pub struct FrictionKey {
     /// The part.

@@ -1,4 +1,4 @@
-//! What a line-contact law is.
+//! Description of a line-contact law.
 
 use super::pair::LinePair;
 use crate::contact::normal::NormalLaw;

@@ -1,4 +1,4 @@
-//! What another law makes of an impact that a law has computed: the force at which it has stored the same energy.
+//! Force by another law in an impact that was computed by a first one: where it has stored the same energy.
 
 use crate::contact::NormalLaw;
 use crate::contact::normal::NormalContact;

@@ -1,8 +1,8 @@
-//! What a linear contact law is.
+//! Description of a linear contact law.
 
 use crate::contact::normal::{LinearContact, NormalLaw, restitution_of_damping_ratio};
 
-/// A linear contact law `F_N = K δ + D δ̇`, cut at zero: it tells where D comes from.
+/// A linear contact law `F_N = K δ + D δ̇`, cut at zero; it defines D.
 #[derive(Debug)]
 pub struct LinearLaw {
     /// The name used in model files, in kebab case.

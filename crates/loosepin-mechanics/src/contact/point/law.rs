@@ -1,4 +1,4 @@
-//! What a point-contact law is.
+//! Description of a point-contact law.
 
 use crate::contact::normal::{NormalLaw, PointContact};
 

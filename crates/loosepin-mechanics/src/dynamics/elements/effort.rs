@@ -1,4 +1,4 @@
-//! What drives and controls do: torque, force and power.
+//! Efforts of drives and controls: torque, force and power.
 
 use crate::dynamics::equations::Dynamics;
 use crate::model::Actuator;

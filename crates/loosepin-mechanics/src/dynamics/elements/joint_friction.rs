@@ -23,7 +23,7 @@ use loosepin_math::{Real, Vec2};
 /// Components of the force that a joint carries: at both its ends, or in both directions.
 const PARTS: usize = 2;
 
-/// Where the constraint force of a joint with friction comes from.
+/// Source of the constraint force of a joint with friction.
 #[derive(Debug, Clone)]
 enum Carrier {
     /// A joint of the tree: the balance of forces on the bodies beyond it, by slot.
@@ -87,7 +87,7 @@ pub(in crate::dynamics) struct JointFrictions<T> {
 }
 
 impl<T: Real> JointFrictions<T> {
-    /// Room for `mechanism`; none without such joints.
+    /// Workspace for `mechanism`; `None` without such joints.
     pub fn new(mechanism: &Mechanism, sample: &Sample<T>) -> Option<Self> {
         let tree = &mechanism.real;
         let entries: Vec<Entry<T>> = sample

@@ -1,5 +1,5 @@
-//! What acts on bodies beside contacts: springs, loads, actuators, friction in ideal joints, flexible links.
-//! Each adds its forces to the equations of motion. Contacts stand in `play`.
+//! Forces on bodies besides contacts: springs, loads, actuators, friction in ideal joints, flexible links. Each adds its forces to the
+//! equations of motion. Contacts stand in `play`.
 
 pub(in crate::dynamics) mod beam;
 pub(in crate::dynamics) mod beam_workspace;

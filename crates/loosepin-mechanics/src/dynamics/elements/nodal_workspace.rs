@@ -3,7 +3,7 @@
 use loosepin_flexible::Nodal;
 use loosepin_math::{Real, Vec2};
 
-/// What position and slope of an end do for unit rate of a coordinate.
+/// Partial derivatives of position and slope of an end by a coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dynamics) struct Column<T> {
     pub(in crate::dynamics) coordinate: usize,

@@ -2,7 +2,7 @@
 
 use crate::dynamics::equations::Dynamics;
 
-/// What had no value at an evaluation.
+/// The element without a value at an evaluation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum WithoutValue {
     /// A drive, load or control, by its path.

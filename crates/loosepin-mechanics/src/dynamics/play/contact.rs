@@ -190,7 +190,7 @@ pub(in crate::dynamics) struct Touch<'t, T: Real> {
     pub place: usize,
 }
 
-/// What the force of the contact's law is between these parts.
+/// The force of the contact's law between these parts.
 pub(in crate::dynamics) struct Pressed<T> {
     /// Normal force over that of the law.
     pub share: T,
@@ -198,7 +198,7 @@ pub(in crate::dynamics) struct Pressed<T> {
     pub normal_n: T,
     /// Direction in which they slide, a unit vector.
     pub tangent: Vec2<T>,
-    /// What pushes along the wall beside it, N; `None` if nothing does.
+    /// Additional push along the wall, N; `None` if there is none.
     pub push_n: Option<Vec2<T>>,
 }
 

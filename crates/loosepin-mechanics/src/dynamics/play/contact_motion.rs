@@ -75,7 +75,7 @@ pub struct ContactForce<T> {
     pub penetration_rate_m_s: T,
     /// Rate ż of the deflection of the bristles, m/s; zero without any.
     pub bristle_rate_m_s: T,
-    /// Sliding velocity v_T that friction goes by, m/s; zero where there is neither friction nor wear.
+    /// Sliding velocity v_T of the friction law, m/s; zero without friction and wear.
     pub sliding_m_s: T,
     /// F_N |v_T| summed over the sectors of an elastic foundation, W; `None` for a contact at one point.
     pub spread_path_w: Option<T>,

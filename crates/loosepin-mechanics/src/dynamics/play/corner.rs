@@ -130,7 +130,7 @@ struct Corner<T: Real> {
     push: Vec2<T>,
     /// Velocity of the slider's material on the guide's where they touch, m/s.
     velocity_m_s: Vec2<T>,
-    /// Where the guide has ends.
+    /// Ends of the guide, if it has any.
     ends: Option<Ends<T>>,
 }
 

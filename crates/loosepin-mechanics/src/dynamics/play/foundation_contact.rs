@@ -42,7 +42,7 @@ pub(in crate::dynamics) fn contact<T: Real>(motion: &PlayMotion<T>, foundation: 
     }
 }
 
-/// The energy stored in all sectors, J; none where `penetration_m`, that of the deepest, is not positive.
+/// The energy stored in all sectors, J; zero if `penetration_m`, that of the deepest, is not positive.
 #[inline(never)]
 pub(in crate::dynamics) fn stored_energy_j<T: Real>(
     motion: &PlayMotion<T>,

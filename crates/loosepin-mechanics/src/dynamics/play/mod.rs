@@ -1,5 +1,5 @@
-//! Where the bodies of a joint or a coupling with play touch: motion of the parts, gaps, forces; a file for each shape.
-//! The laws of the force stand in `contact`.
+//! Contact between the bodies of a joint or a coupling with play: motion of the parts, gaps, forces; a file for each shape. The laws of the
+//! force stand in `contact`.
 
 pub(in crate::dynamics) mod circular_slot;
 pub(in crate::dynamics) mod contact;

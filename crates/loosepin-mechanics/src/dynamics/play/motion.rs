@@ -3,7 +3,7 @@
 use crate::mechanism::{Kinematics, PlayGeometry};
 use loosepin_math::{Real, Vec2};
 
-/// Where the journal is in its bearing, or the slider in its guide, and how it moves.
+/// Position and motion of the journal in its bearing, or of the slider in its guide.
 #[derive(Debug, Clone, Copy)]
 pub struct PlayMotion<T> {
     /// Eccentricity e = r_j - r_i of the journal's centre from the bearing's (the slider's from the guide's point), m, in the

@@ -98,7 +98,7 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     }
 }
 
-/// Where the pin is in its slot.
+/// Position and motion of the pin in its slot.
 struct PinInSlot<T> {
     /// w: from the nearest point of the slot's line between both ends to the pin, m.
     off_m: Vec2<T>,

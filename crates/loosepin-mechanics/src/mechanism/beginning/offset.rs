@@ -7,7 +7,7 @@ use loosepin_math::Vec2;
 /// Round-off of an offset that is as long as the clearance.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Where a journal is in its bearing at time zero.
+/// Position of a journal in its bearing at time zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartOffset {
     /// Index in `Mechanism::plays`.

@@ -221,7 +221,7 @@ pub struct LargestResidual {
 }
 
 impl LargestResidual {
-    /// The worst of `residuals` of the constraint rows of `tree`; none where there are none.
+    /// The worst of `residuals` of the constraint rows of `tree`; zero if there are none.
     pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
         let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
         let Some(row) = worst else {

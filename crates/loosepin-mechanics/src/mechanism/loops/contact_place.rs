@@ -1,4 +1,4 @@
-//! Where the two bodies of a joint with play may touch.
+//! Places where the two bodies of a joint with play may touch.
 
 use crate::mechanism::parts::flanks::FLANKS;
 use crate::model::{Model, PlayId};

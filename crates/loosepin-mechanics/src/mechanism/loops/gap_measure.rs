@@ -47,7 +47,7 @@ impl GapMeasure {
         }
     }
 
-    /// By how much the gap function changes when δ, near zero, changes by `tolerance_m`.
+    /// Change of the gap function for a change of δ, near zero, by `tolerance_m`.
     pub fn tolerance(self, tolerance_m: f64) -> f64 {
         match self {
             Self::Squares { clearance_m } => 2.0 * clearance_m * tolerance_m,

@@ -1,5 +1,5 @@
-//! What joints and couplings demand of the positions: constraint rows, coordinates of joints, gaps of joints with play.
-//! The forces in them are those of `dynamics`.
+//! Constraints of joints and couplings on the positions: constraint rows, coordinates of joints, gaps of joints with play. The forces in
+//! them are those of `dynamics`.
 
 pub mod constraints;
 pub(in crate::mechanism) mod contact_place;

@@ -49,7 +49,7 @@ impl<T: Real> ToothForce<T> {
     }
 }
 
-/// Where the second bodies of both joints are held, m.
+/// Positions of the second bodies of both joints at their holding points, m.
 fn centres_m<T: Real>(
     joints: &[JointGeometry<T>; 2],
     places: &CouplingPlace,

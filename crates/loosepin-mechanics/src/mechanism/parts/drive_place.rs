@@ -1,4 +1,4 @@
-//! Where the drive is that a failure is told of.
+//! Position of a drive in the message of a failure.
 
 use crate::mechanism::error::DrivePlace;
 use crate::mechanism::tree::spanning_tree::Tree;

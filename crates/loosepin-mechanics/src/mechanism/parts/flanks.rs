@@ -12,7 +12,7 @@ use loosepin_math::{Real, numbers};
 pub struct Flanks<T> {
     /// f, and the two joints.
     pub coupling: CouplingGeometry<T>,
-    /// Where the two joints are in the real tree.
+    /// Indices of the two joints in the real tree.
     pub places: CouplingPlace,
     /// Whether only x < 0 is resisted: a follower may lift off its cam, a tooth has another flank behind it.
     pub is_one_sided: bool,
@@ -34,7 +34,7 @@ impl<T: Real> PlayForm<T> for Flanks<T> {
         PlayFreedom::AlongPitchLine
     }
 
-    /// Nothing tells how thick a tooth is, or a cam.
+    /// The thickness of a tooth or a cam is not modelled.
     fn thickness_m(&self, _clearance_m: T) -> T {
         T::from_f64(f64::INFINITY)
     }

@@ -9,7 +9,7 @@ use loosepin_math::{
 /// at the ends of one that does not go round: beyond them it is constant.
 #[derive(Debug, Clone)]
 pub struct TableNumbers<T> {
-    /// Where the first point is.
+    /// Abscissa of the first point.
     start: T,
     /// After which it begins again; no number of a table that does not.
     period: T,

@@ -22,7 +22,7 @@ pub struct NodalGeometry<T> {
 numbers!(struct NodalGeometry { beam, root_m, tip_m, axis });
 
 impl<T: Real> NodalGeometry<T> {
-    /// Nothing for a body without a beam.
+    /// Numbers of a body in absolute nodal coordinates; `None` for a body without a beam.
     pub(in crate::mechanism) fn new(
         model: &Model,
         place: &TreeNodalBeam,

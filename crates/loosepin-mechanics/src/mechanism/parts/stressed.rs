@@ -23,7 +23,7 @@ pub struct StressedBody {
     pub is_turned: bool,
     /// Points of the body beyond the root, with the share of the length at which they act.
     pub points: Vec<(usize, f64)>,
-    /// Where it is cut.
+    /// Cuts of the beam.
     pub cuts: Arc<Cuts>,
 }
 

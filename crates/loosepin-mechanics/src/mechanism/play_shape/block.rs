@@ -14,8 +14,8 @@ pub struct SliderBlock<T> {
     pub line: Vec2<T>,
     /// Direction of the block's axis in the slider body's frame.
     pub axis: Vec2<T>,
-    /// Where the faces begin and end along the line, m; `None` if they have no ends. The block may overhang an end; a run in which it
-    /// leaves the faces altogether fails.
+    /// Ends of the faces along the line, m; `None` if they have no ends. The block may overhang an end; a run in which it leaves the faces
+    /// altogether fails.
     pub ends_m: Option<[T; 2]>,
 }
 

@@ -38,7 +38,7 @@ pub trait PlayForm<T: Real> {
         false
     }
 
-    /// Whether the gap function is |e|² - c², smooth where e = 0: of what goes round a centre.
+    /// Whether the gap function is |e|² - c², smooth where e = 0, as for shapes round a centre.
     #[inline(always)]
     fn is_round(&self) -> bool {
         false
@@ -50,7 +50,7 @@ pub trait PlayForm<T: Real> {
         [None; 2]
     }
 
-    /// Where its walls are, in words, with the stiffness there over that of the contact's law; `None` if it is the same everywhere.
+    /// Places of its walls in words, with the stiffness there over that of the contact's law; `None` if it is the same everywhere.
     fn wall_shares(&self) -> Option<[(&'static str, f64); 2]> {
         None
     }

@@ -17,7 +17,7 @@ pub use slot::SlotShape;
 use crate::mechanism::parts::flanks::Flanks;
 use loosepin_math::{Real, Vec2, numbers};
 
-/// Makes the enum of all shapes, and `ask_shape!(shape, parts => answer)`, which asks the shape at hand.
+/// Makes the enum of all shapes, and `ask_shape!(shape, parts => answer)`, which calls the current shape.
 macro_rules! play_shapes {
     ($($(#[$doc:meta])* $name:ident($shape:ident)),* $(,)?) => {
         /// Shape of a joint with play.
@@ -76,7 +76,7 @@ impl<T> PlayShape<T> {
         if let Self::Slot(slot) = self { Some(slot) } else { None }
     }
 
-    /// What goes by the coordinates of two joints, and not by places in the plane.
+    /// The flanks of a coupling, which depend on the coordinates of two joints, not on positions in the plane.
     #[inline(always)]
     pub fn flanks(&self) -> Option<&Flanks<T>> {
         if let Self::Flanks(flanks) = self { Some(flanks) } else { None }
@@ -126,7 +126,7 @@ impl<T: Real> PlayShape<T> {
         ask_shape!(self, parts => parts.wall_shares())
     }
 
-    /// Where the faces of a guide begin and end along its line, m; `None` if they have no ends, or there are none.
+    /// Ends of the faces of a guide along its line, m; `None` if they have no ends, or there are no faces.
     #[inline(always)]
     pub fn face_ends_m(&self) -> Option<[T; 2]> {
         self.block().and_then(|block| block.ends_m)

@@ -3,7 +3,7 @@
 use crate::mechanism::tree::cut_geometry::CutGeometry;
 use loosepin_math::{Real, Vec2};
 
-/// What a form of rows says of itself at a state. Of a form with one row the second entries are zero.
+/// A form of constraint rows at a state. Of a form with one row the second entries are zero.
 pub trait PointRows<T: Real>: Sized {
     /// At a state: the angle of the first point's body, rad, and the way from the first point to the second, m, in the ground's frame.
     fn at(numbers: &CutGeometry<T>, first_angle_rad: T, gap_m: Vec2<T>) -> Self;

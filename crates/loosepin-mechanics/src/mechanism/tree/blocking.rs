@@ -1,4 +1,4 @@
-//! What keeps a mechanism from closing or moving whatever its lengths are: drives that move one freedom, joints that hold one another.
+//! Reasons why a mechanism cannot close or move whatever its lengths are: drives that move one freedom, joints that block one another.
 //!
 //! Away from special positions the loop equations J q̇ = 0 of a sound mechanism are independent of one another, also where the drives
 //! stand still. A combination λ of them with λᵀJ = 0 in the columns of the free coordinates says what the drives alone must keep: where it
@@ -22,7 +22,7 @@ const ROUND_OFF: f64 = 1e-9;
 const MAX_COORDINATES: usize = 300;
 
 problems! {
-    /// What keeps it from closing or moving.
+    /// The reason why a mechanism cannot close or move.
     #[derive(Debug, Clone, PartialEq)]
     pub enum Blocking {
         Drives { drives: Vec<String> } => Code::DrivesOnOneFreedom,
@@ -37,7 +37,7 @@ problems! {
     }
 }
 
-/// What keeps `model` from closing or moving at general lengths, if anything does.
+/// The reason why `model` cannot close or move at general lengths, if there is one.
 pub(in crate::mechanism) fn blocking(model: &Model) -> Option<Blocking> {
     let values = model.quantities.nominal();
     let tree = Tree::new(model, |_| true).ok()?;

@@ -99,7 +99,7 @@ pub struct BeamGeometry<T> {
     /// Damping matrix over all shapes of a beam with damping and lumps or condensed shapes, row by row; empty where it follows from
     /// [`Beam::damping_ratio`] alone.
     pub damping: Vec<T>,
-    /// What condensed shapes add to the mass matrix of the shapes, row by row; empty where none may be condensed.
+    /// Contribution of condensed shapes to the mass matrix of the shapes, row by row; empty if none may be condensed.
     pub added_mass: Vec<T>,
     /// Which shapes are condensed; absent where none may be.
     pub condensed: Option<Condensed>,

@@ -8,7 +8,7 @@ use crate::mechanism::tree::geometry::{Geometry, LinkGeometry};
 use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
 use loosepin_math::{KnownAngle, Real, Vec2, sin_cos_near};
 
-/// Where a body frame is, seen from the ground.
+/// Position and angle of a body frame, seen from the ground.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose<T> {
     /// p_wb: position of the frame's origin, m.
@@ -46,7 +46,7 @@ impl<T: Real> Pose<T> {
 /// A velocity of a body frame, or an acceleration: linear part of the origin and angular part.
 #[derive(Debug, Clone, Copy)]
 pub struct Twist<T> {
-    /// Of the frame's origin, m/s or m/s².
+    /// Vector of the frame's origin, m/s or m/s².
     pub linear: Vec2<T>,
     /// rad/s or rad/s².
     pub angular: T,
@@ -83,7 +83,7 @@ pub struct Kinematics<T> {
     lines: Vec<Vec2<T>>,
     /// Partial velocities of the frame origins, m per unit of the coordinate, for all dependences of all links in turn.
     partials: Vec<Vec2<T>>,
-    /// Where the partials of each slot begin.
+    /// Offset of the partials of each slot.
     offsets: Vec<usize>,
     /// Angles by slot with their sines and cosines.
     known: Vec<KnownAngle<T>>,
@@ -113,7 +113,7 @@ impl<T: Real> Kinematics<T> {
         }
     }
 
-    /// Says what is known of the angle of a slot.
+    /// Sets the known angle of a slot.
     #[inline(always)]
     pub fn set_known_angle(&mut self, slot: usize, known: KnownAngle<T>) {
         self.known[slot] = known;

@@ -119,8 +119,8 @@ fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Ve
     jacobian
 }
 
-/// What makes a Jacobian dimensionless: lengths counted in sizes of the mechanism, so that they weigh like angles however small or large
-/// it is. The size is rounded to a power of two: then no entry is rounded.
+/// Scale that makes a Jacobian dimensionless: lengths counted in sizes of the mechanism, so that they weigh like angles however small or
+/// large it is. The size is rounded to a power of two: then no entry is rounded.
 pub(in crate::mechanism) struct Scale {
     size_m: f64,
     rows_are_lengths: Vec<bool>,
@@ -128,7 +128,7 @@ pub(in crate::mechanism) struct Scale {
 }
 
 impl Scale {
-    /// Of the constraint rows and all coordinates of `tree`.
+    /// Scale of the constraint rows and all coordinates of `tree`.
     pub(in crate::mechanism) fn new(tree: &Tree, size_m: f64) -> Self {
         let of_cut = |cut: &Cut| {
             let rows = cut.rows;

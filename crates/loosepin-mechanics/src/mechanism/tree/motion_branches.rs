@@ -12,7 +12,7 @@ const NEAREST_RATIO: f64 = 1e-6;
 /// Angular velocities that differ by less than this share are one way, not two.
 const SAME_SHARE: f64 = 1e-6;
 
-/// The body that shows best which of two ways a mechanism goes on, with its angular velocities on both.
+/// The body that best shows which of two branches a motion takes, with its angular velocities on both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionBranches {
     /// Slot of the body in the ideal tree.

@@ -141,7 +141,7 @@ pub struct Cut {
     pub rows: IdealRows,
 }
 
-/// Where a joint is in a tree.
+/// Place of a joint in a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JointPlace {
     /// Slots of bearing and journal, or of guide and slider.
@@ -182,7 +182,7 @@ pub struct Tree {
     pub coupling_indices: Vec<usize>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
-    /// Flexible bodies; none in a tree of rigid ones.
+    /// Flexible bodies; empty in a tree of rigid ones.
     pub beams: Vec<TreeBeam>,
     /// Flexible bodies in absolute nodal coordinates.
     pub nodal_beams: Vec<TreeNodalBeam>,
@@ -350,7 +350,7 @@ impl Tree {
         self.cuts.iter().map(|cut| cut.rows.count()).sum()
     }
 
-    /// Where the mass matrix of the free coordinates may have entries other than zero: between coordinates that move the same body.
+    /// The possibly non-zero entries of the mass matrix of the free coordinates: between coordinates that move the same body.
     pub fn mass_envelope(&self) -> Envelope {
         let mut first: Vec<usize> = (0..self.free).collect();
         for link in &self.links {

@@ -54,7 +54,7 @@ pub enum ContactLaw {
     },
     /// `F_N = K δ + D δ̇` with K as given.
     Linear {
-        /// The law, which tells where D comes from.
+        /// The law, which defines D.
         law: &'static LinearLaw,
         /// K, N/m, > 0.
         stiffness_n_m: QuantityId,

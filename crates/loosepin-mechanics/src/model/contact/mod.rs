@@ -87,7 +87,7 @@ impl Contact {
         }
     }
 
-    /// Whether its friction goes by the literal reading of the sliding velocity.
+    /// Whether its friction uses the literal reading of the sliding velocity.
     pub fn is_literal(&self) -> bool {
         self.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal)
     }

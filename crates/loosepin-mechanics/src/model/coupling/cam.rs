@@ -71,7 +71,7 @@ impl KindOfCoupling for Cam {
     }
 }
 
-/// The play of a follower that may lift off; nothing after a diagnostic.
+/// The play of a follower that may lift off; `None` after a diagnostic.
 fn lift_off(
     own: &CamTable<'_>,
     contact: ContactId,

@@ -8,7 +8,7 @@ use loosepin_math::{Pieces, Real, cubic_piece, numbers, periodic_spline, resting
 /// derivative zero, so that it goes nowhere beyond.
 #[derive(Debug, Clone)]
 pub struct CamProfile<T> {
-    /// Where the first point is.
+    /// Abscissa of the first point.
     start: T,
     /// From the first point to the last.
     period: T,

@@ -1,4 +1,4 @@
-//! What every kind of coupling says of itself, and the terms in which it says it.
+//! The interface of a kind of coupling, and its terms.
 
 use super::play::CouplingPlay;
 use super::reading::CouplingReader;
@@ -21,7 +21,7 @@ pub trait KindOfCoupling: Sized {
     /// Keys of its table.
     const KEYS: &'static Keys;
 
-    /// Reads it from its table, which stands at `entry`; nothing after a diagnostic.
+    /// Reads it from its table at `entry`; `None` after a diagnostic.
     fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>>;
 
     /// The quantities that shape f.
@@ -49,7 +49,7 @@ pub trait Curve<T: Real> {
     fn gain(&self, scale: T) -> T;
 }
 
-/// What is read of a coupling.
+/// A coupling as read from a file.
 #[derive(Debug, Clone)]
 pub struct Coupled<K> {
     /// The joint that is followed and the one that follows.

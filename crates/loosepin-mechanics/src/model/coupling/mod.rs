@@ -56,7 +56,7 @@ pub struct Coupling {
 }
 
 impl Coupling {
-    /// Reads the coupling of the kind `word` from its table, which stands at `entry`; nothing after a diagnostic.
+    /// Reads the coupling of the kind `word` from its table at `entry`; `None` after a diagnostic.
     pub(super) fn read(
         word: &str,
         entry: &Entry<'_>,

@@ -1,4 +1,4 @@
-//! What a kind of coupling needs to read its table, beside what a joint needs.
+//! Reader of a kind of coupling, beyond that of a joint.
 
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{ContactId, JointId};

@@ -14,7 +14,7 @@ use loosepin_text::units::{Dimension as D, Rule};
 pub struct Teeth {
     /// Pressure angle α at the pitch circles, rad, in [0, 45 deg).
     pub pressure_angle_rad: QuantityId,
-    /// Pitch radii on the first and on the second joint, m; none of a rack.
+    /// Pitch radii on the first and on the second joint, m; `None` for a rack.
     pub radii_m: [Option<QuantityId>; 2],
     /// How they mesh.
     pub mesh: Mesh,

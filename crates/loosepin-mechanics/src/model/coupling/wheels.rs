@@ -46,7 +46,7 @@ impl Wheels {
         Some(Self { sizes, is_reversed, offset_rad: offset(at_offset, &own.table, joints[1], reader)? })
     }
 
-    /// What shapes the coordinate of the second by that of the first.
+    /// Quantities that define the coordinate of the second by that of the first.
     pub(super) fn quantities(&self) -> Vec<QuantityId> {
         self.sizes.into_iter().chain([self.offset_rad]).collect()
     }

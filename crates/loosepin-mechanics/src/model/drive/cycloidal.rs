@@ -14,9 +14,9 @@ use loosepin_text::units::{Dimension, Dimension as D, Rule};
 /// from + (to - from) (τ - sin(2π τ)/2π) with τ = (t - dwell)/duration cut to [0, 1].
 #[derive(Debug, Clone)]
 pub struct Cycloidal {
-    /// Where it rests before, rad or m.
+    /// Position before the motion, rad or m.
     pub from: QuantityId,
-    /// Where it rests afterwards, rad or m.
+    /// Position after the motion, rad or m.
     pub to: QuantityId,
     /// Duration of the rise, s, > 0.
     pub duration_s: QuantityId,
@@ -27,7 +27,7 @@ pub struct Cycloidal {
 /// Numbers of from + rise (τ - sin(2π τ)/2π), τ = (t - dwell)/duration cut to [0, 1].
 #[derive(Debug, Clone)]
 pub struct CycloidalMotion<T> {
-    /// Where it rests before, m or rad.
+    /// Position before the motion, m or rad.
     from: T,
     /// How far it rises, m or rad.
     rise: T,

@@ -1,4 +1,4 @@
-//! What every motion of a drive says of itself, and the terms in which it says it.
+//! The interface of a motion of a drive, and its terms.
 
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion};
@@ -64,11 +64,11 @@ pub trait MotionTable: KindOfDrive {
     /// Keys of its table.
     const KEYS: &'static Keys;
 
-    /// Reads it from its table, for a coordinate of `dimension`; nothing after a diagnostic.
+    /// Reads it from its table, for a coordinate of `dimension`; `None` after a diagnostic.
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>>;
 }
 
-/// What a table says.
+/// Content of a table.
 #[derive(Debug, Clone)]
 pub enum Written<K> {
     /// This motion.
@@ -107,7 +107,7 @@ pub struct Steady {
 /// The period of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Period {
-    /// By how often it goes by in a second, 1/s.
+    /// Frequency, 1/s.
     Frequency(QuantityId),
     /// From a time to another one, s.
     Between([QuantityId; 2]),

@@ -53,7 +53,7 @@ macro_rules! drive_laws {
         pub(super) static MOTION_KINDS: &[(&str, &Keys)] = &[$(($kind::WORD, $kind::KEYS)),*];
 
         impl DriveLaw {
-            /// Reads the motion of the kind `word` from its table; nothing after a diagnostic, or where there is no such kind.
+            /// Reads the motion of the kind `word` from its table; `None` after a diagnostic, or if there is no such kind.
             pub(super) fn read(
                 word: &str,
                 table: &Table<'_>,
@@ -123,7 +123,7 @@ macro_rules! drive_laws {
             }
         }
 
-        /// `ask!(self, kind => expression)` for the motion at hand.
+        /// `ask!(self, kind => expression)` for the current motion.
         macro_rules! ask {
             ($own:expr, $name:ident => $answer:expr) => {
                 match $own { $(DriveLaw::$kind($name) => $answer,)* }

@@ -1,4 +1,4 @@
-//! What a motion needs to read its table, beside what couplings need as well.
+//! Reader of a motion, beyond that of couplings.
 
 use crate::model::entry_reader::EntryReader;
 use crate::model::values::function::Changing;

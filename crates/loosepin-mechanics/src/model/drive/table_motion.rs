@@ -2,7 +2,7 @@
 
 use loosepin_math::{Dual, Real, clamped_spline, cubic_piece, numbers, periodic_spline};
 
-/// Numbers that tell at which time they are, for finding the piece of a table.
+/// Numbers with a time, for finding the piece of a table.
 pub trait AtTime: Real {
     /// The plain value.
     fn plain(self) -> f64;

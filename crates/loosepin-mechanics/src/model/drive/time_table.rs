@@ -16,7 +16,7 @@ use loosepin_text::{choices, record};
 pub struct TimeTable {
     /// Times, s, increasing, and coordinates, rad or m; at least three.
     pub points: Vec<[QuantityId; 2]>,
-    /// Whether it goes on with the same course, from where it ended; else it rests before and after.
+    /// Whether the motion is periodic, from its end; else it rests before and after.
     pub is_periodic: bool,
 }
 
@@ -75,7 +75,7 @@ impl MotionTable for TimeTable {
 }
 
 choices!(
-    /// Whether the motion goes on with the same course.
+    /// Whether the motion is periodic.
     struct IsPeriodic(bool): "clamped" => false, "periodic" => true
 );
 

@@ -1,4 +1,4 @@
-//! What play consists of: a pin in a hole, a block in a guide, a pin in a straight or a circular slot.
+//! Parts of a play: a pin in a hole, a block in a guide, a pin in a straight or a circular slot.
 
 use crate::model::ids::ContactId;
 use crate::model::values::quantity::QuantityId;
@@ -27,7 +27,7 @@ pub struct GuideClearance {
     pub clearance_m: QuantityId,
     /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
     pub corner_radius_m: Option<QuantityId>,
-    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    /// Ends of the faces, from the guide's point along the line, m; absent for faces without ends.
     pub ends_m: Option<[QuantityId; 2]>,
     /// The contact between corners and faces; its bearing is the guide, its journal the slider.
     pub contact: ContactId,

@@ -1,4 +1,4 @@
-//! What every kind of joint says of itself, and the terms in which it says it.
+//! The interface of a kind of joint, and its terms.
 
 use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
@@ -34,7 +34,7 @@ pub trait KindOfJoint: Sized {
     /// Whether it may wear.
     const WEARS: bool = false;
 
-    /// Reads it from its table; nothing after a diagnostic.
+    /// Reads it from its table; `None` after a diagnostic.
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self>;
 
     /// The two points that it connects; the first body is the one that holds: bearing, guide, slot.
@@ -56,7 +56,7 @@ pub trait KindOfJoint: Sized {
         None
     }
 
-    /// Why it cannot be driven; nothing where it can. `is_zero` tells whether a clearance is zero for good.
+    /// Why it cannot be driven; `None` if it can. `is_zero` tells whether a clearance is zero for good.
     fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven>;
 
     /// What it connects, in words.
@@ -85,13 +85,13 @@ pub enum TreeAttachment {
 /// The scalar constraints of an ideal joint: first those of its points, then one if the bodies do not turn against each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IdealRows {
-    /// What they keep together.
+    /// Constraint between its points.
     pub keeps: PointConstraint,
     /// Whether the last row keeps the bodies from turning against each other.
     pub holds_angle: bool,
 }
 
-/// What the first rows of an ideal joint keep together. How is in `mechanism/point_rows`, a file for each.
+/// Constraint by the first rows of an ideal joint. How is in `mechanism/point_rows`, a file for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointConstraint {
     /// Two rows: the points coincide.
@@ -132,7 +132,7 @@ impl IdealRows {
     }
 }
 
-/// What a joint is to a flexible body at one of its points.
+/// Role of a joint for a flexible body at one of its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtBeam {
     /// It holds the point, and the section turns freely unless the joint is driven.
@@ -235,12 +235,12 @@ impl PlayParts<'_> {
 pub struct NotDriven {
     /// "has play".
     pub why: &'static str,
-    /// What to do instead.
+    /// Alternative for the user.
     pub hint: &'static str,
 }
 
 impl NotDriven {
-    /// Of a kind that no drive moves.
+    /// Reason for a kind that no drive moves.
     pub const fn because(why: &'static str) -> Self {
         Self { why, hint: "drive a revolute or prismatic joint" }
     }

@@ -48,7 +48,7 @@ macro_rules! joint_kinds {
         })*
 
         impl JointKind {
-            /// Reads a joint of the kind `word` from its table; nothing after a diagnostic, or where there is no such kind.
+            /// Reads a joint of the kind `word` from its table; `None` after a diagnostic, or if there is no such kind.
             pub(super) fn read(word: &str, table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
                 match word {
                     $(<$kind as KindOfJoint>::WORD => $kind::read(table, reader).map(Self::from),)*
@@ -56,7 +56,7 @@ macro_rules! joint_kinds {
                 }
             }
 
-            /// What the kind `word` states of friction and wear: [`KindOfJoint::FRICTION_SIZE`], [`KindOfJoint::WEARS`].
+            /// Friction and wear of the kind `word`: [`KindOfJoint::FRICTION_SIZE`], [`KindOfJoint::WEARS`].
             pub(super) fn friction_and_wear(word: &str) -> (Option<&'static str>, bool) {
                 match word {
                     $(<$kind as KindOfJoint>::WORD => ($kind::FRICTION_SIZE, $kind::WEARS),)*
@@ -65,7 +65,7 @@ macro_rules! joint_kinds {
             }
         }
 
-        /// `ask!(self, kind => expression)` for the kind at hand; `constant!(self, NAME)` for what its kind has in common.
+        /// `ask!(self, kind => expression)` for the current kind; `constant!(self, NAME)` for a constant of its kind.
         macro_rules! ask {
             ($own:expr, $name:ident => $answer:expr) => {
                 match $own { $(JointKind::$kind($name) => $answer,)* }
@@ -158,7 +158,7 @@ impl JointKind {
         ask!(self, kind => kind.radius_m())
     }
 
-    /// By how much the second body is turned from the first one, rad, where they do not turn against each other.
+    /// Angle of the second body from the first one, rad, if they do not turn against each other.
     pub fn held_turn_rad(&self, number: &dyn Fn(QuantityId) -> f64) -> Option<f64> {
         let angle_rad = |side: usize| self.angles_rad()[side].map_or(0.0, number);
         self.rows().holds_angle.then(|| angle_rad(0) - angle_rad(1))

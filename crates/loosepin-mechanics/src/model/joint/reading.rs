@@ -1,4 +1,4 @@
-//! What a kind of joint needs to read its table: the reader of the model, as far as joints know it.
+//! Reader of a kind of joint: the part of the model's reader that joints know.
 
 use crate::model::ids::{BodyId, ContactId};
 use crate::model::part_reader::PartReader;
@@ -17,7 +17,7 @@ pub struct PlayKeys {
     pub beside: &'static [&'static str],
 }
 
-/// What a joint asks of its contact.
+/// Requirements of a joint on its contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ContactFacts {
     /// Whether its law is of a line contact, which needs a length.
@@ -86,7 +86,7 @@ impl<'t, R: JointReader + ?Sized> Value<'t, R> for ContactId {
     }
 }
 
-/// Where the value of a key stands; where it is not written, the table.
+/// Span of the value of a key; of the table if the key is not written.
 pub fn span_of(entry: &Option<Entry<'_>>, table: &Table<'_>) -> Span {
     entry.as_ref().map_or(table.span, |entry| entry.span)
 }

@@ -150,7 +150,7 @@ record! {
 }
 
 impl RevoluteTable<'_> {
-    /// Where its clearance stands.
+    /// Span of its clearance.
     fn clearance_span(&self) -> Span {
         span_of(
             if self.radial_clearance.is_some() { &self.radial_clearance } else { &self.diametral_clearance },

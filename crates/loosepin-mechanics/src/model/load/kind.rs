@@ -1,4 +1,4 @@
-//! What every kind of load says of itself, and the terms in which it says it.
+//! The interface of a kind of load, and its terms.
 
 use super::size::{SizeKeys, SizeTable};
 use crate::model::ids::{BodyId, PointId};
@@ -44,7 +44,7 @@ pub trait KindOfLoad: Sized {
     fn words(&self, names: &dyn Names, size: &str) -> String;
 }
 
-/// What a load acts on.
+/// The target of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ActsOn {
     /// A point of a body: a force.
@@ -72,7 +72,7 @@ pub struct Direction {
     pub follows_body: bool,
 }
 
-/// Where a load acts, at one state, over any kind of number.
+/// Place of a load at one state, over any kind of number.
 ///
 /// Kinds of load stand in the model, which knows no equations of motion; `dynamics/load.rs` answers these questions.
 pub trait LoadPlace<T: Real> {

@@ -29,7 +29,7 @@ pub struct SizeTable<'t> {
     pub joint: Option<Entry<'t>>,
     /// Points in place of the size.
     pub points: Option<Entry<'t>>,
-    /// What else goes with points.
+    /// Further keys of loads on points.
     pub(in crate::model) rest: PointsOfLoad<'t>,
     /// Area and back pressure, of a kind whose points may be pressures.
     pub pressures: Option<(Option<Entry<'t>>, DeferredQuantity<'t>)>,

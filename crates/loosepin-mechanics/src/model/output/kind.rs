@@ -1,4 +1,4 @@
-//! What every kind of output says of itself, and the terms in which it says it.
+//! The interface of a kind of output, and its terms.
 
 use super::position::{Position, Relative};
 use super::reader::OutputReader;
@@ -27,13 +27,13 @@ pub trait KindOfOutput: Sized {
     /// The number that is read at an instant; [`NoReading`] where there is none.
     type Reading: KindOfReading;
 
-    /// Reads it from its table, in which `measure` stands; nothing after a diagnostic.
+    /// Reads it from its table, whose key is `measure`; `None` after a diagnostic.
     fn read(measure: &'static str, table: &Table<'_>, reader: &mut dyn OutputReader) -> Option<Self>;
 
     /// Dimension of its columns.
     fn dimension(&self) -> Dimension;
 
-    /// What a run tells of it.
+    /// The part of a run that it records.
     fn recorded(&self) -> Recorded<Self::Reading>;
 
     /// The point that drawings mark for it.
@@ -93,7 +93,7 @@ pub struct Measure {
     pub beside: &'static [&'static str],
 }
 
-/// What a run tells of an output.
+/// The recorded part of a run for an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Recorded<R> {
     /// A number at each instant: one column.

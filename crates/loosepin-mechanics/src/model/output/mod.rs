@@ -47,7 +47,7 @@ macro_rules! output_kinds {
         const COMPONENTS_OF_KINDS: &[&[&str]] = &[$(<$kind as KindOfOutput>::COMPONENTS),*];
 
         impl OutputKind {
-            /// Reads an output of the kind that has the key `measure`; nothing after a diagnostic.
+            /// Reads an output of the kind with the key `measure`; `None` after a diagnostic.
             pub(super) fn read(
                 measure: &'static str,
                 table: &Table<'_>,

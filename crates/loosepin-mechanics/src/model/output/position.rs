@@ -19,9 +19,9 @@ pub enum Position {
 /// Something that moves, and what it is seen from: `relative_to` in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Relative<T> {
-    /// What moves.
+    /// The observed object.
     pub of: T,
-    /// Where the observer sits; at the origin of the ground if absent.
+    /// The observer; the origin of the ground if absent.
     pub to: Option<T>,
 }
 

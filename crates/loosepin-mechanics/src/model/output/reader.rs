@@ -1,4 +1,4 @@
-//! What a kind of output needs to read its table: the reader of the model, as far as outputs know it.
+//! Reader of a kind of output: the part of the model's reader that outputs know.
 
 use crate::model::ids::{Actuator, BodyId, JointId};
 use crate::model::part_reader::PartReader;
@@ -32,7 +32,7 @@ pub struct ActuatorFacts {
     pub turns: bool,
 }
 
-/// What an output asks of a flexible body.
+/// Requirements of an output on a flexible body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BeamFacts {
     /// Whether the height of its section is known.
@@ -47,7 +47,7 @@ pub(super) struct NeededKey {
     pub key: &'static str,
     /// How it may be written.
     pub example: &'static str,
-    /// What it is.
+    /// Description.
     pub doc: &'static str,
 }
 
@@ -62,7 +62,7 @@ pub(super) fn needed_choice<T: Copy>(
     reader.document().choice(&entry, choices)
 }
 
-/// What stands behind a key that a measure needs.
+/// The entry of a key that a measure needs.
 pub(super) fn needed_entry<'t>(
     reader: &mut dyn OutputReader,
     table: &Table<'t>,

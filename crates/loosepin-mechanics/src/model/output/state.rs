@@ -1,4 +1,4 @@
-//! What the state of a mechanism answers to outputs.
+//! The state of a mechanism, as outputs read it.
 
 use super::position::Position;
 use crate::model::ids::{Actuator, BodyId, JointId};

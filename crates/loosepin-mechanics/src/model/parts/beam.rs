@@ -3,7 +3,7 @@
 use crate::model::values::quantity::QuantityId;
 use loosepin_flexible::{Frame, Rule};
 
-/// What makes a body flexible. Its mass, its inertia and its centre of mass follow from it.
+/// The flexible properties of a body. Its mass, its inertia and its centre of mass follow from it.
 #[derive(Debug, Clone)]
 pub struct Beam {
     /// Indices of its ends in [`crate::model::Body::points`]: `from`, then `to`.

@@ -1,4 +1,4 @@
-//! What flexible links cannot have.
+//! Problems of flexible links.
 
 use loosepin_text::diagnostics::{Code, problems};
 

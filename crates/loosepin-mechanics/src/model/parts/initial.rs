@@ -7,7 +7,7 @@ use loosepin_text::units::Dimension;
 /// One number of the initial state.
 #[derive(Debug, Clone)]
 pub struct InitialValue {
-    /// Where it stands in the file.
+    /// Path in the file.
     pub path: String,
     /// The coordinate that has this value at time zero.
     pub of: InitialOf,
@@ -17,7 +17,7 @@ pub struct InitialValue {
     pub number: InitialNumber,
 }
 
-/// Where the journal of a joint with play is in its bearing at time zero; centred where nothing is given.
+/// Position of the journal of a joint with play in its bearing at time zero; centred if not given.
 #[derive(Debug, Clone)]
 pub struct InitialOffset {
     /// Path of its table.
@@ -28,7 +28,7 @@ pub struct InitialOffset {
     pub place: OffsetPlace,
 }
 
-/// What is said of the place of a journal in its bearing.
+/// The stated position of a journal in its bearing.
 #[derive(Debug, Clone, Copy)]
 pub enum OffsetPlace {
     /// Its centre from that of the bearing, along the axes of the ground, m, and the rate of that, m/s; zero where left out.
@@ -42,7 +42,7 @@ pub enum OffsetPlace {
     Resting,
 }
 
-/// Where a number of the initial state comes from.
+/// The source of a number of the initial state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InitialNumber {
     /// The file.

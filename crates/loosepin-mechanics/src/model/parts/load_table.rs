@@ -15,7 +15,7 @@ const SAME: f64 = 1e-9;
 pub struct LoadTable {
     /// Name of the load.
     pub load: String,
-    /// What it is over: 0 the time, 1 the coordinate of the joint, 2 its rate.
+    /// Variable: 0 the time, 1 the coordinate of the joint, 2 its rate.
     pub variable: usize,
     /// Arguments, increasing, and forces, torques or pressures.
     pub points: Vec<[QuantityId; 2]>,
@@ -23,7 +23,7 @@ pub struct LoadTable {
     pub curve: TableCurve,
     /// After which it begins again.
     pub period: Option<QuantityId>,
-    /// What makes forces of pressures.
+    /// Converts pressures to forces.
     pub piston: Option<Piston>,
     /// Dimensions of the two columns.
     pub dimensions: [Dimension; 2],
@@ -65,7 +65,7 @@ impl PeriodProblem {
     }
 }
 
-/// Values for people, told apart; pressures in bar, as diagrams are measured.
+/// Values for people, with enough digits to differ; pressures in bar, as diagrams are measured.
 fn shown(values_si: [f64; 2], dimension: Dimension) -> [String; 2] {
     if dimension == Dimension::PRESSURE {
         return values_si.map(|pressure_pa| format!("{} bar", format_number(pressure_pa / 1e5)));

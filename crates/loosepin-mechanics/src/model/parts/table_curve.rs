@@ -14,7 +14,7 @@ pub enum TableCurve {
 
 choices!(TableCurve: "monotone" => Self::Monotone, "spline" => Self::Spline);
 
-/// What stands behind `points`: pairs.
+/// Value of `points`: pairs.
 pub(in crate::model) const POINTS: Kind = Kind::List(&Kind::List(&Kind::AnyQuantity));
 
 /// The key of a table in a file of its own.

@@ -69,8 +69,8 @@ pub struct Model {
     pub wear: Option<WearLife>,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
-    /// What runs need and the file does not say: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and the
-    /// numbers that stand for it are not to be used.
+    /// Entries that runs need and the file lacks: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and
+    /// the numbers that stand for it are not to be used.
     pub missing_for_runs: Vec<Diagnostic>,
     /// Warnings: entries that are allowed and yet look like an oversight.
     pub warnings: Vec<Diagnostic>,
@@ -159,7 +159,7 @@ pub struct Body {
     pub centre_of_mass_m: Option<[QuantityId; 2]>,
     /// Named points in the body frame.
     pub points: Vec<Point>,
-    /// What makes it flexible; its mass, inertia and centre of mass are then those of the straight beam with its lumps.
+    /// Flexible properties; its mass, inertia and centre of mass are then those of the straight beam with its lumps.
     pub beam: Option<Beam>,
 }
 

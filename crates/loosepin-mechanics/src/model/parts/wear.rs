@@ -9,7 +9,7 @@ use loosepin_text::{choices, record};
 /// Wear of a revolute joint: dV = k F_N |v_T| dt on each surface.
 #[derive(Debug, Clone)]
 pub struct JointWear {
-    /// Wear coefficients k_i of the bearing and k_j of the journal, m²/N, >= 0; none where the surface does not wear.
+    /// Wear coefficients k_i of the bearing and k_j of the journal, m²/N, >= 0; `None` if the surface does not wear.
     pub coefficients_m2_n: [Option<QuantityId>; 2],
     /// Length L_b of the bearing, m.
     pub bearing_length_m: QuantityId,
@@ -21,7 +21,7 @@ pub struct JointWear {
     pub foundation: FoundationChoice,
 }
 
-/// Where the stiffness of an elastic foundation comes from.
+/// Source of the stiffness of an elastic foundation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FoundationChoice {
     /// The line law of Liu and others 2006 with the materials of the contact.

@@ -118,7 +118,7 @@ impl ModelReader {
         Some(joint)
     }
 
-    /// What is wrong where something needs the coordinate of a joint that has none.
+    /// The problem of an entry that needs the coordinate of a joint without one.
     pub(super) fn does_not_move(&self, entry: String, joint: JointId) -> ModelProblem {
         let Joint { name, kind, .. } = &self.joints[joint.0];
         let why = kind.why_not_driven(&|_| false).map_or("has no coordinate", |refused| refused.why);

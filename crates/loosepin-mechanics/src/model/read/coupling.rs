@@ -68,7 +68,7 @@ impl CouplingReader for ModelReader {
         Some([first, second])
     }
 
-    /// Nothing tells the radii where they touch, nor how they slide on each other.
+    /// Reports flanks whose radii of contact and sliding are not defined.
     fn demand_contact_of_flanks(&mut self, table: &Table<'_>, id: ContactId, what_touches: &'static str) -> Option<()> {
         let contact = &self.contacts[id.0];
         let what = match contact.law.line() {

@@ -29,21 +29,21 @@ record! {
         MOTION, "{ kind = \"harmonic\", mean = \"90 deg\", amplitude = \"30 deg\", frequency = \"2 Hz\" }";
 }
 
-/// What stands behind `speed`.
+/// Kind of the value of `speed`.
 pub(super) const SPEED: Kind =
     Kind::AnyOf(&[quantity(Dimension::ANGULAR_VELOCITY, Rule::Finite), quantity(Dimension::VELOCITY, Rule::Finite)]);
 
-/// What stands behind `motion`.
+/// Kind of the value of `motion`.
 pub(super) const MOTION: Kind = Kind::Tagged { tag: "kind", variants: MOTION_KINDS };
 
 /// A driven or controlled joint, as what moves it sees it: revolute by an angle, or prismatic by a length.
 pub(super) struct Driven {
     pub(super) joint: JointId,
-    /// Of the coordinate.
+    /// Dimension of the coordinate.
     pub(super) dimension: Dimension,
 }
 
-/// What a table says of the motion of a joint.
+/// The motion of a joint as its table states it.
 pub(super) struct Prescribed<'e, 't> {
     pub(super) table: &'e Table<'t>,
     pub(super) speed: &'e Option<Entry<'t>>,

@@ -123,7 +123,7 @@ impl ModelReader {
         }
     }
 
-    /// Where the journal of `joint` is in its bearing; `None` if that is not said.
+    /// Position of the journal of `joint` in its bearing; `None` if it is not stated.
     fn initial_offset(&mut self, own: &InitialJoint<'_>, joint: JointId) -> Option<InitialOffset> {
         let written = [&own.offset, &own.offset_velocity, &own.start].into_iter().flatten().next()?;
         if self.joints[joint.0].kind.pin_clearance().is_none() {

@@ -1,4 +1,4 @@
-//! What runs need and a file leaves out: noted, and asked for where somebody runs the model. The motion without dynamics needs none of it.
+//! Entries that runs need and a file lacks: collected, and reported where the model is run. The motion without dynamics needs none of it.
 
 use super::reader::ModelReader;
 use crate::model::contact::Contact;

@@ -1,4 +1,4 @@
-//! A model in the making: what was read so far, and how its quantities, points and names are read.
+//! A model being read: its parts so far, and the reader of quantities, points and names.
 
 use super::parameters::Parameters;
 use crate::model::contact::Contact;

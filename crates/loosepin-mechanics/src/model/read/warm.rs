@@ -53,7 +53,7 @@ impl ModelReader {
         self.thermally_scaled(length, elongation, 1)
     }
 
-    /// What grows with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
+    /// Quantities that scale with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
     pub(super) fn thermally_scaled(
         &mut self,
         own: QuantityId,

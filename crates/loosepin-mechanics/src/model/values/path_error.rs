@@ -8,7 +8,7 @@ problems! {
     /// Why a path names no quantity that can be set.
     #[derive(Debug, Clone, PartialEq)]
     pub enum PathError {
-        /// `why` tells which part of it is not known, `hint` what was probably meant.
+        /// `why` names the unknown part of the path, `hint` the likely intention.
         Unknown { path: String, why: Option<String>, hint: String } => Code::UnknownPath,
             says("the model has no quantity '{path}'{}", why.as_ref().map_or(String::new(), |why| format!(": {why}"))),
             hint_of(Some(hint.clone()));

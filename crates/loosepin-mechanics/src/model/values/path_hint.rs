@@ -1,4 +1,4 @@
-//! What was probably meant by a path that names no quantity: the part of it that is wrong, and what stands in its place.
+//! Suggestion for a path that names no quantity: its wrong part, and the replacement.
 
 use crate::model::parts::topology::Model;
 use crate::model::values::path_error::PathError;
@@ -17,7 +17,7 @@ impl Model {
         PathError::Unknown { path: path.to_owned(), why, hint }
     }
 
-    /// Where the first word is that of a table, `joint`: whether the name or the key behind it is wrong.
+    /// Suggestion where the first word is a table, `joint`: the name or the key behind it is wrong.
     fn of_table(&self, path: &str) -> Option<(Option<String>, String)> {
         let (kind, behind) = path.split_once('.')?;
         let names = self.names_of(kind);
@@ -72,7 +72,7 @@ impl Model {
         Some((None, hint))
     }
 
-    /// Where the first word is no table: the words before it may be left out, or one letter may be wrong.
+    /// Suggestion where the first word is no table: the words before it may be missing, or one letter may be wrong.
     fn without_table(&self, path: &str) -> String {
         let all = || {
             self.quantities.iter().filter(|(_, quantity)| quantity.is_settable()).map(|(_, known)| known.path.as_str())

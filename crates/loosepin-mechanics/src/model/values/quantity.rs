@@ -21,7 +21,7 @@ pub(in crate::model) const UNREAD: QuantityId = QuantityId(0);
 /// One number of the model.
 #[derive(Debug, Clone)]
 pub struct Quantity {
-    /// Where it stands in the file, for example `joint.gudgeon.radial_clearance`.
+    /// Path in the file, for example `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// Dimension of its value, which is in the SI unit of it.
     pub dimension: Dimension,
@@ -110,7 +110,7 @@ impl QuantityError {
     }
 }
 
-/// Which of two values is not below the other, told apart.
+/// Message for two values in the wrong order, with enough digits to differ.
 fn out_of_order([path, limit_path]: [&str; 2], values_si: [f64; 2], dimension: Dimension) -> String {
     let [value, limit] = format_apart(values_si, dimension);
     format!("{} {value}; must be below {} {limit}", describe_path(path), describe_path(limit_path))

@@ -1,6 +1,6 @@
 //! The largest model that is computed.
 
-/// Moving bodies, at most: `check` of a chain of so many takes seconds, and no drawing has more.
+/// Largest number of moving bodies: `check` of such a chain takes seconds, and no drawing has more.
 pub const MAX_BODIES: usize = 1000;
 /// Joints, at most: in a grid of loops there are three for two bodies.
 pub const MAX_JOINTS: usize = 2000;

@@ -19,7 +19,7 @@ use loosepin_result::study::{
 };
 use loosepin_text::units::SiUnit;
 
-/// What the first screen draws below the answer.
+/// The chart below the answer on the first screen.
 pub(super) struct FirstChart {
     pub markup: Markup,
     /// Probability boxes in it.
@@ -53,7 +53,7 @@ pub struct KnownValue {
     pub values: Witness,
 }
 
-/// What the page offers to be known, in its order; empty where it offers nothing.
+/// Inputs whose value can be chosen on the page, in its order; empty if there are none.
 pub fn known_values(result: &StudyResult) -> Vec<KnownValue> {
     let writer = NumberWriter::for_page(&result.display_units);
     let curve = first_curve(result).and_then(|index| result.curves.get(index));
@@ -198,7 +198,7 @@ fn is_periodic(result: &StudyResult, curve: &DeviationCurve) -> bool {
     result.cycle.recorded_turns == 1.0 && (result.cycle.transient_turns >= 1.0 || curve.of == Deviation::Dimensional)
 }
 
-/// Whether several intervals share what is known of an input.
+/// Whether an input has several intervals with masses.
 fn has_evidence(result: &StudyResult) -> bool {
     result.inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. }))
 }

@@ -1,5 +1,5 @@
-//! What if the unknown values were known: the band at each value that was run, for the choice below the first chart: a slider over one
-//! interval, a map of two; and before it a choice among the members of lists, whose values are never mixed.
+//! What if the unknown values were known: the band at each tested value, for the choice below the first chart: a slider over one interval,
+//! a map of two; and before it a choice among the members of lists, whose values are never mixed.
 
 use maud::{Markup, html};
 use serde::Serialize;

@@ -12,7 +12,7 @@ use loosepin_text::units::SiUnit;
 /// Promised ends in sentences, at most; the others stand in the file.
 const MAX_ENDS: usize = 24;
 
-/// What is promised and of what, then one sentence for each promised end; `None` if nothing is promised.
+/// The promise and its subject, then one sentence for each promised end; `None` if nothing is promised.
 pub(crate) fn promise_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let promise = result.promise.as_ref()?;
     let share = writer.percent(promise.share, Rounding::Down);

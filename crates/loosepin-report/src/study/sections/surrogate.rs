@@ -144,7 +144,7 @@ fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
     }
 }
 
-/// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
+/// "-0.55 mm to 0.55 mm", with the digits that distinguish the bands of `comparison`.
 fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let digits = band_digits(comparison);
     let rounded = |part: &str, value_si: f64, rounding| {

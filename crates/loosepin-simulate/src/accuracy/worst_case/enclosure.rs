@@ -43,14 +43,14 @@ pub(in super::super) struct NotEnclosed {
     pub coordinate: usize,
 }
 
-/// What may move, and how.
+/// The moving variables and their ranges.
 pub(in super::super) struct Moving<'a> {
     pub mechanism: &'a Mechanism,
     pub values: &'a Values,
     pub variables: Variables,
     /// For each dimension that deviates: by how much every quantity changes at its limit.
     pub dimensions: Vec<Vec<f64>>,
-    /// By how much each driven coordinate changes at the limit of the input, if it may move.
+    /// Change of each driven coordinate at the limit of the input, if it may move.
     pub driven_steps: Option<Vec<f64>>,
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Evaluator<'a, T> {
 }
 
 impl<'a, T: Real> Evaluator<'a, T> {
-    /// Of a mechanism with these numbers.
+    /// Evaluation of a mechanism with these numbers.
     pub fn new(mechanism: &'a Mechanism, numbers: Vec<T>) -> Self {
         let tree = &mechanism.ideal;
         let geometry = Geometry::from_numbers(&mechanism.model, tree, &|id: QuantityId| numbers[id.0]);

@@ -1,4 +1,4 @@
-//! What play does to first order, for previews and as shares of joints.
+//! First-order effect of play, for previews and as shares of joints.
 
 use super::super::play_reach::PlayReach;
 use loosepin_math::Vec2;

@@ -16,7 +16,7 @@ const POSITIONS_BETWEEN_STARTS: usize = 12;
 /// Extremes at neighbouring positions that are further apart than this share of the play are taken as starts for each other once more.
 const SAME_PLACE: f64 = 0.3;
 
-/// What the worst case is asked of.
+/// The cycle of a worst case.
 pub(in super::super) struct CycleOfPositions<'c> {
     pub mechanism: &'c Mechanism,
     pub values: &'c Values,
@@ -54,7 +54,7 @@ pub(in super::super) struct CycleWorstCase {
     pub not_proven: Vec<Option<usize>>,
 }
 
-/// Goes over the cycle until `is_stopped`; nothing then.
+/// Goes over the cycle until `is_stopped`; `None` if it was stopped.
 pub(in super::super) fn worst_over_cycle(
     cycle: &CycleOfPositions<'_>,
     outputs: &[WeightedOutput],

@@ -16,7 +16,7 @@ use super::quadratic::Quadratic;
 use loosepin_math::{Interval, Real};
 use std::ops::Range;
 
-/// What deviations are counted from.
+/// Reference of the deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) enum Reference {
     /// The position without play of the same parts, at the same input.
@@ -52,7 +52,7 @@ impl Ends {
         Self { balls, has_input, first_of_reference }
     }
 
-    /// Of the output that counts positions by `weights`, `[lowest, highest]`; infinite where nothing is proven.
+    /// Ends `[lowest, highest]` of the output that counts positions by `weights`; infinite if unproven.
     pub fn of(&self, enclosed: &Enclosed, weights: &[(usize, f64)]) -> [f64; 2] {
         let n = self.balls.last().map_or(0, |ball| ball.end);
         let sum = |parts: &[Vec<Interval>], at: usize, sign: f64| {

@@ -1,4 +1,4 @@
-//! What the play of all joints, and the input, may be: numbers in balls of radius one.
+//! Ranges of the play of all joints and of the input: numbers in balls of radius one.
 
 use super::super::play_reach::PlayReach;
 use loosepin_math::{Real, Vec2};

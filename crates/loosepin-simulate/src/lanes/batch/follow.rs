@@ -1,4 +1,4 @@
-//! What is followed in the runs on lanes.
+//! Followed quantities of the runs on lanes.
 
 use super::Batch;
 use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, extremes_within};
@@ -26,7 +26,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Follows the accepted steps at hand, those of them that are recorded. Of the `watched` ones it is asked here whether another piece of the
+    /// Follows the current accepted steps, as far as they are recorded. Of the `watched` ones it is asked here whether another piece of the
     /// curves or an instant is due in them: their ends may have been moved.
     pub(super) fn follow(&mut self, accepted: u32, watched: u32) {
         let recorded = self.recorded;
@@ -60,7 +60,7 @@ impl Batch<'_> {
         self.look_at_instants(due, is_instant);
     }
 
-    /// Takes in the values inside the accepted steps at hand that are `recorded`.
+    /// Records the values inside the current accepted steps that are `recorded`.
     fn look_inside(&mut self, recorded: u32) {
         let evaluations = self.core.evaluations_for_dense() + self.core.look_inside();
         for lane in lanes_of(recorded) {
@@ -186,7 +186,7 @@ impl Batch<'_> {
         look_at_all(core, follows, layout, waiting);
     }
 
-    /// Gives out what was found in the run of a lane that is over.
+    /// Returns the findings in the run of a lane that is over.
     pub(super) fn findings(&mut self, lane: usize) -> Findings {
         self.look_at_waiting();
         let Self { core, follows, follow: layout, .. } = self;

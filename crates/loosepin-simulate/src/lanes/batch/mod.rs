@@ -51,7 +51,7 @@ const EVALUATIONS_ALONE: u64 = 12_000;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
-/// What runs alone, one after the other, of one mechanism leave for the next one: the machine code of those that were long.
+/// Cache of consecutive single runs of one mechanism: the machine code of the long ones.
 #[derive(Default)]
 pub(crate) struct CompiledCodeCache<'a> {
     core: Option<Core<'a>>,
@@ -73,7 +73,7 @@ pub(crate) struct Batch<'a> {
     mechanism: &'a Mechanism,
     core: Core<'a>,
     runs: Vec<Option<LaneRun>>,
-    /// Equations on one lane at a time, for whoever looks inside a step.
+    /// Equations on one lane at a time, for evaluations inside a step.
     view: Motion<'a, f64>,
     view_projection: Option<Projection<f64>>,
     view_state: Vec<f64>,
@@ -98,11 +98,11 @@ pub(crate) struct Batch<'a> {
     recorded: u32,
     restarts: u32,
     openings: u32,
-    /// Those whose step at hand ends their run.
+    /// Lanes whose current step ends their run.
     ending: u32,
     /// Whether all runs have begun.
     is_exhausted: bool,
-    /// All runs are in so many lanes, the first ones.
+    /// Number of lanes in use, from the first one.
     used: usize,
     passes: u64,
 }
@@ -249,7 +249,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or where it goes on.
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or at its resumed state.
     fn start(&mut self, lane: usize, run: Run<RunHandle>, queue: &mut dyn QueueOfHandles) {
         let Run { mut sample, arms, window, observer, followed, resume } = run;
         let n = self.mechanism.real.free;
@@ -408,8 +408,8 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Steps that an event or a stop has cut do not tell how long the first one after an event may be: the lanes among `looked` at in which
-    /// another step is to tell.
+    /// Steps that an event or a stop has cut are not used to predict the first step after an event: the lanes of `looked` whose prediction
+    /// waits for another step.
     fn hold_first(&mut self, looked: u32) -> u32 {
         let mut cut = 0;
         for lane in lanes_of(looked) {
@@ -687,12 +687,12 @@ fn recorded_paths(mut at_end: Vec<FrictionPath>, before: &[FrictionPath]) -> Vec
     at_end
 }
 
-/// The flags of so many lanes, 31 or fewer, the first ones.
+/// The flags of the first `end` lanes, 31 or fewer.
 fn lanes_before(end: usize) -> u32 {
     (1 << end) - 1
 }
 
-/// Where a run that is at `time_s` stops next: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no
+/// Next stop of a run that is at `time_s`: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no
 /// step lies in it with a part alone.
 fn next_stop_s(sample: &Sample<f64>, time_s: f64, window: &Window) -> f64 {
     let end_s = if time_s < window.start_s { window.start_s } else { window.end_s };

@@ -12,15 +12,15 @@ use loosepin_mechanics::mechanism::{Arms, Sample};
 pub struct Run<O> {
     /// All its numbers.
     pub sample: Sample<f64>,
-    /// Where its points are in their bodies: for the outputs that are followed.
+    /// Positions of its points in their bodies: for the followed outputs.
     pub arms: Arms,
     /// The recorded part.
     pub window: Window,
     /// Who looks at it.
     pub observer: O,
-    /// What it is compared with, and when it is read.
+    /// Its references, and its instants of reading.
     pub followed: FollowedRun,
-    /// Where it goes on from; without, it starts at time zero in the ideal position.
+    /// State from which it resumes; without, it starts at time zero in the ideal position.
     pub resume: Option<MotionState>,
 }
 

@@ -6,7 +6,7 @@ use crate::failure::RunFailure;
 use crate::observer::Observer;
 use crate::recording::report::RunReport;
 
-/// Where the observer of a run sits.
+/// Handle of the observer of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RunHandle(usize);
 
@@ -14,7 +14,7 @@ pub struct RunHandle(usize);
 pub(crate) trait QueueOfHandles {
     /// The next run, if any is left.
     fn next(&mut self) -> Option<Run<RunHandle>>;
-    /// The observer in a seat; none once its run is over.
+    /// The observer of a handle; `None` once its run is over.
     fn observer(&mut self, seat: RunHandle) -> Option<&mut dyn Observer>;
     /// Gives back the observer of a run that is over.
     fn finished(&mut self, seat: RunHandle, outcome: Result<RunReport, RunFailure>);

@@ -20,7 +20,7 @@ const MAX_STALLED_STEPS: u32 = 12;
 const TOGETHER_TOLERANCES: f64 = 1e3;
 
 impl Batch<'_> {
-    /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
+    /// Removes the root of a penetration from the unknowns where the time stalls with it.
     pub(super) fn watch_stalling(&mut self, lane: usize) {
         let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
         let step = self.core.step(lane);

@@ -73,7 +73,7 @@ pub struct PositionHistory {
 }
 
 impl PositionHistory {
-    /// Of a run of `mechanism` with `values` over `window`, whose turns take `turn_s`, at `instants` instants or more.
+    /// Settings for a run of `mechanism` with `values` over `window`, whose turns take `turn_s`, with at least `instants` instants.
     pub fn new(mechanism: &Mechanism, values: &Values, window: Window, turn_s: f64, instants: usize) -> Self {
         let span_s = window.end_s - window.start_s;
         let of_turns = (INSTANTS_A_TURN * span_s / turn_s).ceil().clamp(1.0, MAX_INSTANTS as f64) as usize;
@@ -91,7 +91,7 @@ impl PositionHistory {
         &self.times_s
     }
 
-    /// The largest distance between the positions of an instant and those of `step` there, m; none beyond the instants that the run came to.
+    /// The largest distance between the positions of an instant and those of `step` there, m; zero beyond the last instant of the run.
     pub(super) fn difference_m(&self, instant: usize, step: &mut Step<'_, '_>, read_m: &mut Vec<f64>) -> Option<f64> {
         let count = self.positions.count();
         let own_m = self.lengths_m.get(instant * count..(instant + 1) * count)?;

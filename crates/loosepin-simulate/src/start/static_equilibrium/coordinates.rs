@@ -34,7 +34,7 @@ pub(super) struct Coordinates {
 
 /// A beam in absolute nodal coordinates.
 struct Carried {
-    /// Where the angle of its frame is in place of that of the section at its root, of a frame through root and tip.
+    /// Index of the angle of its frame, for a frame through root and tip; it takes the place of the angle of the section at its root.
     angle: Option<usize>,
     /// First coordinate of a root that hangs on nothing: place of the body's origin as if the section had the angle of the frame.
     origin: Option<usize>,

@@ -1,4 +1,4 @@
-//! What comes into the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
+//! Additions to the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -32,18 +32,18 @@ pub struct Draft<'m> {
     values: Values,
     poses: BTreeMap<String, Pose>,
     lines: EditedText,
-    /// Paths of what was added or set, with dots between their steps.
+    /// Paths of the added and set entries, with dots between their steps.
     added: BTreeSet<String>,
     /// Paths of what has a name in the model.
     named: HashSet<String>,
     new_poses: NamedPoses,
 }
 
-/// What came of a draft.
+/// Outcome of a draft.
 pub struct DraftOutcome {
     /// Text of the model.
     pub lines: EditedText,
-    /// Paths of what was added or set.
+    /// Paths of the added and set entries.
     pub added: BTreeSet<String>,
     /// Poses of new bodies.
     pub new_poses: NamedPoses,
@@ -72,7 +72,7 @@ impl<'m> Draft<'m> {
         }
     }
 
-    /// What came of it.
+    /// The outcome of the draft.
     pub fn finished(self) -> DraftOutcome {
         DraftOutcome { lines: self.lines, added: self.added, new_poses: self.new_poses }
     }

@@ -24,17 +24,17 @@ const INSTANTS: usize = 4;
 /// The difference that a change is to make.
 #[derive(Debug, Default)]
 pub struct IntendedChange {
-    /// What goes.
+    /// Removed items.
     pub gone: BTreeSet<Named>,
     /// Paths that come, or get another value: with dots between their steps.
     pub added: BTreeSet<String>,
-    /// What gets another name, and the name.
+    /// The renamed item, and its new name.
     pub renamed: Option<(Named, String)>,
     /// Paths of the entries of the study that go.
     pub of_study: Vec<Vec<String>>,
 }
 
-/// What the library says of a mechanism.
+/// Findings of the library on a mechanism.
 #[derive(Debug, PartialEq)]
 pub struct LibraryFindings {
     /// It moves as its drives or actuators say, all the way round.
@@ -222,7 +222,7 @@ impl IntendedChange {
     }
 }
 
-/// What the library says of the mechanism in some texts, whose model can be read.
+/// Findings of the library on the mechanism in some texts, whose model can be read.
 pub fn said(texts: &Texts) -> LibraryFindings {
     let mut asks_nothing = None;
     let file = texts.read().or_else(|found| {

@@ -1,4 +1,4 @@
-//! What the page asks to be done to a mechanism.
+//! Requested changes of a mechanism.
 
 use serde::Deserialize;
 
@@ -110,7 +110,7 @@ impl Axis {
     }
 }
 
-/// What an output records.
+/// The recorded quantity of an output.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(tag = "of", rename_all = "snake_case")]
 pub enum Watched {
@@ -153,9 +153,9 @@ pub enum Watched {
 pub enum Edit {
     /// A link between two places.
     AddLink {
-        /// Where it begins.
+        /// Its beginning.
         from: End,
-        /// Where it ends.
+        /// Its end.
         to: End,
     },
     /// A further point of a body; where it is one of another body, both are joined by a pin.

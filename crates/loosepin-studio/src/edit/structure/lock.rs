@@ -15,7 +15,7 @@ const LOCKED_AND: &str = "locked:";
 pub struct Locks(Vec<Range<usize>>);
 
 impl Locks {
-    /// Those of a text; none where it is not TOML.
+    /// The locked numbers of a text; empty if it is not TOML.
     pub fn of(text: &str) -> Self {
         // Most texts have none, and are looked at often.
         if !text.contains(LOCKED) {

@@ -56,7 +56,7 @@ pub struct Restructured {
     pub says: Vec<String>,
     /// The mechanism moves as its drives say.
     pub is_complete: bool,
-    /// What goes, in words.
+    /// Removed items, in words.
     pub gone: Vec<String>,
     /// Name of what came.
     pub name: Option<String>,

@@ -12,7 +12,7 @@ const BY_PATH: [&str; 3] = ["random", "epistemic", "allow"];
 /// A place that names something.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NameReference {
-    /// What is named.
+    /// The named item.
     pub of: Named,
     /// The key or the value that names it, from the top of the file.
     pub path: Vec<String>,

@@ -1,4 +1,4 @@
-//! What goes with something that goes: all that names it, in both texts, and parameters that nothing uses afterwards.
+//! Items removed along with another: all that names it, in both texts, and parameters that nothing uses afterwards.
 
 use std::collections::BTreeSet;
 
@@ -19,13 +19,13 @@ const GROUND: &str = "ground";
 /// says that nothing uses them.
 const MAX_ROUNDS: usize = 20;
 
-/// Both texts without something, and all that went, in words: first what was to go.
+/// Both texts without an item, and all removed items, in words: first the requested one.
 pub struct Removed {
     /// Text of the model.
     pub model: EditedText,
     /// Text of the study.
     pub study: Option<EditedText>,
-    /// What went.
+    /// Removed items.
     pub gone: BTreeSet<Named>,
     /// The same in words, entries of the study last.
     pub words: Vec<String>,
@@ -105,7 +105,7 @@ fn holder(mention: &NameReference) -> Option<Named> {
     }
 }
 
-/// A text without what stands under some paths.
+/// A text without the entries below some paths.
 fn without(lines: &EditedText, paths: &[Vec<String>]) -> Result<EditedText, Refusal> {
     let mut new = lines.clone();
     new.remove(paths)?;
@@ -161,7 +161,7 @@ fn in_study(path: &[String]) -> String {
     }
 }
 
-/// Parameters that nothing uses; none where the model cannot be read.
+/// Parameters that nothing uses; empty if the model cannot be read.
 fn unused_parameters(model: &EditedText) -> BTreeSet<Named> {
     let Ok(model) = Model::from_text("model.toml", model.text()) else { return BTreeSet::new() };
     let unused = model.warnings.iter().filter(|warning| warning.code == Code::Unused);

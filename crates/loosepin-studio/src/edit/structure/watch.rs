@@ -1,4 +1,4 @@
-//! What of a mechanism is recorded: the output that the page asks for, as entries of the model.
+//! Recording of a mechanism: the output that the page asks for, as entries of the model.
 
 use super::edit::Watched;
 

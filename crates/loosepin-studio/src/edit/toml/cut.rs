@@ -78,7 +78,7 @@ impl<'p> PathPrefixes<'p> {
     }
 }
 
-/// Cuts out of a value what goes.
+/// Cuts the removed parts out of a value.
 fn cut(
     text: &str,
     path: &mut Vec<String>,

@@ -66,7 +66,7 @@ impl EditedText {
         Ok(())
     }
 
-    /// Where the value of an entry stands.
+    /// Span of the value of an entry.
     ///
     /// # Errors
     /// The text is not TOML.
@@ -128,8 +128,8 @@ impl EditedText {
         }
     }
 
-    /// Where a group begins of which there is none: before the first one that comes after it in the usual order. What a study knows of
-    /// numbers comes before what it asks.
+    /// Place for a group that does not exist yet: before the first one that follows it in the usual order. What a study knows of numbers
+    /// comes before what it asks.
     fn place_of(&self, scanned: &Scanned, group: &str) -> usize {
         let order = |one: &Statement| {
             ORDER.iter().position(|known| one.path.first().is_some_and(|first| first == known)).unwrap_or(ORDER.len())

@@ -7,20 +7,20 @@ use loosepin::diagnostics::Source;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
 
-/// Bytes that go, and what comes in their place.
+/// Replaced bytes, and their replacement.
 pub type Replacement = (Range<usize>, String);
 
-/// What is to be replaced in a text.
+/// Replacements in a text.
 pub struct Replacements<'t> {
     old: &'t str,
     /// Its lines end by two characters.
     is_dos: bool,
-    /// In the order of the text, none of which reaches into the next.
+    /// In the order of the text, without overlaps.
     pieces: Vec<Replacement>,
 }
 
 impl<'t> Replacements<'t> {
-    /// Nothing yet.
+    /// No replacements.
     pub fn new(old: &'t str) -> Self {
         Self { old, is_dos: old.contains("\r\n"), pieces: Vec::new() }
     }

@@ -57,7 +57,7 @@ record! {
 }
 
 problems! {
-    /// What can be wrong with a reading. `entry` is a path in words.
+    /// Problems of a reading. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum MeasuredProblem {
         NoPosition { entry: String, output: String } => Code::AskNotPossible,

@@ -24,7 +24,7 @@ pub struct Measured {
     pub pose_rad: f64,
     /// Largest error of that angle, of either sign, rad.
     pub pose_error_rad: f64,
-    /// What pushes.
+    /// The push.
     pub push: Push,
     /// Largest coefficient of friction in the joints, where the file states it.
     pub friction: Option<f64>,
@@ -42,7 +42,7 @@ pub struct Measured {
     pub pose_place: Place,
 }
 
-/// What pushes an output to and fro.
+/// The push that moves an output to and fro.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Push {
     /// A force at a point.
@@ -81,7 +81,7 @@ pub struct MeasuredMotion {
     pub specimen: Option<String>,
     /// The instrument, which has the common error.
     pub instrument: String,
-    /// What was measured.
+    /// The measured quantity.
     pub subject: MotionSubject,
     /// Unit of the feature.
     pub unit: SiUnit,
@@ -105,7 +105,7 @@ impl MeasuredMotion {
     }
 }
 
-/// What a feature is a number of.
+/// The measured quantity of a feature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionSubject {
     /// An output, located between samples by the integrator.

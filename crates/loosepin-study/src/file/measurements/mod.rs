@@ -1,5 +1,5 @@
-//! What was measured: readings of a backlash test, features of a motion, a specimen.
-//! What `loosepin identify` makes of them stands in `loosepin-identify`.
+//! Measurements: readings of a backlash test, features of a motion, a specimen. What `loosepin identify` makes of them stands in
+//! `loosepin-identify`.
 
 pub(crate) mod measured;
 pub(crate) mod measurement;

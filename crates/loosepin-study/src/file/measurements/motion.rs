@@ -80,7 +80,7 @@ record! {
 }
 
 problems! {
-    /// What can be wrong with a feature of a motion. `entry` is a path in words.
+    /// Problems of a feature of a motion. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum MotionProblem {
         NoSubject { entry: String, key: &'static str, feature: String } => Code::AskNotPossible,

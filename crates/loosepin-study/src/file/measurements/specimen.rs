@@ -98,7 +98,7 @@ impl StudyReader {
         self.reader.report(&SpecimenProblem::Beside { what: "a surrogate" }, span);
     }
 
-    /// Of each random input its column.
+    /// Column of each random input.
     fn columns_of(&mut self, sample: &JointSample, file: &str, written: &Entry<'_>) -> Option<Vec<usize>> {
         let known: Vec<String> = self.random.iter().map(|input| input.path.clone()).collect();
         if known.is_empty() {
@@ -191,7 +191,7 @@ impl StudyReader {
 }
 
 impl Study {
-    /// Linear correlations of the columns of the rows of a specimen; none of what is given by distributions.
+    /// Linear correlations of the columns of the rows of a specimen; empty for inputs given by distributions.
     pub(crate) fn correlations_of_rows(&self) -> Vec<ScatterCorrelation> {
         let Some(rows) = &self.specimen else { return Vec::new() };
         let inputs = self.random.len();

@@ -1,14 +1,14 @@
-//! What can be wrong with the rows of a measured specimen.
+//! Problems of the rows of a measured specimen.
 
 use loosepin_mechanics::model::QuantityError;
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{Dimension, counted, format_number};
 
 problems! {
-    /// What can be wrong with `[specimen]`.
+    /// Problems of `[specimen]`.
     #[derive(Debug, Clone, PartialEq)]
     pub enum SpecimenProblem {
-        /// Nothing that the rows could be of.
+        /// No random input that the rows could belong to.
         NothingRandom => Code::NothingUncertain,
             says("the study has no random inputs for the values in the rows"),
             hint("remove [specimen], or keep the tables under [random] of the original study");
@@ -46,7 +46,7 @@ problems! {
         Rare { entry: String } => Code::AskNotPossible,
             says("{entry}: methods for small probabilities cannot be used with [specimen]: n rows have no probabilities below 1/n"),
             hint("omit method: the rows are counted");
-        /// How well so many rows are known.
+        /// Effective number of the rows.
         Finite { rows: usize, effective: f64 } => Code::BadSample,
             says("{rows} rows of the specimen say as much as {} mechanisms: a share of 95 % of them is known to ± {} %, \
                   a share of one half to ± {} % (2 standard deviations); no bound holds this error",

@@ -16,7 +16,7 @@ use loosepin_text::document::{Entry, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
 
 problems! {
-    /// What can be wrong with an accuracy or a budget. `what` says what it is of, in words.
+    /// Problems of an accuracy or a budget. `what` says what it is of, in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum AccuracyProblem | Value(ExpressionProblem) {
         /// An output of which nothing is asked.
@@ -41,7 +41,7 @@ problems! {
                 true => "add it to the statistics of an [[ask]]".to_owned(),
                 false => format!("its statistics are {}; add others to the statistics of an [[ask]]", listed(asked, "and")),
             }));
-        /// Nothing that is asked for has such an accuracy.
+        /// No question has an accuracy of this dimension.
         WrongDimension { what: String, found: Dimension, due: Vec<String> } => Code::WrongDimension,
             says("{what} is {found}; must be {}", listed(due, "or")),
             hint("an accuracy has the unit of the bounds; for probabilities it is a number such as 0.01");
@@ -265,7 +265,7 @@ fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
     }
 }
 
-/// Accuracies as they are written under a key, until it is known what is asked.
+/// Accuracies under a key as they are written, until the questions are known.
 #[derive(Debug, Default)]
 pub(crate) struct WrittenAccuracies {
     written: Vec<(String, String, Measured, Span)>,
@@ -302,7 +302,7 @@ impl StudyReader {
         }
     }
 
-    /// What the accuracies mean for `asks`; of the question `of_ask` alone where they stand in one.
+    /// The accuracies of `asks`; of the question `of_ask` alone if they stand in one.
     pub fn targets(&mut self, written: WrittenAccuracies, asks: &[Ask], of_ask: Option<usize>) -> Vec<AccuracyTarget> {
         let asked = askable(asks, |output| self.outputs[output].dimension);
         let concerned: Vec<Askable> =

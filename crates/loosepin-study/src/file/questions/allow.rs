@@ -1,4 +1,4 @@
-//! What may be loosened: the unknowns of the inverse question.
+//! Allowances: the unknowns of the inverse question.
 
 use crate::file::description::{Allowance, AllowedInput};
 use crate::file::problem::StudyProblem;

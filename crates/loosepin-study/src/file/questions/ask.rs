@@ -89,7 +89,7 @@ pub struct Ask {
     pub deviation: Deviation,
     /// Where in the cycle.
     pub location: Where,
-    /// What is asked of it, in file order; limits in the SI unit of the output.
+    /// Its requested statistics, in file order; limits in the SI unit of the output.
     pub asked: Vec<Asked>,
     /// Ends of the statistics that are promised for a share of the box.
     pub promised: Vec<Side>,

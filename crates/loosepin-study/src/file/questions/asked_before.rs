@@ -19,8 +19,8 @@ fn places(location: &Where) -> Vec<Where> {
 }
 
 impl StudyReader {
-    /// Reports what was asked `of` an output and a deviation at the same place before. `statistics` are the entries of the list, and
-    /// what they ask.
+    /// Reports questions `of` an output and a deviation that were already asked at the same place. `statistics` are the entries of the
+    /// list, and what they ask.
     pub(crate) fn check_new(&mut self, statistics: &[(Entry<'_>, Asked)], of: (usize, Deviation), location: &Where) {
         for (entry, asked) in statistics {
             // However it is estimated, a probability has one place in the results; of the cycle it is that of a magnitude.

@@ -91,7 +91,7 @@ impl StudyReader {
         Some(Where::Poses { angles_rad })
     }
 
-    /// Two angles of which the results could not tell which is which, since both have the same name there.
+    /// Two angles that the results could not distinguish, since both have the same name there.
     fn check_apart(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>, angle_rad: f64) {
         let Some(of) = of else { return };
         let known = self.poses.entry((of, (named_angle_rad(angle_rad) + 0.0).to_bits())).or_default();

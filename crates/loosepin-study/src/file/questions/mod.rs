@@ -1,5 +1,4 @@
-//! What is asked and required of outputs, and how near the answers are to be.
-//! How they are answered stands in `question` of the crate.
+//! Questions and requirements of outputs, and the accuracy of the answers. How they are answered stands in `question` of the crate.
 
 pub(crate) mod accuracy;
 pub(crate) mod allow;

@@ -1,10 +1,10 @@
-//! What the tables of single questions state.
+//! Settings from the tables of single questions.
 
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
-/// What the tables of single questions state: a value of each question's own type, which that question alone knows.
+/// Settings from the tables of single questions: a value of each question's own type, which that question alone knows.
 #[derive(Clone, Default)]
 pub struct QuestionSettings(Vec<Arc<dyn Any + Send + Sync>>);
 
@@ -14,7 +14,7 @@ impl QuestionSettings {
         self.0.push(Arc::new(settings));
     }
 
-    /// What holds for a question; `None` if it has no table.
+    /// Settings of a question; `None` if it has no table.
     pub fn get<T: Any>(&self) -> Option<&T> {
         self.0.iter().find_map(|settings| settings.downcast_ref())
     }

@@ -11,7 +11,7 @@ use loosepin_text::document::{Entry, Kind, Reads, choice};
 use loosepin_text::units::{Dimension, Rule, format_number, format_refused};
 use loosepin_text::{choices, record};
 
-/// What a requirement allows, in the SI unit of the output.
+/// Limit of a requirement, in the SI unit of the output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
     /// A magnitude of at most this, > 0.
@@ -58,7 +58,7 @@ pub struct Requirement {
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,
-    /// What is allowed.
+    /// The limit.
     pub limit: Limit,
     /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
     pub location: Where,

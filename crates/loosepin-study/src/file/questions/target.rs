@@ -2,7 +2,7 @@
 
 use loosepin_text::units::Dimension;
 
-/// By how much bounds may be widened at most.
+/// Largest allowed widening of bounds.
 ///
 /// It concerns the bounds that measure what it measures, of one output or statistic where these are named. Of several that concern
 /// a bound, that of the command line counts before that of the file, the one that names more before the one that names less, and
@@ -17,7 +17,7 @@ pub struct AccuracyTarget {
     pub output: Option<usize>,
     /// The statistic, by the name that it has in study files.
     pub statistic: Option<&'static str>,
-    /// What the bounds measure.
+    /// Dimension of the bounds.
     pub dimension: Dimension,
     /// The most that is allowed, SI, > 0.
     pub most_si: f64,

@@ -76,7 +76,7 @@ impl StudyReader {
         Some(Distribution::Gamma { shape, scale, lower })
     }
 
-    /// Shape, scale and lower end of a distribution that goes on without end above it.
+    /// Shape, scale and lower end of a distribution without upper end.
     fn shape_scale_and_end(
         &mut self,
         [shape, scale_entry, lower]: [&Option<Entry<'_>>; 3],

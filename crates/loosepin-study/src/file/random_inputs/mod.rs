@@ -1,5 +1,5 @@
-//! What scatters: distributions as a family, a tolerance, a fit or a sample, their uncertain parameters, correlations.
-//! The distributions themselves are those of `loosepin-uncertainty`.
+//! Random inputs: distributions as a family, a tolerance, a fit or a sample, their uncertain parameters, correlations. The distributions
+//! themselves are those of `loosepin-uncertainty`.
 
 pub(crate) mod correlation;
 pub(crate) mod distribution;

@@ -159,7 +159,7 @@ impl StudyReader {
         self.refused(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, entry.span)
     }
 
-    /// A number of a distribution, or what is known of it: then the value that the pass puts there.
+    /// A number of a distribution, or its structure: then the value that the pass puts there.
     pub(crate) fn parameter(&mut self, entry: &Option<Entry<'_>>, dimension: Dimension) -> Option<f64> {
         let entry = entry.as_ref()?;
         if !entry.is_table() {

@@ -75,9 +75,9 @@ pub(crate) const RANDOM_KEYS: Keys = Keys {
 /// A distribution that was not stated as such.
 struct Stated {
     distribution: Distribution,
-    /// Where it comes from, in words.
+    /// Its source, in words.
     origin: String,
-    /// What is known of its mean, where that is off centre by an unknown amount.
+    /// Interval of its mean, if that is off centre by an unknown amount.
     mean: Option<Interval>,
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with random inputs that are not stated as a distribution, and with correlations.
+//! Problems of random inputs that are not stated as a distribution, and of correlations.
 
 use crate::iso_286::FitError;
 use loosepin_text::diagnostics::{Code, problems};
@@ -7,7 +7,7 @@ use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::{FEWEST_FITTED, SampleFitError};
 
 problems! {
-    /// What can be wrong with them. `entry` is a path in words.
+    /// Problems of random inputs. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum RandomProblem {
         /// A key that says more about something that is not there.

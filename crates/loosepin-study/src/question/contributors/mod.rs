@@ -1,5 +1,4 @@
-//! What contributes to an answer: the runs that tell shares of the variance.
-//! The indices are computed in `loosepin-uncertainty`.
+//! Contributors to an answer: the runs that determine shares of the variance. The indices are computed in `loosepin-uncertainty`.
 
 mod plan;
 mod record;

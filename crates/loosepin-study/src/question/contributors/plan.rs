@@ -1,4 +1,4 @@
-//! The runs that tell shares of the variance.
+//! The runs that determine shares of the variance.
 
 use crate::file::Study;
 use loosepin_bounds::{DoubleLoop, Purpose, RunInputs, SampleTable};

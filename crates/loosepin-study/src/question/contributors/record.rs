@@ -1,4 +1,4 @@
-//! What contributes to the answers.
+//! Contributors to the answers.
 
 use super::plan::{ContributorPlan, groups};
 use crate::assemble::Material;

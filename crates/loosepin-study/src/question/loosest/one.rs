@@ -41,7 +41,7 @@ pub fn runs_of_a_study(study: &Study) -> usize {
     outer * inner
 }
 
-/// What a direct study says.
+/// Result of a direct study.
 pub struct DirectStudyResult {
     outcomes: Vec<RequirementOutcome>,
     pub runs: usize,

@@ -141,7 +141,7 @@ impl<F> Known<F> {
         Ok(is_met)
     }
 
-    /// The last met and the first refused value between a met and a refused one, after so many halvings.
+    /// The last met and the first refused value between a met and a refused one, after a given number of halvings.
     fn halve<E>(
         &mut self,
         halvings: usize,

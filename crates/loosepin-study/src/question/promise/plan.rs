@@ -1,4 +1,4 @@
-//! What a study promises, before anything has run.
+//! The promise of a study, before any run.
 
 use crate::error::StudyError;
 use crate::file::Study;

@@ -1,10 +1,10 @@
-//! What is promised, once the runs are made.
+//! The promise of a study, once the runs are made.
 
 use crate::error::StudyError;
 use crate::question::CurveBand;
 use loosepin_bounds::{PromisePlan, PromisedBound, SampleTable, SimultaneousBand};
 
-/// What is promised.
+/// The promised bounds.
 pub struct Promised<'p> {
     pub plan: &'p PromisePlan,
     /// Ends of single numbers.

@@ -1,4 +1,4 @@
-//! What is promised for a share of the box, and the requirements that it decides.
+//! The promise for a share of the box, and the requirements that it decides.
 
 use super::promised::Promised;
 use crate::assemble::Material;

@@ -151,7 +151,7 @@ impl Steps for RareSteps<'_> {
     }
 }
 
-/// What is known of a study.
+/// Results of a study so far.
 #[derive(Clone, Copy)]
 struct Known<'r> {
     study: &'r Study,

@@ -23,7 +23,7 @@ pub fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<
     Ok(Some(SurrogatePlan::try_new(problem, settings)?))
 }
 
-/// How many runs `plan` comes to at most.
+/// Largest number of runs of `plan`.
 pub fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
     let combinations: usize = study.epistemic.iter().map(|input| input.variable.choices()).product();
     plan.settings().training * combinations + plan.settings().confirming * MAX_WITNESSES

@@ -1,4 +1,4 @@
-//! What surrogates learned, how well, and the bounds that they give.
+//! Quality of surrogates, and the bounds that they give.
 
 use super::saved::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::assemble::{Material, asked_bounds, learned_treatments};
@@ -10,7 +10,7 @@ use loosepin_result::study::{
 use loosepin_surrogate::{OutputSurrogate, Surrogate, SurrogateVerdict};
 use loosepin_text::units::SiUnit;
 
-/// What was learned, with the bounds where they stand beside direct ones.
+/// The surrogates, with their bounds if they stand beside direct ones.
 pub fn surrogate_record(material: &Material<'_>, plan: &SurrogatePlan, found: &SurrogateBounds) -> SurrogateRecord {
     let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
     let pairs = found.to_bounds(plan, 0).pairs;

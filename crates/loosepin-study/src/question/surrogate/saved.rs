@@ -78,7 +78,7 @@ problems! {
         /// A value of something else.
         NoInput { path: String } => Code::NoSurrogateAnswer,
             says("'{path}' is not an input of these surrogates");
-        /// Outside what was learned.
+        /// Outside of the training range.
         Extrapolation { path: String, value: f64, lower: f64, upper: f64, unit: SiUnit } => Code::NoSurrogateAnswer,
             says(
                 "'{path}' is {}; learned was from {} to {}, and nothing is extrapolated\n\
@@ -90,7 +90,7 @@ problems! {
     }
 }
 
-/// An SI value with its unit; digits that tell nothing are left out.
+/// An SI value with its unit, in significant digits.
 fn with_unit(value_si: f64, unit: &SiUnit) -> String {
     format!("{} {unit}", format_number(value_si)).trim_end_matches(" 1").to_owned()
 }
@@ -123,7 +123,7 @@ impl SavedSurrogates {
         Ok(from_versioned_json(text, FORMAT)?)
     }
 
-    /// What output number `output` is at these values, SI, by the paths of the inputs.
+    /// Value of output number `output` at these values, SI, by the paths of the inputs.
     ///
     /// # Errors
     /// An input without a value, a value of something else, and a value outside the range that was learned.

@@ -32,7 +32,7 @@ pub struct LearnedBounds {
 enum Stage {
     /// A step begins with runs to learn from.
     Train,
-    /// These are made; `is_new` tells whether there were any.
+    /// These are made; `is_new` is true if there were any.
     Learn { is_new: bool },
     /// Direct runs at the witnesses are made.
     Judge(Learned, Confirmation),

@@ -25,7 +25,7 @@ use loosepin_text::diagnostics::{Code, problems};
 pub const BOUNDS_FILE: &str = "bounds.csv";
 /// Name of the file with one run a row.
 pub const RUNS_FILE: &str = "runs.parquet";
-/// Name of the file with what was learned.
+/// Name of the file with the surrogates.
 pub const SURROGATES_FILE: &str = "surrogates.json";
 /// Name of the file with everything that does not repeat.
 pub const TIMING_FILE: &str = "timing.json";

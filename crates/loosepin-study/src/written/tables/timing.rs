@@ -1,4 +1,4 @@
-//! What does not repeat from run to run, kept apart so that everything else can be compared byte for byte.
+//! Numbers that differ from run to run, kept apart so that everything else can be compared byte for byte.
 
 use std::path::Path;
 use std::time::SystemTime;

@@ -19,7 +19,7 @@ const MAX_ELEMENTS: u64 = 64;
 const MAX_SHAPES: u64 = 8;
 
 choices!(
-    /// What the frame of a beam goes through.
+    /// The definition of the frame of a beam.
     pub(in crate::model) struct FrameChoice(Frame): "secant" => Frame::Secant, "tangent" => Frame::Tangent
 );
 choices!(
@@ -200,7 +200,7 @@ impl ModelReader {
         })
     }
 
-    /// The formulation of a beam; nothing after a diagnostic about a key that it has not.
+    /// The formulation of a beam; `None` after a diagnostic about a key that it does not have.
     fn formulation(&mut self, own: &BeamTable<'_>) -> Option<Formulation> {
         let (formulation, integration, elements) = (own.formulation?, own.integration?, own.elements?);
         let (others, word) = match formulation {

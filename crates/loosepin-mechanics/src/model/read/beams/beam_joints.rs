@@ -1,4 +1,4 @@
-//! What holds flexible links, and what cannot stand beside them.
+//! Joints that hold flexible links, and what cannot be combined with them.
 
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::joint::AtBeam;
