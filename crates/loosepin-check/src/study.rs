@@ -14,7 +14,7 @@ use super::force_law::force_laws;
 use super::mechanism::missing;
 use super::trial::TrialResult;
 
-/// The values of the model with every interval input in the middle of its interval, every number of a list at the first.
+/// The values of the model with every unknown input in the middle of its interval or, of a list, at the first member.
 ///
 /// # Errors
 /// They are impossible together.
@@ -156,7 +156,7 @@ fn inputs(study: &Study) -> Section {
 
 fn unknown_heading(study: &Study) -> String {
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
-    let intervals = counted_or_no(study.epistemic.len() - lists, "interval input", "interval inputs");
+    let intervals = counted_or_no(study.epistemic.len() - lists, "unknown input", "unknown inputs");
     let of_lists = counted_or_no(lists, "input from a list", "inputs from lists");
     match (lists < study.epistemic.len(), lists > 0) {
         (true, true) => format!("{intervals}, {of_lists}"),

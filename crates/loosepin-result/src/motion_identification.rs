@@ -164,7 +164,7 @@ pub struct Posterior {
     pub probability: f64,
     /// Number of equally probable values that would carry as much as the tested ones do: 1/Σ p².
     pub effective_values: f64,
-    /// Effective number of values with runs.
+    /// Number of runs at the effective values.
     pub effective_runs: f64,
     /// The distribution of each unknown by itself, in their order.
     pub marginals: Vec<Marginal>,

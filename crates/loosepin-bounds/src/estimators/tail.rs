@@ -32,8 +32,8 @@ pub(crate) fn index_for_mean_square(both: [&[f64]; 2], tail: usize, confidence: 
     of_sample[0].max(of_sample[1]).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
 
-/// Expected place of one of `times` as many values above `from`, with the mean excess `scale`: s (m^ξ - 1)/ξ with s = (1 - ξ) scale, never
-/// nearer than by an exponential tail.
+/// Value that one in `times` values above `from` exceeds, for the mean excess `scale`: s (m^ξ - 1)/ξ above `from` with s = (1 - ξ) scale,
+/// never nearer than by an exponential tail.
 pub(crate) fn beyond(from: f64, scale: f64, times: f64, index: f64) -> f64 {
     let logarithm = libm::log(times);
     let exponential = scale * logarithm;

@@ -82,7 +82,7 @@ struct Student {
 }
 
 impl Student {
-    /// Prediction beside `runs` runs of `features` features; `None` if their covariance has no inverse.
+    /// Predictive distribution from `runs` runs of `features` features; `None` if their covariance has no inverse.
     fn new(runs: usize, features: usize) -> Option<Self> {
         let freedom = runs.checked_sub(features).filter(|freedom| *freedom > 0)? as f64;
         let (count, features) = (runs as f64, features as f64);

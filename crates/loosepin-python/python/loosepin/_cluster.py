@@ -18,11 +18,11 @@ from . import _loosepin
 from ._extras import need
 
 Rows = tuple[NDArray[np.float64], NDArray[np.int32]]
-"""A row for each run, and the number of the reason why it failed, -1 for none."""
+"""A row for each run, and the number of the reason for its failure, -1 for none."""
 Part = tuple[int, NDArray[np.float64], NDArray[np.int32]]
 """Index of the first run, then rows and reasons as in `Rows`."""
 RunProvider = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[Part | None]]
-"""Makes runs from what is loosened and from their inputs, part by part; nothing while there is none."""
+"""Makes runs from the loosened numbers and the inputs of the runs, part by part; yields None while no part is finished."""
 
 # Runs of a task: enough to keep the lanes of a processor busy, few enough that a lost worker costs little.
 _LEAST_RUNS, _MOST_RUNS = 16, 128
@@ -79,12 +79,12 @@ def run_provider(client: Any, study: _loosepin.Study, accuracy: tuple[str, ...],
 
 
 def rows(stated: bytes, loosened: list[tuple[int, float]], random: NDArray[np.float64], epistemic: NDArray[np.float64]) -> Rows:
-    """A task: makes these runs of the study that `stated` holds."""
+    """Task that makes these runs of the study pickled in `stated`."""
     return _compiled(stated).make(loosened, _aligned(random), _aligned(epistemic))
 
 
 def _aligned(array: NDArray[Any]) -> NDArray[Any]:
-    """The array where numbers begin at whole words: what has come over the network stands anywhere in a message."""
+    """The array where numbers begin at whole words: data from the network may start anywhere in a message."""
     return np.require(array, requirements=["C", "A"])
 
 

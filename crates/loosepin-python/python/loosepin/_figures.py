@@ -15,14 +15,14 @@ if TYPE_CHECKING:
     import matplotlib.figure
 
 RANDOM = "#1f6f8b"
-"""Colour of what scatters."""
+"""Colour of random scatter."""
 UNKNOWN = "#d98324"
-"""Colour of what is not known."""
+"""Colour of unknown inputs."""
 INK = "#333333"
 
 
 def shown(unit: str, display_units: dict[str, Any]) -> tuple[str, float]:
-    """The unit that people read instead of an SI unit, and how many of it make one of that."""
+    """The display unit for an SI unit, and the number of display units in one SI unit."""
     display = display_units.get(unit)
     return (unit, 1.0) if display is None else (display["symbol"], float(display["per_si"]))
 
@@ -34,12 +34,12 @@ class Line:
     name: str
     """Name of the output."""
     label: str
-    """Words beside the axis."""
+    """Label of the axis."""
     unit: str
     """SI unit of the values."""
     values: Array
     ideal: Array | None
-    """What it would be without play, where that is drawn too."""
+    """Values without play, if they are drawn too."""
     has_legend: bool
 
 

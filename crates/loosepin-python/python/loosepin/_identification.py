@@ -1,4 +1,4 @@
-"""What readings and motion of a rig say of the unknowns of a study."""
+"""Identification of the unknowns of a study from readings and motion of a rig."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Unknown:
     before: tuple[float, float]
     """Interval of the study."""
     after: tuple[float, float]
-    """Interval that is consistent with the measurements; that of the study where nothing is."""
+    """Interval that is consistent with the measurements; that of the study if no value is."""
     specimen: str | None
     """The mechanism that was measured, where the file says."""
 
@@ -47,12 +47,12 @@ class Posterior:
     unit: str
     """SI unit."""
     probabilities: tuple[float, ...]
-    """Of cells of equal width over the interval of the study, or of the members of a list in the order of the file."""
+    """Probabilities of cells of equal width over the interval of the study, or of the members of a list in the order of the file."""
     mean: float | None
-    """SI; None of a list, as the two that follow."""
+    """Mean, SI; None for a list, as the two fields that follow."""
     standard_deviation: float | None
     credible: tuple[float, float] | None
-    """Credible interval with equal tails, of the confidence that was asked for."""
+    """Credible interval with equal tails, at the requested confidence."""
     specimen: str | None
     """The mechanism that was measured, where the file says."""
 
@@ -115,7 +115,7 @@ class Identification(Generic[StudyT]):
 
 
 class MotionPlan:
-    """What features of a motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
+    """Expected information in features of a motion, before anything is measured: the answer of `loosepin identify --plan`."""
 
     def __init__(self, text: str, record: str) -> None:
         """Use `Study.plan_motion`."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Interval:
-    """A number between two ends, nobody knows which."""
+    """An unknown number between two ends."""
 
     lower: float
     upper: float
@@ -19,7 +19,7 @@ class Interval:
 
 @dataclass(frozen=True)
 class Periodic:
-    """A number between two ends that are the same place, for example an angle from 0 to 2 pi."""
+    """An unknown number between two ends that are the same place, for example an angle from 0 to 2 pi."""
 
     lower: float
     upper: float
@@ -27,7 +27,7 @@ class Periodic:
 
 @dataclass(frozen=True)
 class OneOf:
-    """One of a few numbers, nobody knows which."""
+    """An unknown number, one of a few."""
 
     values: Sequence[float]
 

@@ -1,4 +1,4 @@
-"""The compiled part of loosepin; what people use is the package `loosepin`."""
+"""The compiled part of loosepin; use the package `loosepin`."""
 
 import os
 from collections.abc import Callable, Iterator

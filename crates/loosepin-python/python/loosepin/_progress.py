@@ -1,4 +1,4 @@
-"""How far a study is: a line in a terminal, a line that changes in a notebook."""
+"""Progress of a study: a line in a terminal, a line that changes in a notebook."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 Listener = Callable[[int, int], object]
-"""Called with the number of finished runs and the number that there are at most."""
+"""Called with the number of finished runs and the largest number of runs."""
 
 _WIDTH = 30
 _EVERY_S = 0.25

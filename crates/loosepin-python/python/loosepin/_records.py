@@ -18,20 +18,20 @@ class BoundEnd:
     value: float
     """Value of the statistic at the witness."""
     widened: float
-    """The value moved outwards by what was not resolved: the bound to rely on."""
+    """The value moved outwards by the unresolved part: the bound to rely on."""
     error_sampling: float
     """Numerical error from the finite number of random samples."""
     error_optimisation: float
-    """Numerical error from the search over the epistemic inputs."""
+    """Numerical error from the search over the unknown (epistemic) inputs."""
     error_surrogate: float
     """Numerical error from a surrogate; 0 where none was used."""
     witness: dict[str, float | str]
-    """The values of what is not known that attain it, by path: numbers in SI, laws by name."""
+    """The values of the unknown inputs that attain it, by path: numbers in SI, laws by name."""
 
 
 @dataclass(frozen=True)
 class Bound:
-    """The least and the greatest value of a statistic over everything that is not known."""
+    """The least and the greatest value of a statistic over all unknown inputs."""
 
     output: str
     """Name of the output."""
@@ -40,9 +40,9 @@ class Bound:
     at: str
     """"whole", "pose", "curve" (one pose of a whole curve) or "reduced"."""
     pose_rad: float | None
-    """Angle of the drive, where the bound is at one."""
+    """Angle of the drive, if the bound is at one."""
     reduction: str | None
-    """How the cycle became one number: "maximum_absolute", "rms", ..."""
+    """Reduction of the cycle to one number: "maximum_absolute", "rms", ..."""
     statistic: str
     """"mean", "standard_deviation", "quantile", "probability_above", ..."""
     parameter: float | None
@@ -50,7 +50,7 @@ class Bound:
     treatment: str
     """"mixed", "probability_only" or "interval_only"."""
     reading: str
-    """How an interval is read: "fixed", "unknown_distribution" or "random_set"."""
+    """Reading of an interval: "fixed", "unknown_distribution" or "random_set"."""
     unit: str
     """SI unit of the values; "1" for a probability."""
     lower: BoundEnd
@@ -60,7 +60,7 @@ class Bound:
     guarantee: str
     """"enclosure", "optimised", "sampled" or "inner" (the true range is at least this wide)."""
     confidence: float | None
-    """Confidence of the sampling error, where the guarantee has one."""
+    """Confidence of the sampling error, if the guarantee has one."""
 
     @property
     def widened(self) -> tuple[float, float]:
@@ -92,13 +92,13 @@ class Curve:
     ideal: Array
     """The output of the ideal mechanism."""
     nominal: Array
-    """The deviation with nominal dimensions and what is not known in the middle."""
+    """The deviation with nominal dimensions and unknown inputs in the middle of their ranges."""
     probabilities: tuple[float, float]
     """Probabilities of the ends of the bands."""
     random: tuple[Array, Array]
     """The band of the random scatter alone, with unknown inputs in the middle of their ranges."""
     mixed: tuple[Array, Array]
-    """The band for every value of what is not known, numerical error included."""
+    """The band for all values of the unknown inputs, numerical error included."""
 
 
 def bound(record: dict[str, Any]) -> Bound:

@@ -45,7 +45,7 @@ class Samples(Mapping[str, Any]):
         """The uncertain inputs by path; a law is a word."""
         last = max((names.index(name) for name in self.inputs), default=-1)
         self.outputs: dict[str, Any] = {name: self._columns[name] for name in names[last + 1 : names.index("status")]}
-        """The scalar outputs, not-a-number where a run has none."""
+        """The scalar outputs, NaN where a run has none."""
 
     def __getitem__(self, name: str) -> Any:
         return self._columns[name]
@@ -81,7 +81,7 @@ class StudyResult:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """Everything, as `summary.json` has it; SI. What is not finite is "inf", "-inf" or "nan"."""
+        """The whole result, as in `summary.json`; SI. Numbers that are not finite are "inf", "-inf" or "nan"."""
         summary: dict[str, Any] = json.loads(self._native.summary_json())
         return summary
 
@@ -102,7 +102,7 @@ class StudyResult:
 
     @property
     def is_met(self) -> bool:
-        """Whether all requirements are met for every value of what is not known, numerical error included.
+        """Whether all requirements are met for all values of the unknown inputs, numerical error included.
 
         A requirement that a promise decides is not: it is "promised", for a share of the box.
         """
@@ -110,7 +110,7 @@ class StudyResult:
 
     @property
     def promise(self) -> dict[str, Any] | None:
-        """What is promised for a share of the box, as `summary.json` has it; nothing where the study promises nothing."""
+        """The promise for a share of the box, as in `summary.json`; None if the study promises nothing."""
         promise: dict[str, Any] | None = self.summary.get("promise")
         return promise
 
@@ -121,12 +121,12 @@ class StudyResult:
 
     @cached_property
     def samples(self) -> Samples:
-        """Every run: inputs, outputs, what it was for, whether it failed and why, counters."""
+        """Every run: inputs, outputs, purpose, failure and its reason, counters."""
         return Samples(self._native, [each["path"] for each in self.summary["inputs"]])
 
     @cached_property
     def surrogates(self) -> Surrogates | None:
-        """Surrogates, where the study asks for them."""
+        """Surrogates, if the study asks for them."""
         text = self._native.surrogates_json()
         return None if text is None else Surrogates.from_text(text)
 
@@ -180,7 +180,7 @@ class StudyResult:
         """Draws a standard figure with matplotlib.
 
         kind: "curves" (the band of each deviation over the cycle with its bounds), "box" (bounds of distribution functions) or
-        "contributors" (what the width of a band comes from: scatter in one colour, what is not known in another); by default
+        "contributors" (sources of the width of a band: random scatter in one colour, unknown inputs in another); by default
         the first of these that there is. output, of: one output or deviation alone.
         """
         return study_figure(self.name, self.curves, self.summary, kind, output, of)

@@ -1,4 +1,4 @@
-"""Surrogates that a study has saved."""
+"""Saved surrogates of a study."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ class SurrogateOutput:
     unit: str
     """SI unit of its values."""
     places: tuple[str, ...]
-    """Where in the cycle; one place for a number."""
+    """Places in the cycle; one for a number."""
     pose_rad: Array
-    """Angle of the drive at each place, not-a-number where the cycle is reduced to one number."""
+    """Angle of the drive at each place, NaN where the cycle is reduced to one number."""
     members: dict[str, float | str]
     """The members of lists that it holds for, by path."""
 
 
 class Surrogates:
-    """Everything that a study has learned; `Surrogates.load("surrogates.json")` reads it."""
+    """All surrogates of a study; `Surrogates.load("surrogates.json")` reads it."""
 
     def __init__(self, native: _loosepin.Surrogates) -> None:
         """Use `load` or `from_text`."""

@@ -9,7 +9,7 @@ from ._loosepin import Diagnostic
 
 
 class LoosepinWarning(UserWarning):
-    """Something in a model or study that is allowed and looks like an oversight; the text is that of the command line."""
+    """A likely oversight in a valid model or study; the text is that of the command line."""
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:

@@ -10,11 +10,11 @@ const TERMS: [(&str, &str); 12] = [
     ),
     ("Random input", "Varies from part to part, with a known distribution. Example: a length within its tolerance."),
     (
-        "Interval input",
+        "Unknown input, an interval",
         "Fixed but unknown. Only its lower and its upper limit are known; no probability is assumed between them.",
     ),
     (
-        "One of a list",
+        "Unknown input, one of a list",
         "Fixed but unknown. Only the possible values or laws are known; no probabilities are assumed for them.",
     ),
     (

@@ -143,10 +143,8 @@ pub fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Name of the unknown (epistemic) inputs: "interval inputs" if all are intervals, "unknown inputs" otherwise.
-pub(crate) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
-    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
-}
+/// Name of the unknown (epistemic) inputs.
+pub(crate) const UNKNOWN_INPUTS: &str = "unknown inputs";
 
 /// Whether anything is known as an interval, a list or so.
 pub(crate) fn has_unknown(inputs: &[InputDescription]) -> bool {

@@ -107,7 +107,7 @@ impl LaneLayout {
     pub const IS_DUE: usize = 24;
     /// 1 until the first good step after a contact has begun, 2 after it has ended: one that no event cuts. Then 0.
     pub const IS_FIRST: usize = 25;
-    /// Predicted first step after an event, if its end is as long as its error would have allowed; 0 until there is one.
+    /// Length of that first good step, after an end as long as its error would have allowed; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
     /// Factorizations of implicit steps in the run so far, each of a real and of a complex matrix.
     pub const FACTORIZATIONS: usize = 27;

@@ -606,7 +606,7 @@ fn identity_runs_are_told_by_what_they_were_for() {
     result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
     result.counts.runs += 640 + 5120;
     let page = one_line(&study_page(&result));
-    let account = "23 296 = 64 values of the interval inputs × 256 random samples (8 independent replicates of 32) + 1024 of the \
+    let account = "23 296 = 64 values of the unknown inputs × 256 random samples (8 independent replicates of 32) + 1024 of the \
                    probability-only treatment + 128 of the interval-only treatment + 640 for sensitivities + 5120 for small probabilities";
     assert!(page.contains(account), "{page}");
     assert!(!page.contains("for the two other treatments"));
@@ -621,7 +621,7 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     result.counts.runs = 256;
     let text = one_line(&study_text(&result));
     assert!(text.contains("Bounds, numerical error included"), "{text}");
-    assert!(!text.contains("interval inputs"), "{text}");
+    assert!(!text.contains("unknown inputs"), "{text}");
     let page = one_line(&study_page(&result));
     assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
     assert!(page.contains("Shares of mechanisms, numerical error included."), "{page}");

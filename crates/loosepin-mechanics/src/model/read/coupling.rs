@@ -68,7 +68,7 @@ impl CouplingReader for ModelReader {
         Some([first, second])
     }
 
-    /// Reports flanks whose radii of contact and sliding are not defined.
+    /// Reports a contact of flanks that needs their radii or their sliding, which are not defined.
     fn demand_contact_of_flanks(&mut self, table: &Table<'_>, id: ContactId, what_touches: &'static str) -> Option<()> {
         let contact = &self.contacts[id.0];
         let what = match contact.law.line() {

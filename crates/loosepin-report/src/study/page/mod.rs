@@ -23,7 +23,7 @@ use crate::study::sections::{
     percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
 };
 use crate::words::wording::{
-    counted, deviation_words, has_unknown, output_unit, place_words, unknown_words, verdict_words,
+    UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
@@ -123,7 +123,7 @@ fn verdict_class(verdict: Verdict) -> &'static str {
 
 fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::Section> {
     let of_unknown = match has_unknown(&result.inputs) {
-        true => format!(", for all values of the {}", unknown_words(&result.inputs)),
+        true => format!(", for all values of the {}", UNKNOWN_INPUTS),
         false => String::new(),
     };
     let row = |requirement: &RequirementOutcome| -> Vec<Cell> {

@@ -4,8 +4,8 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::bound::{bound_error, bound_value, error_parts};
 use crate::words::wording::{
-    MASSES_ADD, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit, reading_beside,
-    response_words, statistic_words, unknown_words,
+    MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
+    reading_beside, response_words, statistic_words,
 };
 use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
@@ -32,7 +32,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         return Some(section);
     }
     let over = match has_unknown(&result.inputs) {
-        true => format!(" for all values of the {}", unknown_words(&result.inputs)),
+        true => format!(" for all values of the {}", UNKNOWN_INPUTS),
         false => String::new(),
     };
     let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));

@@ -6,7 +6,7 @@ use crate::study::answer::turn_word;
 use crate::words::force::{JointForces, min_impact_speed_words};
 use crate::words::trust::nominal_sentences;
 use crate::words::turn::share_of_runs;
-use crate::words::wording::{count, counted, has_unknown, is_by_surrogate, listed, unknown_words};
+use crate::words::wording::{UNKNOWN_INPUTS, count, counted, has_unknown, is_by_surrogate, listed};
 use loosepin_result::study::{FailureGroup, InputKind, JointImpacts, Purpose, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
@@ -149,7 +149,7 @@ pub(crate) fn double_loop_words(result: &StudyResult, each: &str, writer: &Numbe
     let values = format!(
         "{} of the {}",
         counted(counts.outer, "value", &writer.with_tag(&Tag::Count("values of the unknown inputs"))),
-        unknown_words(&result.inputs)
+        UNKNOWN_INPUTS
     );
     let samples = counted(counts.inner, "random sample", &writer.with_tag(&Tag::Count("random samples")));
     match (has_unknown(&result.inputs), has_scatter(result)) {

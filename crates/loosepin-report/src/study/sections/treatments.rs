@@ -7,8 +7,8 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::treatment_sentences;
 use crate::words::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists, head, place_words,
-    promise_word, response_words, share_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, UNKNOWN_INPUTS, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists,
+    head, place_words, promise_word, response_words, share_words, treatment_words,
 };
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
@@ -88,7 +88,7 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
     let caption = format!(
         "Bars: the bands on a common scale. Dots: the share inside at each tested value of the {}, from {} to {}. Vertical line: the \
          promised {promise}.",
-        unknown_words(&result.inputs),
+        UNKNOWN_INPUTS,
         axis.percent(share_from, Rounding::Nearest),
         axis.percent(1.0, Rounding::Nearest)
     );

@@ -15,7 +15,7 @@ const LOCKED_AND: &str = "locked:";
 pub struct Locks(Vec<Range<usize>>);
 
 impl Locks {
-    /// The locked numbers of a text; empty if it is not TOML.
+    /// The locked lines of a text; none if it is not TOML.
     pub fn of(text: &str) -> Self {
         // Most texts have none, and are looked at often.
         if !text.contains(LOCKED) {
