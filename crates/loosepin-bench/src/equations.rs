@@ -19,9 +19,8 @@ pub struct ProgramGroup {
     pub programs: Vec<Program>,
 }
 
-/// The equations of `case` from the sines to what is read at the end of a step. Each program does what the one before does
-/// and one thing more, so that the difference of two is what that thing costs. Behind them, each by itself, what a step does beside
-/// its evaluations.
+/// The equations of `case` from the sines to the readings at the end of a step. Each program does what the one before does and one thing
+/// more, so that the difference of two is what that thing costs. Behind them, each by itself, what a step does beside its evaluations.
 ///
 /// # Panics
 /// For a case whose joints with play have friction or a law without a root of the penetration.

@@ -23,7 +23,7 @@ pub struct Mechanisms {
 pub struct Sample {
     /// Values of the unknown inputs.
     pub at: Vec<f64>,
-    /// Their columns, in the order of what the study asks for; finished runs only.
+    /// Columns of the runs, in the order in which the study asks for them; finished runs only.
     pub columns: Vec<Vec<f64>>,
 }
 
@@ -44,7 +44,7 @@ impl Mechanisms {
         Self { random: (0..replicates).flat_map(replicate).collect() }
     }
 
-    /// These ones.
+    /// A set of the given random inputs.
     pub fn given(random: Vec<Vec<f64>>) -> Self {
         Self { random }
     }

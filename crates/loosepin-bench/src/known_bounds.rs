@@ -227,7 +227,7 @@ fn expectation(f: impl Fn(f64) -> f64) -> f64 {
         .sum()
 }
 
-/// From so many places of the grid, no two of them near each other, an extreme is sought: two hills may be nearly as high.
+/// Number of places of the grid, no two of them near each other, from which an extreme is sought: two hills may be nearly as high.
 const STARTS: usize = 2;
 /// Places that are nearer than this share of the box are near each other.
 const NEAR: f64 = 0.15;

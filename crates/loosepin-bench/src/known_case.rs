@@ -19,7 +19,7 @@ pub struct KnownCase {
     pub parameters: Vec<EpistemicParameter>,
     /// Statistics, and their least and greatest value over u.
     pub statistics: Vec<(Statistic, (f64, f64))>,
-    /// Where u holds fuzzy numbers, the same at each degree, the least degree first; else nothing.
+    /// If u holds fuzzy numbers, the bounds at each degree, the least degree first; else empty.
     pub levels: Vec<Vec<(f64, f64)>>,
     /// g.
     pub function: Function,

@@ -27,7 +27,7 @@ const ELEMENTS: [(f64, f64, f64); 3] = [(-1.0, -0.2, 0.3), (-0.5, 0.6, 0.5), (0.
 const CORNERS: [f64; 4] = [-0.6, 0.1, 0.25, 0.9];
 const LIMIT: f64 = 0.85;
 const PROBABILITY: f64 = 0.9;
-/// Where the square of an epistemic input vanishes.
+/// Value at which the square of an epistemic input vanishes.
 const VERTEX: f64 = 0.15;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

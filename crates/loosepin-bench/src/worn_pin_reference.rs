@@ -1,4 +1,4 @@
-//! The reference for bounds of `cases/slider_crank_worn_pin`: what it is of, how its numbers are estimated, and the file that keeps them.
+//! The reference for bounds of `cases/slider_crank_worn_pin`: its quantities, the estimates of its numbers, and its file.
 
 use crate::worn_pin;
 use loosepin::bounds::Statistic;

@@ -130,7 +130,7 @@ fn format_percent(share: f64) -> String {
     format!("{} %", format_number(100.0 * share))
 }
 
-/// What scatters with a known distribution, and what is known as an interval, a list or so.
+/// Random inputs with their distributions, and unknown inputs as intervals, lists and other structures.
 fn inputs(study: &Study) -> Section {
     let dimension = |id: QuantityId| study.model.quantities[id].dimension;
     let random = study.random.iter().map(|input| {

@@ -1,4 +1,4 @@
-//! Open folders, and what is read in them.
+//! Open folders, and reading in them.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::File;

@@ -13,7 +13,7 @@ pub enum Refused {
     Link,
     /// A folder, pipe, socket or device where a file is due.
     NotAFile,
-    /// A file that is larger than what is read.
+    /// A file above the size limit of reading.
     TooLarge {
         /// The largest size, bytes.
         limit_bytes: u64,

@@ -10,7 +10,7 @@ use crate::lock::FolderLock;
 use crate::refused::Refused;
 use crate::system::{file_info, keep_owner_and_mode};
 
-/// Of a new file, before the mask of the process.
+/// Mode of a new file, before the mask of the process.
 const NEW_MODE: u32 = 0o666;
 /// Mode of a file that only its owner can read: until it gets the mode of the file that it replaces, or permanently.
 pub(crate) const PRIVATE_MODE: u32 = 0o600;

@@ -51,7 +51,7 @@ pub struct Inertia<T> {
 
 /// The shapes of one kind.
 struct ShapeGroup<'s, T> {
-    /// Their coordinates.
+    /// Range of their coordinates.
     range: Range<usize>,
     /// K without dimension, row by row.
     stiffness: &'s [f64],

@@ -337,7 +337,7 @@ fn sole(weights: &[f64]) -> Option<usize> {
     held.next().map(|(play, _)| play).filter(|_| held.next().is_none())
 }
 
-/// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is shown beside them.
+/// Adds the sum of all plays where every play is determined by itself: their sum is determined as well, and often far better.
 fn add_whole_sum(rig: &Rig<'_>, sums_of_plays: &mut IdentifiableSums) {
     let plays = rig.plays.len();
     let is_of_one_unit = rig.plays.iter().all(|play| play.unit == rig.plays[0].unit);

@@ -77,7 +77,7 @@ impl Influence {
         Ok(if size > 0.0 { (exact - sum).abs() / size } else { 0.0 })
     }
 
-    /// Whether a push makes any play move what is read, friction apart.
+    /// Whether a push makes any play move the reading, friction apart.
     pub fn is_moved(&self) -> bool {
         self.factors.iter().any(|[_, nominal, _]| *nominal != 0.0)
     }

@@ -2,7 +2,7 @@
 
 /// Entries of a tableau below this size are round-off: rows and variables are scaled to order one.
 const ROUND_OFF: f64 = 1e-11;
-/// Pivots, at most, for each row and column: Bland's rule ends before, and round-off shall not go on for ever.
+/// Pivots, at most, for each row and column: Bland's rule ends before, but round-off could cycle.
 const PIVOTS: usize = 200;
 
 /// max c·y over 0 <= y <= 1 and a_j·y <= b_j.

@@ -9,12 +9,12 @@ use loosepin_study::Push;
 
 /// Iterations until the mechanism has settled; each gains about the ratio of clearance to link length.
 const ITERATIONS: usize = 80;
-/// It has settled where no displacement changes by more than this share of the largest.
+/// Relative change of displacements below which the iteration has converged, as a share of the largest.
 const SETTLED: f64 = 1e-12;
 /// A joint whose load is below this share of the largest is not loaded.
 pub(crate) const UNLOADED: f64 = 1e-9;
 
-/// A reading: what pushes, what is read, and where.
+/// A reading: its push, its output, and its place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Test {
     pub push: Push,

@@ -110,7 +110,7 @@ fn unexplained(specimen: &Option<String>) -> Diagnostics {
     Diagnostics::one(&IdentifyProblem::Unexplained { specimen: specimen.clone() }, None)
 }
 
-/// Both ends of `interval` as they are written, with their places.
+/// Both ends of `interval` as written, with their spans.
 fn written_ends(study: &Study, path: &str) -> Option<[(String, Range<usize>); 2]> {
     let toml = parse_toml(study.source()).ok()?;
     let inputs = toml.get_ref().get("epistemic")?.get_ref().as_table()?;

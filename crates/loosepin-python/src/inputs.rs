@@ -42,13 +42,13 @@ fn refuse(name: &str, code: Code) -> impl Fn(&dyn fmt::Display) -> PyErr + use<>
 pub struct Inputs {
     /// Names of the random inputs.
     pub random_names: Vec<String>,
-    /// Their distributions.
+    /// Distributions of the random inputs.
     pub random: Vec<RandomVariable>,
     /// Names of the epistemic inputs; a parameter of a distribution is called `input.parameter`.
     pub epistemic_names: Vec<String>,
-    /// Their intervals, lists or other descriptions.
+    /// Structures of the unknown inputs: intervals, lists or other descriptions.
     pub epistemic: Vec<EpistemicVariable>,
-    /// Those among them that are parameters of distributions.
+    /// Parameters of distributions among them.
     pub parameters: Vec<EpistemicParameter>,
 }
 

@@ -25,9 +25,9 @@ pub struct ExistingFolderOptions {
 
 /// How a study ended.
 pub enum StudyEnd {
-    /// It is finished.
+    /// The study is finished.
     Finished(Box<StudyRun>),
-    /// It was interrupted; the words say what is kept.
+    /// The study was interrupted; the words say what is kept.
     Interrupted(String),
 }
 

@@ -9,7 +9,7 @@ use std::time::Duration;
 use loosepin::study::Progress;
 use pyo3::prelude::*;
 
-/// How often Python is asked for signals and told how far the work is.
+/// Interval at which Python is asked for signals and given the progress.
 const TICK: Duration = Duration::from_millis(100);
 
 /// How far the work is, for a callable of Python.

@@ -11,7 +11,7 @@ use loosepin_text::units::{decimal_exponent, distinct, format_number, power_of_t
 
 /// Heads of the columns.
 const HEAD: [&str; 7] = ["number", "expected", "obtained", "difference", "tolerance", "verdict", "source"];
-/// Those with numbers.
+/// Columns with numbers.
 const NUMBERS: [usize; 4] = [1, 2, 3, 4];
 
 /// The cases as text for a terminal.

@@ -33,7 +33,7 @@ pub struct MotionRecord {
     /// Joints whose block may reach over an end of its guide. The quasi-static answer takes it as held over its whole length.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guide_overhangs: Vec<GuideOverhang>,
-    /// Where no end of the worst cases is proven, so that they are the largest found and no more.
+    /// Spans in which no end of the worst cases is proven, so that they are the largest found and no more.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unproven_spans: Vec<UnprovenSpan>,
     /// Whether proven ends hold between the recorded angles too, not only at them.
@@ -110,7 +110,7 @@ pub enum MotionVerdict {
     NotMetInTheWorstCase,
     /// The limit lies between the found and the proven value, or too few mechanisms lie within the limits of the parts.
     Undecided,
-    /// It cannot be judged without dynamics.
+    /// The requirement cannot be judged without dynamics.
     NeedsDynamics,
 }
 
@@ -260,7 +260,7 @@ pub struct WorstCaseWitness {
     pub joints: Vec<WitnessJoint>,
 }
 
-/// Where one joint with play is in a worst case.
+/// Position of one joint with play in a worst case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WitnessJoint {
     /// Name of the joint.

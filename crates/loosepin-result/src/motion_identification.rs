@@ -96,7 +96,7 @@ pub struct TiedLength {
     pub column: usize,
     /// Place of the unknown.
     pub unknown: usize,
-    /// Their rank correlation (Spearman) over the mechanisms.
+    /// Rank correlation (Spearman) over the mechanisms.
     pub rank_correlation: f64,
 }
 
@@ -124,7 +124,7 @@ pub enum LengthsRefusal {
     },
     /// Features without independent error, which a mechanism would have to meet exactly.
     NotScattered {
-        /// Their names.
+        /// Names of the features.
         features: Vec<String>,
     },
     /// Too many runs failed.
@@ -207,7 +207,7 @@ pub enum PosteriorRefusal {
     },
     /// Too many of the runs that carry the weight failed.
     Failed {
-        /// Their share, by weight.
+        /// Share of the runs, by weight.
         share: f64,
         /// Largest share that is allowed.
         most: f64,
@@ -263,7 +263,7 @@ pub struct ConsistentMembers {
     pub unknown: usize,
     /// All members as the file writes them: laws by their names.
     pub before: Vec<String>,
-    /// Those that are consistent; of an empty set none.
+    /// Members that are consistent; empty for an empty set.
     pub after: Vec<String>,
 }
 

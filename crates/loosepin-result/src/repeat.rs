@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 use loosepin_text::diagnostics::Source;
 use serde::{Deserialize, Serialize};
 
-/// Stands for a folder whose name no file tells.
+/// Name for a folder that no file names.
 const UNNAMED_FOLDER: &str = "inputs";
 /// Folder for a file of the command line whose name another one has.
 const FOLDER_OF_MEASURED: &str = "measured";

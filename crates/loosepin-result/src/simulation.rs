@@ -157,7 +157,7 @@ impl OtherFormulation {
 /// Condensed shapes of a flexible body: they keep their static flexibility.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CondensedRecord {
-    /// Their number.
+    /// Number of shapes.
     pub shapes: usize,
     /// The frequency above which they are, and which they have instead.
     #[serde(with = "extended")]
@@ -200,7 +200,7 @@ pub struct Override {
 }
 
 impl Override {
-    /// Those of settings `path=value`.
+    /// The overrides of settings `path=value`.
     pub fn from_settings(settings: &[String]) -> Vec<Override> {
         let pairs = settings.iter().filter_map(|text| text.split_once('='));
         pairs.map(|(path, written)| Override { path: path.trim().into(), written: written.trim().into() }).collect()

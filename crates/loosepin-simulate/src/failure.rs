@@ -345,7 +345,7 @@ impl RunFailure {
 }
 
 impl RunFailure {
-    /// The diagnostic about the model whose run failed, at what it is about.
+    /// The diagnostic about the model whose run failed, at the part that it concerns.
     pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         match self {
             Self::Sample(error) => error.diagnostic(model),

@@ -96,7 +96,7 @@ pub(super) enum Source<'s, 'a> {
         motion: &'s mut Motion<'a, f64>,
         ideal: &'s mut IdealMotion<'a>,
         failure: &'s mut Option<SampleError>,
-        /// Where springs or loads act.
+        /// Account of springs and loads, if there are any.
         account: Option<&'s KinematicAccount>,
     },
 }

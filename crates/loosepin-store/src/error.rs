@@ -15,11 +15,11 @@ problems! {
         InUse { path: PathBuf } => Code::FolderInUse,
             says("{} is in use by another loosepin process", path.display()),
             hint("wait until it ends, or give another folder with --out");
-        /// It holds runs of this very study, and nobody said what is to become of them.
+        /// The store holds runs of this very study, and the caller did not state whether to reuse them.
         HoldsRuns { path: PathBuf, runs: u64 } => Code::StudyStarted,
             says("{} contains {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" }),
             hint("--resume continues with them, --force starts again");
-        /// It holds runs of something else: of another `study`, `version` or `format`.
+        /// The store holds runs of something else: of another `study`, `version` or `format`.
         OfOther { path: PathBuf, what: &'static str, found: String, expected: String } => Code::StoreOfOther,
             says("{} contains runs of another {what} ({found}; this one is {expected})", path.display()),
             hint("give another folder with --out; --force starts again and deletes these runs");

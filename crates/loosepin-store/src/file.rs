@@ -15,7 +15,7 @@ use super::row::{InputsKey, StoredRun, checksum};
 
 /// `LPIN`, by which `file` and SQLite know whose file it is.
 const APPLICATION: i32 = 0x4c50_494e;
-/// Of the tables below; another one is refused.
+/// Version of the tables below; another one is refused.
 const FORMAT: i32 = 1;
 
 /// The tables, by name, as SQLite keeps the statements that made them.
@@ -59,7 +59,7 @@ pub(super) struct StoreFile {
     identity: Identity,
 }
 
-/// Where SQLite is to open a file of the folder. It opens by paths: this one has no links, and leads to the folder.
+/// Path at which SQLite is to open a file of the folder. It opens by paths: this one has no links, and leads to the folder.
 fn checked_path(folder: &Folder, name: &str) -> io::Result<PathBuf> {
     let named = if folder.path().as_os_str().is_empty() { Path::new(".") } else { folder.path() };
     let path = if cfg!(unix) { named.canonicalize()? } else { named.to_owned() };

@@ -24,9 +24,9 @@ const NO_THREAD: &str = "the system refused to start a thread for it";
 /// The fate of runs that a store holds already when a study begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExistingRuns {
-    /// They are taken over.
+    /// Existing runs are reused.
     GoOn,
-    /// They are dropped, whosever they are.
+    /// Existing runs are dropped, whatever study they belong to.
     Anew,
     /// There must be none.
     Empty,

@@ -1,4 +1,4 @@
-//! The thread that has the file: collects what is to be kept, and commits it in time.
+//! The thread that owns the file: collects rows to be stored, and commits them in time.
 
 use std::ops::Range;
 use std::sync::Arc;

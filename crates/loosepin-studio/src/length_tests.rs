@@ -14,7 +14,7 @@ use crate::messages::{Grip, Held, Look, SentText};
 use crate::view::look::answer_look;
 use crate::view::texts::Texts;
 
-/// A text of eight times the length may take so many times as long: a cost by the square of the length takes 64 times as long.
+/// Largest factor of the time for a text of eight times the length: a quadratic cost takes 64 times as long.
 const MAX_TIMES: f64 = 16.0;
 /// Length of the shorter text, bytes.
 const SHORT: usize = 4_000;

@@ -79,7 +79,7 @@ impl Problem for StudyError {
 }
 
 impl StudyError {
-    /// The diagnostic about the study, or about its model, at what it is about.
+    /// The diagnostic about the study, or about its model, at the part that it concerns.
     pub fn diagnostic(&self, study: &Study) -> Diagnostic {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.diagnostic(&study.model),

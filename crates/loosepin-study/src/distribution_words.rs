@@ -4,7 +4,7 @@ use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::Distribution;
 
-/// Values of a discrete distribution that are told one by one.
+/// Values of a discrete distribution that are shown one by one.
 const MAX_TOLD: usize = 6;
 
 /// `distribution` in words and people's units, for example `normal, mean 50 mm, standard deviation 0.02 mm`.

@@ -15,7 +15,7 @@ use loosepin_uncertainty::contributors::IndexPlanError;
 use std::fmt;
 use thiserror::Error;
 
-/// Less than this is told in MiB.
+/// Size below which memory is shown in MiB.
 const GIB_FROM: f64 = 0.1;
 
 /// An amount of memory.
@@ -26,10 +26,10 @@ fn memory(gib: f64) -> String {
 /// Why a study has no result.
 #[derive(Debug, Error)]
 pub enum StudyError {
-    /// It cannot begin.
+    /// The study cannot begin.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
-    /// It has readings of a rig for `identify`, and no question.
+    /// The study has readings of a rig for `identify`, and no question.
     #[error("the study asks no question: its readings are for identify")]
     NothingAsked,
     /// Its sampling is not possible.
@@ -71,7 +71,7 @@ pub enum StudyError {
     /// A row did not fit.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// It was interrupted; the finished runs are in the table.
+    /// The study was interrupted; the finished runs are in the table.
     #[error("interrupted after {} of at most {most_runs} runs", finished.columns.first().map_or(0, |column| column.data.len()))]
     Interrupted {
         /// The finished runs.

@@ -1,4 +1,4 @@
-//! Where mechanisms and uncertainty meet: a study file, its runs, its results.
+//! Mechanisms with uncertainty: a study file, its runs, its results.
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 

@@ -15,7 +15,7 @@ pub struct RunOptions<'a> {
     pub progress: &'a dyn Progress,
     /// Stops it when set.
     pub stop: &'a AtomicBool,
-    /// Where finished runs are kept and found again; nowhere if omitted.
+    /// Store of finished runs; none if omitted.
     pub store: Option<&'a RunStore>,
     /// Which of the runs are made here. A part that is not the whole needs a store.
     pub run_subset: RunSubset,

@@ -14,7 +14,7 @@ use loosepin_uncertainty::hash;
 /// Folds, and the number of different points below which each point is a fold of its own.
 const FOLDS: usize = 5;
 const LEAVE_ONE_OUT_BELOW: usize = 16;
-/// Below so many runs ten folds instead: four fifths of few runs are too few to stand for all.
+/// Number of runs below which there are ten folds: four fifths of few runs are too few to stand for all.
 const MORE_FOLDS_BELOW: usize = 80;
 const MORE_FOLDS: usize = 10;
 

@@ -14,10 +14,10 @@ use loosepin_uncertainty::hash;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Of the held-out squared error of all modes, the share from which on a mode is worth a network.
+/// Share of the held-out squared error of all modes from which on a mode is worth a network.
 const WORTH_A_NETWORK: f64 = 0.02;
-/// Of the variance of the output, the share of held-out squared error from which on networks are tried: below it they cannot be better
-/// by more than this in Q².
+/// Share of held-out squared error in the variance of the output from which on networks are tried: below it they cannot be better by more
+/// than this in Q².
 const WORTH_ANY_NETWORK: f64 = 1e-4;
 /// Something must be better than the mean by this factor in the squared error before it is believed to be something.
 const BETTER_THAN_THE_MEAN: f64 = 0.95;

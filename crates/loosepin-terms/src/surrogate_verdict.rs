@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Reading of the held-out errors of a surrogate: whether what it has not learned falls with more runs.
+/// Verdict of the held-out errors of a surrogate: whether its residual falls with more runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SurrogateVerdict {

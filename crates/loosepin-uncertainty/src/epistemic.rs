@@ -70,24 +70,24 @@ impl Members {
 /// Structure of an epistemic input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum EpistemicVariable {
-    /// It lies between two ends.
+    /// A number between two ends.
     Interval(Interval),
-    /// It is an angle, or the phase of something that repeats itself: the interval is one period, its two ends are the same.
+    /// An angle, or the phase of a periodic process: the interval is one period, its two ends are the same.
     Periodic(Interval),
-    /// It is one of a few numbers.
+    /// One of a few numbers.
     OneOf(Members),
-    /// It lies in one of a few intervals, each with a mass.
+    /// A number in one of a few intervals, each with a mass.
     Evidence(Evidence),
-    /// It is a parameter of which it is known how probable each value is.
+    /// A parameter with a distribution over its values.
     SecondOrder(SecondOrder),
-    /// It lies in nested intervals, each with a degree of possibility.
+    /// A number in nested intervals, each with a degree of possibility.
     Fuzzy(FuzzyNumber),
 }
 
 impl EpistemicVariable {
-    /// The value at `fraction` in \[0, 1\] where what is known is taken as probability: along an interval, or the member
-    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A uniform
-    /// fraction therefore takes every interval as uniform and every member as equally probable.
+    /// The value at `fraction` in \[0, 1\] where the structure is taken as probability: along an interval, or the member whose equal share
+    /// it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A
+    /// uniform fraction therefore takes every interval as uniform and every member as equally probable.
     pub fn at(&self, fraction: f64) -> f64 {
         match self {
             Self::Interval(interval) | Self::Periodic(interval) => interval.at(fraction),

@@ -5,7 +5,7 @@ use super::settings::ColumnGroup;
 use crate::data::table::{Purpose, SampleTable};
 use loosepin_surrogate::{Options, OutputSurrogate, Surrogate, SurrogateError, TrainingData, TrainingOutput};
 
-/// From this Q² on, what is left is a hundredth of the response's deviation at most: the band around the surrogate holds it.
+/// Q² from which the residual is a hundredth of the response's deviation at most: the band around the surrogate holds it.
 const SMALL_REST: f64 = 0.9999;
 
 /// Surrogates of all groups.
@@ -66,7 +66,7 @@ impl LearnedGroup {
     }
 }
 
-/// Whether every inner run draws from what is left: where it does not fall with more runs, and is not so small that the band holds it.
+/// Whether every inner run draws from the residual: if it does not fall with more runs, and is not so small that the band holds it.
 pub(crate) fn draws_residual(surrogate: &Surrogate) -> bool {
     let is_drawn = |output: &OutputSurrogate| {
         output.residual.verdict.keeps_residual() && output.quality.q2.is_none_or(|q2| q2 < SMALL_REST)

@@ -1,4 +1,4 @@
-//! A checked problem, and what is to be learned of it.
+//! A checked problem, and the plan of its surrogates.
 
 use std::ops::Range;
 
@@ -37,7 +37,7 @@ pub enum SurrogatePlanError {
     NotLearned { column: usize },
 }
 
-/// A checked problem, and what is to be learned of it.
+/// A checked problem, and the plan of its surrogates.
 #[derive(Debug, Clone)]
 pub struct SurrogatePlan {
     pub(crate) direct: DoubleLoop,

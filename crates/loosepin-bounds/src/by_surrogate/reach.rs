@@ -13,7 +13,8 @@ use loosepin_terms::{ErrorEffect, Estimation, Statistic};
 
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
-/// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
+/// Least error of the surrogate in a mean, in units of its largest σ over X, and in a deviation, in units of σ̄, whatever direct runs have
+/// shown.
 const MIN_REACH_OF_MEAN: f64 = 1.0;
 const MIN_REACH_OF_DEVIATION: f64 = 2.0;
 
@@ -43,7 +44,7 @@ impl SharesOfReach {
         }
     }
 
-    /// That of `statistic`.
+    /// The reach of `statistic`.
     pub fn of(&self, statistic: Statistic) -> f64 {
         match (statistic.estimation(), statistic.effect_of_errors()) {
             (Some(Estimation::Mean), _) => self.of_mean,

@@ -56,7 +56,7 @@ pub struct SurrogateBounds {
     pub training_runs: usize,
     /// Direct runs that it was held against: at witnesses of bounds, and at extremes of treatments.
     pub confirming_runs: usize,
-    /// Those at witnesses of bounds.
+    /// Runs at witnesses of bounds.
     pub runs_at_bounds: usize,
     /// Failed ones of both.
     pub failed_runs: usize,
@@ -113,7 +113,7 @@ impl SurrogateBounds {
         extreme_runs(self.groups.iter().filter_map(|group| group.treatments.as_ref()), round)
     }
 
-    /// These bounds held against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
+    /// Checks these bounds against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
     ///
     /// # Errors
     ///

@@ -51,7 +51,7 @@ pub struct SurrogateRounds {
     first: usize,
     /// Points around which its runs are concentrated.
     near: Vec<Vec<f64>>,
-    /// Error of the surrogates over what is allowed, after each step of training runs.
+    /// Error of the surrogates over the allowed error, after each step of training runs.
     unknown: Vec<f64>,
     history: Vec<Assessment>,
     standing: RefinementStatus,

@@ -15,7 +15,7 @@ use loosepin_terms::{ErrorEffect, Statistic};
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MAX_PLACES: usize = 64;
-/// Of what a bound may be widened by, the share that its double loop on the surrogate may take: that costs no runs.
+/// Share of the allowed widening of a bound that its double loop on the surrogate may take: that costs no runs.
 const FREE_SHARE: f64 = 0.25;
 /// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
 const MAX_GROWTH: usize = 16;

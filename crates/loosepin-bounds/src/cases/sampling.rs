@@ -260,7 +260,7 @@ fn analytic_errors_of_means_and_deviations_hold_at_their_confidence_for_heavy_ta
 fn analytic_sampling_errors_hold_at_their_confidence_for_families_drawn_from_a_seed() {
     const FAMILIES: u64 = 500;
     const SEEDS: u64 = 60;
-    /// Of all statistics, ends and plans together.
+    /// Level of all statistics, ends and plans together.
     const LEVEL: f64 = 0.01;
     let seed = std::env::var("LOOSEPIN_SEED").ok().map_or(2611, |seed| seed.parse().unwrap());
     let drawn: Vec<Family> = (0..FAMILIES).map(|index| drawn_family(hash(seed, index))).collect();

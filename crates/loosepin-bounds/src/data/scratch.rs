@@ -31,7 +31,7 @@ pub struct Scratch {
 /// Parts of which pages are in memory, and their sizes together.
 #[derive(Default)]
 struct Read {
-    /// They do not hold the parts, which hold them.
+    /// Weak references: the parts own this list.
     parts: Vec<Weak<MappedChunk>>,
     bytes: usize,
 }

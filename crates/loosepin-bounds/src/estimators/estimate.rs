@@ -102,12 +102,12 @@ pub(crate) struct PowerSums {
 }
 
 impl PowerSums {
-    /// Those of `values`.
+    /// Power sums of `values`.
     pub fn of(values: &[f64]) -> Self {
         Self::about(values, mean_of(values))
     }
 
-    /// Those of `values`, whose `mean` is known.
+    /// Power sums of `values`, whose `mean` is known.
     pub fn about(values: &[f64], mean: f64) -> Self {
         let (square, cube) = values.iter().map(|value| value - mean).fold((0.0, 0.0), |(square, cube), deviation| {
             (square + deviation * deviation, cube + deviation * deviation * deviation)

@@ -7,7 +7,7 @@ use super::sample::{Sample, SampleBuilder};
 use crate::data::scratch::Scratch;
 use crate::data::table::{Purpose, SampleTable};
 
-/// So many columns are gathered at once: they lie beside one another in memory, row by row, and are read in long pieces.
+/// Number of columns that are gathered at once: they lie side by side in memory, row by row, and are read in long pieces.
 const COLUMNS_AT_ONCE: usize = 64;
 /// Fewer values of a point than these stay in memory: every part of a file has pages of its own, and systems allow some ten thousand.
 const MIN_MOVED: usize = 1 << 13;
@@ -80,8 +80,8 @@ impl PointSamples {
         self.samples.extend(missing.iter().copied().zip(gathered.into_iter().map(Arc::new)));
     }
 
-    /// Takes over the samples of `other` that are the same as its own: where a column does not depend on what differs between two points,
-    /// nothing is worked out for both.
+    /// Takes over the samples of `other` that are the same as its own: where a column does not depend on the difference between two points,
+    /// nothing is computed twice.
     pub fn share(&mut self, other: &Self) {
         for (column, own) in &mut self.samples {
             if let Some(same) = other.samples.get(column)
@@ -94,7 +94,7 @@ impl PointSamples {
     }
 }
 
-/// `samples` with their values in `scratch`, behind one another; as they are without it, where they are few or it has no room.
+/// `samples` with their values in `scratch`, one behind the other; unchanged without it, if they are few, or if it has no space.
 fn moved(samples: Vec<Sample>, scratch: Option<&Scratch>) -> Vec<Sample> {
     let count: usize = samples.iter().map(|sample| sample.values().len()).sum();
     let Some(scratch) = scratch.filter(|_| count >= MIN_MOVED) else { return samples };

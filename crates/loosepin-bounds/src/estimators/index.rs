@@ -10,9 +10,9 @@
 use super::polynomials::orthogonal::Axis;
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
 
-/// Beyond the largest z probabilities are not told apart.
+/// Largest z at which probabilities are distinguished.
 const MAX_INDEX: f64 = 40.0;
-/// Steps of the index that are always worth a point: deep in a tail it only has to tell where to go.
+/// Steps of the index that are always worth a point: deep in a tail it only has to show the direction.
 const COARSEST_INDEX: f64 = 0.1;
 
 /// asinh z
@@ -29,7 +29,7 @@ pub(crate) enum Index {
 }
 
 impl Index {
-    /// That of the event.
+    /// The index of the event.
     pub fn value(self) -> f64 {
         match self {
             Self::OfOne(index) => index,
@@ -37,7 +37,7 @@ impl Index {
         }
     }
 
-    /// Those of the two events, where there are two.
+    /// The indices of the two events, if there are two.
     pub fn sides(self) -> Option<[f64; 2]> {
         match self {
             Self::OfOne(_) => None,

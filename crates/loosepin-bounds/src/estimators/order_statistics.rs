@@ -23,7 +23,7 @@ pub(crate) struct PartlySorted {
 }
 
 impl<'a> OrderStatistics<'a> {
-    /// Those of the finished runs around the quantile at `probability`.
+    /// The order statistics of the finished runs around the quantile at `probability`.
     pub fn new(ordered: &'a Ordered<'_>, probability: f64) -> Self {
         if let Some(sorted) = ordered.known_order() {
             return Self::Whole(sorted);

@@ -114,7 +114,7 @@ impl Sample {
             && other.smooth.is_none()
     }
 
-    /// This sample, of which nothing has been worked out, with its values at `away`, where they have been written.
+    /// This sample, without cached results, with its values at `away`, where they have been written.
     pub fn moved(self, away: FileRange) -> Self {
         debug_assert_eq!(*away, *self.values, "the same values");
         Self { values: Numbers::InFile(away), ..self }

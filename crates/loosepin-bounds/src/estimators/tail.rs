@@ -26,7 +26,7 @@ pub(crate) fn index_for_mean(sorted: &[f64], tail: usize, confidence: &Confidenc
     of_half(sorted, tail, THIRD_MOMENT).max(confidence.tail_of_inputs).min(MAX_INDEX)
 }
 
-/// That of the error of a mean square, for both tails of values that `sorted` and `negated` have in increasing order.
+/// The index of the error of a mean square, for both tails of values that `sorted` and `negated` have in increasing order.
 pub(crate) fn index_for_mean_square(both: [&[f64]; 2], tail: usize, confidence: &Confidence) -> f64 {
     let of_sample = both.map(|sorted| of_half(sorted, tail, FOURTH_MOMENT));
     of_sample[0].max(of_sample[1]).max(confidence.tail_of_inputs).min(MAX_INDEX)

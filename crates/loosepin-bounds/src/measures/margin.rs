@@ -27,7 +27,7 @@ pub(crate) struct Margin {
 }
 
 impl Margin {
-    /// That of the probability of `event`; `None` if no run scatters and no mean differs.
+    /// The margin of the probability of `event`; `None` if no run scatters and no mean differs.
     pub fn new(samples: &[&Sample], event: Event, confidence: &Confidence) -> Option<Self> {
         let estimates: Vec<Estimate> = samples.iter().map(|sample| mean(sample, confidence)).collect();
         let means: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();

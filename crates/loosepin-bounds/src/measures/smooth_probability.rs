@@ -13,7 +13,7 @@ use loosepin_terms::Event;
 /// Gain of a probability of smooth responses that is worth a point, as a share of its range.
 const SMOOTH_PROBABILITY_RESOLUTION: f64 = 1e-6;
 
-/// Where a response hardly scatters its probability still has a scale: this share of the range of all responses.
+/// Least scale of a probability where a response hardly scatters: this share of the range of all responses.
 const MIN_SCALE: f64 = 1e-6;
 
 /// The probability of this event, of responses that are smooth in the random inputs. Its target is its index.

@@ -19,7 +19,7 @@ struct InnerRun {
     levels: Vec<QuantileLevel>,
 }
 
-/// Every inner run, worked out when they are needed: a sample of millions is planned in no time.
+/// Inner runs, each computed on first use: a sample of millions is planned in no time.
 #[derive(Debug, Clone)]
 pub(crate) struct InnerRuns {
     runs: OnceLock<Vec<InnerRun>>,

@@ -17,12 +17,11 @@ const MAX_INNER: usize = 1 << 24;
 /// for.
 const MAX_GROWN: usize = 2048;
 
-/// A sampling error that is to decide when to end is told by this many replicates at least: a few of them agree by chance too
-/// often, and the end would be where they do.
+/// Least number of replicates for a sampling error that decides when to end: a few of them agree by chance too often, and the end would be
+/// where they do.
 const MIN_REPLICATES: usize = 16;
 
-/// Where the search sees nothing to gain, this share of the points there are is added between them, and at least
-/// [`MIN_FILLING`].
+/// Share of the existing points that is added between them where the search sees nothing to gain, and at least [`MIN_FILLING`].
 const FILLING_SHARE: usize = 8;
 const MIN_FILLING: usize = 4;
 
@@ -53,18 +52,18 @@ pub struct Assessment {
     pub training: usize,
     /// Direct runs at the witnesses of such bounds.
     pub confirming: usize,
-    /// The largest widening over what is allowed; 1 or less where all goals are reached.
+    /// The largest widening over the allowed one; 1 or less if all goals are reached.
     pub share: f64,
-    /// The largest sampling error over what is allowed, among bounds that are too wide.
+    /// The largest sampling error over the allowed one, among bounds that are too wide.
     pub sampling_share: f64,
-    /// The largest error of the search over what is allowed, among bounds that are too wide.
+    /// The largest error of the search over the allowed one, among bounds that are too wide.
     pub optimisation_share: f64,
 }
 
 /// Progress of the sample refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RefinementStatus {
-    /// The rounds go on.
+    /// Further rounds are needed.
     Growing,
     /// Every goal is reached.
     Reached,

@@ -24,7 +24,7 @@ use crate::search::target::Target;
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
-/// At most one in so many of the points of a round goes to the u of a single run.
+/// Reciprocal of the largest share of the points of a round that goes to the u of single runs.
 const CALLED_SHARE: usize = 2;
 
 /// Where each run may have its own u, so many inner runs of every column are searched, to this share of their range.

@@ -18,7 +18,7 @@ use crate::search::scouts::{Observed, ends_by_chance};
 use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
 
-/// Of more columns than this, which are the poses of curves, so many are read, evenly among them.
+/// Largest number of columns that are read; of more, which are the poses of curves, this many, evenly among them.
 const MAX_COLUMNS: usize = 16;
 
 impl DoubleLoop {

@@ -14,8 +14,8 @@ pub(super) type SoughtExtremes = (Request, Vec<Direction>);
 /// those of curves.
 const MIN_OF_CURVES: usize = MAX_LOCATED_TARGETS + MAX_LOCATED_TARGETS / 8;
 
-/// Those of `searched` that steer `round`: all, but of curves with many poses every k-th pose alone, other ones each round. A pose is a column
-/// beside one of which the same is searched.
+/// Those of `searched` that steer `round`: all, but for curves with many poses every k-th pose alone, other ones each round. A pose is a
+/// column beside one of which the same is searched.
 ///
 /// A round has a few points for thousands of statistics, and those of neighbouring poses promise most at the same places. A bound
 /// concedes what the models of its own statistic leave open between all points, whatever these were chosen for.

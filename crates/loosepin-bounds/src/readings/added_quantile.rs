@@ -246,7 +246,7 @@ impl Experiment<'_> {
         quantiles.par_iter().flat_map_iter(of_quantile).collect()
     }
 
-    /// Where nothing scatters, each element gives a range with its mass: its ends, sorted, are the added distribution functions.
+    /// Quantile without scatter: each element gives a range with its mass; its ends, sorted, are the added distribution functions.
     fn quantile_without_scatter(&self, job: &QuantileJob, elements: &[Focal<'_>]) -> Bound {
         let samples = self.pool.samples(job.column);
         let measure = Mean.measure(&samples, &self.setup.confidence);

@@ -14,7 +14,7 @@ pub struct Bounds {
     pub reading: Reading,
     /// One entry for each request but those for a whole distribution function, in their order.
     pub pairs: Vec<BoundPair>,
-    /// Where an input is a fuzzy number: the bounds over every α-cut, degrees increasing; else nothing.
+    /// Bounds over every α-cut, degrees increasing, if an input is a fuzzy number; else empty.
     pub levels: Vec<CutBounds>,
     /// Percentiles of bounds where a parameter of a distribution has a distribution itself: one entry for each of `pairs`; else empty.
     pub percentiles: Vec<StatisticPercentiles>,

@@ -18,7 +18,7 @@ pub struct CoveragePoint {
     pub sampling_error: [f64; 2],
 }
 
-/// P(Y in band | u) over the outer points: a band that holds what it says holds it at every u.
+/// P(Y in band | u) over the outer points: a correct band holds its share at every u.
 ///
 /// Where u differs from mechanism to mechanism, a share of them as large as the mass of each focal element has its u somewhere in that
 /// element. Then the least share inside is the sum of the least of each element, by mass.

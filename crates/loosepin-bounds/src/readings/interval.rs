@@ -233,8 +233,8 @@ fn branches_of_all<'a>(
     measures.map(of).collect::<Vec<_>>().into_iter()
 }
 
-/// Values that do not move with u: several runs at `point` have exactly this response, and several at another u, as where a part rests on a
-/// stop, or there is no contact. In increasing order.
+/// Atoms of the response, values with positive probability, that do not move with u: several runs at `point` have exactly this response, and
+/// several at another u, as where a part rests on a stop, or there is no contact. In increasing order.
 fn atoms(samples: &[&Sample], point: usize) -> Vec<f64> {
     let own = repeated(samples[point]);
     let is_elsewhere = |atom: &f64| {

@@ -19,8 +19,8 @@ const MAX_PLACES: usize = 96;
 /// The error of a model, in its standard deviations.
 const ERROR_FACTOR: f64 = 2.0;
 
-/// The band of the mixed treatment, from the least lower to the largest upper quantile over u, and what is left of it where one
-/// epistemic input is known.
+/// The band of the mixed treatment, from the least lower to the largest upper quantile over u, and its remaining width where one epistemic
+/// input is known.
 ///
 /// ```text
 /// W = max over u of q_up(u) - min over u of q_low(u),   W_k(t) = the same over the u with u_k = t

@@ -42,7 +42,7 @@ const POINTS: u32 = 64;
 /// Values of the other epistemic inputs at which the percentiles are taken, at least: corners, centre and interior points.
 const MIN_VALUES: usize = 40;
 
-/// The sampling error of a percentile is the largest of so many outer points whose statistic is nearest to it.
+/// Number of outer points with the nearest statistics; the largest of their sampling errors is that of a percentile.
 const NEAREST: usize = 5;
 
 /// Separates the stream of random numbers.

@@ -26,7 +26,7 @@ pub(super) struct Climb<'a> {
 }
 
 impl<'a> Climb<'a> {
-    /// That of the model of a target with this `range`.
+    /// The climb on the model of a target with this `range`.
     pub fn new(
         axes: &'a Axes,
         model: &'a TargetModel<'a>,

@@ -105,7 +105,7 @@ impl Search<'_> {
         places
     }
 
-    /// How far a place that is merely hoped for is from all points and from others of its round: what is found at one of them says little of the
+    /// Least distance of an optimistic place from all points and from others of its round: values at one of them say little about the
     /// others. Half of the side of a box for each point.
     fn least_distance_of_hopes(&self) -> f64 {
         let dimensions = self.points.first().map_or(1, |point| point.at.len().max(1));
@@ -121,7 +121,7 @@ struct Hope<'m> {
     at: &'m Vec<f64>,
 }
 
-/// Those of the model of one combination among its candidates in `region`.
+/// Optimistic places of the model of one combination among its candidates in `region`.
 fn hopes_of<'m>(
     (combination, branch): (usize, &'m Branch<'_>),
     direction: Direction,

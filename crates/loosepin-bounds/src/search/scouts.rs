@@ -4,16 +4,16 @@ use super::search_box::BoxPoint;
 use crate::data::direction::Direction;
 use crate::search::models::of_points::Search;
 
-/// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
+/// Least standard deviation of the runs at a point, as a share of the largest at any point.
 const MIN_DEVIATION: f64 = 1e-3;
 
-/// Where single runs were made, each at a u of its own, and the nearest outer point in the same combination of the discrete inputs.
+/// Single runs, each at a u of its own, with the nearest outer point in the same combination of the discrete inputs.
 pub(crate) struct Scouts<'a> {
     places: &'a [BoxPoint],
     nearest: Vec<Option<usize>>,
 }
 
-/// A column of the scouts, and what it is held against.
+/// A column of the scouts, and its prediction.
 pub(crate) struct Observed<'a> {
     /// Values of the scouts; NaN if a run failed.
     pub values: &'a [f64],

@@ -8,7 +8,7 @@ pub(crate) struct Axes {
     pub(super) is_periodic: Vec<bool>,
 }
 
-/// Where the two vertices of a closed axis lie: with the centre of the box at three equal distances round the circle.
+/// Places of the two vertices of a closed axis: with the centre of the box at three equal distances round the circle.
 const VERTICES_OF_A_CIRCLE: [f64; 2] = [1.0 / 6.0, 5.0 / 6.0];
 
 impl Axes {
@@ -106,7 +106,7 @@ pub(crate) struct SearchBox {
 pub(crate) struct BoxPoint {
     /// Which combination of the discrete inputs, the member of the first one changing fastest.
     pub combination: usize,
-    /// Where in the unit box of the intervals.
+    /// Place in the unit box of the intervals.
     pub at: Vec<f64>,
 }
 

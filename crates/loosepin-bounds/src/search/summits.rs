@@ -1,4 +1,4 @@
-//! Where something smooth is expected to lead on from what has been attained.
+//! Places to which a smooth function is expected to lead on from the attained extremes.
 
 use rayon::prelude::*;
 

@@ -7,8 +7,8 @@ use crate::search::models::of_points::{Modelled, Search};
 use crate::search::models::prediction::Allowance;
 use loosepin_uncertainty::{hash, normal};
 
-/// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
-/// units of the box, the largest first.
+/// Distances along each axis, in units of the box, the largest first, at which the surroundings of each extreme are examined where the
+/// models promise nothing more.
 const CONFIRMING_DISTANCES: [f64; 3] = [0.02, 0.004, 0.0008];
 
 /// At these distances nothing changes around an extreme that is rounded. Where something does, slopes meet, maybe in a ridge that leads on

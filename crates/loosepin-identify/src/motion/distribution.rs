@@ -6,7 +6,7 @@
 use super::grid::{Axis, Grid, TestedCell, place};
 use loosepin_math::solve_square;
 
-/// A parabola may rise above the values that it goes through by so much of ln p: that of a normal distribution whose values are 2 standard
+/// Largest rise of a parabola above the values that it goes through, in ln p: that of a normal distribution whose values are 2 standard
 /// deviations apart.
 const MAX_RISE: f64 = 0.5;
 /// Cells in which the distribution is summed: along an unknown at least, for each cell of the grid there at least, of all together at most.

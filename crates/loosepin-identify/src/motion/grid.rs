@@ -6,7 +6,7 @@ use super::joint_test::Verdict;
 const FIRST_CELLS: usize = 64;
 /// A cell is fine enough where it is this share of the consistent set along each unknown.
 const RESOLUTION: f64 = 1.0 / 20.0;
-/// Where the inside of the set counts as well, its cells are this share of it along each unknown.
+/// Largest cell inside of the set, as a share of it along each unknown, if the inside counts as well.
 const INSIDE: f64 = 1.0 / 8.0;
 /// Cells along an unknown, at most.
 const MAX_CELLS: usize = 512;

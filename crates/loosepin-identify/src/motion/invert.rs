@@ -31,7 +31,7 @@ pub struct MotionValues {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set.
     pub with_posterior: bool,
-    /// Whether mechanisms that agree with the measurement are drawn, by what is left of the runs.
+    /// Whether mechanisms that agree with the measurement are drawn from the remaining runs.
     pub with_lengths: bool,
 }
 

@@ -32,7 +32,7 @@ const LEAST: f64 = MIN_SPECIMEN_ROWS as f64;
 const BATCH: usize = 2000;
 /// Largest share of drawn mechanisms whose run failed.
 const MAX_FAILED: f64 = 0.05;
-/// Rank correlation of a length and an unknown from which on it is told, where it is no chance.
+/// Rank correlation of a length and an unknown from which they count as tied, unless it is by chance.
 const TIED: f64 = 0.3;
 /// Standard deviations beyond which a rank correlation is no chance.
 const CHANCE: f64 = 3.0;

@@ -18,7 +18,7 @@ const IMAGINED: usize = 4;
 const USUAL_ERROR: MotionError = MotionError { size: 0.05, is_share: true };
 /// Stream of the common errors of imagined measurements.
 const ERRORS: u64 = 0x706c_616e;
-/// Share of measurements in which a wrong member of a list is told, below which the two count as not distinguishable.
+/// Share of measurements in which a wrong member of a list is recognised, below which the two count as not distinguishable.
 const TOLD: f64 = 0.95;
 
 /// The features of a study, or of one of its specimens, or where it names none the largest magnitude and the rms of each output and the impacts of each joint,

@@ -64,7 +64,7 @@ impl Observation {
     }
 }
 
-/// Runs that ended, as they are compared: logarithms of features that are positive.
+/// Finished runs in the scale of comparison: logarithms of features that are positive.
 pub(crate) struct Scatter {
     pub rows: Vec<Vec<f64>>,
     /// Whether logarithms are taken, for each feature.
@@ -92,7 +92,7 @@ impl Scatter {
         Some(Self { rows, is_log, form, failed })
     }
 
-    /// Values as they are compared.
+    /// Values in the scale of comparison.
     pub fn scaled(&self, values: &[f64]) -> Vec<f64> {
         scaled(values, &self.is_log)
     }

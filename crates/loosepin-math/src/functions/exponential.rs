@@ -31,7 +31,7 @@ const EXPONENTIAL: [f64; 5] = [
 pub(crate) const DOWNWARDS: [i32; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
 const UPWARDS: [i32; 6] = [32, 16, 8, 4, 2, 1];
 
-/// The smallest number that [`natural_logarithm`] tells from smaller ones.
+/// The smallest number that [`natural_logarithm`] distinguishes from smaller ones.
 const SMALLEST: f64 = 1e-300;
 /// The smallest and largest argument of [`exponential`].
 const ARGUMENTS: [f64; 2] = [-700.0, 43.0];

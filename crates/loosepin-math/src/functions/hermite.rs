@@ -7,7 +7,7 @@ use crate::Real;
 /// For a smooth function on an interval of length h its error is at most h⁶/46080 times the sixth derivative.
 #[derive(Debug, Clone, Copy)]
 pub struct Quintic<T = f64> {
-    /// That of τᵏ.
+    /// Coefficients of τᵏ.
     pub coefficients: [T; 6],
 }
 

@@ -17,11 +17,11 @@ pub struct Interval {
 /// The outcome of a comparison of intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Certainty {
-    /// It holds for all numbers in them.
+    /// The relation holds for all numbers in them.
     Always,
-    /// It holds for none.
+    /// The relation holds for none.
     Never,
-    /// It holds for some, or nothing is known.
+    /// The relation holds for some, or is undecided.
     Sometimes,
 }
 

@@ -1,4 +1,4 @@
-//! Matrices for products with vectors, four rows beside one another.
+//! Matrices for products with vectors, in interleaved blocks of four rows.
 //!
 //! The scalar product of a short row waits for each of its additions, and longest for the sum of its eight partial sums. Here the same
 //! entry of four rows lies in one vector: four products are formed at once, each by the additions of [`crate::solve::dense::dot`] in their order.
@@ -62,8 +62,8 @@ impl FourRows {
         product
     }
 
-    /// The matrix whose rows lie beside one another in fours already: of each four rows an entry for each of the `columns`, of the last
-    /// ones those beyond `rows` are zero.
+    /// The matrix from rows that are already interleaved by fours: of each four rows an entry for each of the `columns`, of the last ones
+    /// those beyond `rows` are zero.
     pub fn from_interleaved_rows(rows: usize, columns: usize, entries: Vec<[f64; 4]>) -> Self {
         debug_assert_eq!(entries.len(), rows.div_ceil(4) * columns, "an entry for each column");
         Self { rows, columns, entries }

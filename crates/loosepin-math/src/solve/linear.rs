@@ -244,7 +244,7 @@ mod tests {
         assert_eq!(determinant(&mut [], 0), 1.0);
     }
 
-    /// The elimination that looks at every entry before every pivot: pivots, and what is left of the matrix.
+    /// The elimination that examines every entry before every pivot: pivots, and the rest of the matrix.
     fn looking_everywhere(matrix: &[f64], rows: usize, columns: usize) -> (Vec<(usize, usize)>, Vec<f64>) {
         let (mut a, mut pivots) = (matrix.to_vec(), Vec::<(usize, usize)>::new());
         loop {

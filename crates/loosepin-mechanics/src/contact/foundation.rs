@@ -337,7 +337,8 @@ impl Foundation {
         reaches_m.fold([f64::INFINITY, 0.0], |[low, high], own_m| [low.min(own_m), high.max(own_m)])
     }
 
-    /// Those distances over all angles of the bearing from the journal between two, rad: every second sector, and no closer than 2°, of one turn at most.
+    /// Distances over all angles of the bearing from the journal between two, rad: every second sector, and no closer than 2°, of one turn
+    /// at most.
     pub fn clearances_within_m(&self, [least_rad, most_rad]: [f64; 2]) -> [f64; 2] {
         if !(least_rad < most_rad) || self.profiles[1].is_unworn() {
             let turn_rad = if least_rad.is_finite() { least_rad } else { 0.0 };

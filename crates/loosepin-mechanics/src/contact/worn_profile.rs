@@ -16,7 +16,7 @@ pub struct WornProfile {
 pub struct Weights {
     /// Offset of the first of the four sectors from the current sector, from 0 up to their number.
     shift: usize,
-    /// Of the value.
+    /// Values.
     pub value: [f64; 4],
     slope_1_rad: [f64; 4],
     bend_1_rad2: [f64; 4],

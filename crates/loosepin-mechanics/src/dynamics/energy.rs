@@ -17,7 +17,7 @@ pub struct MechanicalEnergy<T> {
 }
 
 impl<T: Real> MechanicalEnergy<T> {
-    /// Their sum.
+    /// Sum of both energies.
     pub fn total_j(&self) -> T {
         self.kinetic_j + self.potential_j + self.stored_j
     }

@@ -88,7 +88,7 @@ pub struct Dynamics<'a, T> {
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
     pub(super) mass: Vec<T>,
-    /// Where M may have entries other than zero.
+    /// The possibly non-zero entries of M.
     envelope: Envelope,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     pub(super) driven_mass: Vec<T>,

@@ -146,7 +146,7 @@ problems! {
     }
 }
 
-/// Where bodies are, in words.
+/// Positions of bodies, in words.
 fn places_of(bodies: &[String]) -> String {
     if bodies.len() == 1 { format!("where {} is", quoted(bodies)) } else { format!("where {} are", quoted(bodies)) }
 }

@@ -122,7 +122,7 @@ impl<'a> IdealMotion<'a> {
     /// c, c', c'' such that q(-d), q'(-d), q''(-d) are those before
     /// ```
     fn predict(&mut self, next_s: f64) {
-        /// The longest step that the last one tells about, in units of it: the error grows with its sixth power.
+        /// The longest step that the last one predicts, in units of it: the error grows with its sixth power.
         const FURTHEST: f64 = 2.0;
         /// What it may add to the guess of degree two, as a share of the step.
         const MAX_CORRECTION: f64 = 0.25;

@@ -96,7 +96,7 @@ pub struct Sample<T> {
     pub real: Geometry<T>,
     /// Joints and couplings with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
-    /// Their contacts, in the order of [`Mechanism::contacts`].
+    /// Contacts of the joints, in the order of [`Mechanism::contacts`].
     pub contacts: Vec<ContactPlace>,
     /// Ideal joints with friction, in the order of the model.
     pub frictions: Vec<JointFriction<T>>,

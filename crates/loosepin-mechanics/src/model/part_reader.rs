@@ -49,7 +49,7 @@ impl<'t, R: PartReader + ?Sized> DefaultValue<'t, R, &'static str> for QuantityI
 pub enum DeferredQuantity<'t> {
     /// As the file has it.
     Written(Entry<'t>),
-    /// Left out of the table under this key, with what it is then.
+    /// Omitted from the table under this key, with its default value.
     DefaultValue(Table<'t>, &'static str, &'static str),
 }
 

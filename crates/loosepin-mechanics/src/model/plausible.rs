@@ -56,7 +56,7 @@ problems! {
             /// Radius of gyration, √(inertia/mass).
             gyration: String,
             extent: String,
-            /// That of a slender rod of the same mass and extent.
+            /// Inertia of a slender rod of the same mass and extent.
             of_rod: String,
             slip: Option<String>,
         } => Code::ImplausibleNumber,

@@ -5,8 +5,8 @@ use crate::study::output_summary::main_bound;
 use crate::words::wording::{statistic_words, verdict_words};
 use loosepin_result::study::{BoundRecord, Draft};
 
-/// A line on what is known so far: how far the main output goes at most, with its numerical error, and the verdict. Empty where nothing
-/// is known yet.
+/// A line on the intermediate results: the largest deviation of the main output so far, with its numerical error, and the verdict. Empty
+/// where nothing is known yet.
 pub fn draft_text(draft: &Draft) -> String {
     let writer = NumberWriter::for_terminal(&draft.display_units);
     let verdict = draft.verdict().map(|verdict| format!("requirements {}", verdict_words(verdict)));

@@ -163,7 +163,7 @@ pub(crate) struct Chart {
     /// Upright lines.
     pub marks: Vec<Mark>,
     pub height: u32,
-    /// One sentence on what is to be seen, for the caption.
+    /// One sentence on the figure, for the caption.
     pub caption: Markup,
     /// Text alternative for readers who cannot see the chart.
     pub alternative: String,

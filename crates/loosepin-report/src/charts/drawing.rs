@@ -201,7 +201,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     if from.is_finite() && to.is_finite() { [from, to] } else { [0.0, 1.0] }
 }
 
-/// One turn that does not begin at 0° is still told in angles from 0° to 360°.
+/// Whether the chart is over one turn: also one that does not begin at 0° is shown in angles from 0° to 360°.
 fn is_one_turn(chart: &Chart, plot: &Plot) -> bool {
     chart.is_in_degrees() && (plot.x[1] - plot.x[0] - TURN_DEG).abs() < 1e-3 && plot.x[0] != 0.0
 }

@@ -299,7 +299,7 @@ fn in_circle(
         .figure(caption, csv)
 }
 
-/// Where `value` lies between `from` and `to`, in percent of the width.
+/// Position of `value` between `from` and `to`, in percent of the width.
 pub(crate) fn percent_of(value: f64, from: f64, to: f64) -> String {
     let share = if to > from { (value - from) / (to - from) } else { 0.5 };
     // The ends may be infinite where a bound does not exist.

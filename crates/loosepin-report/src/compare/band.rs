@@ -167,7 +167,7 @@ fn within(curve: &DeviationCurve, from_rad: f64) -> impl Iterator<Item = (f64, u
     poses.iter().enumerate().map(move |(pose, angle)| (if is_turn { shifted(*angle) } else { *angle }, pose))
 }
 
-/// Both ends of the band at these angles: between poses on the straight line between them, as they are drawn; not known beyond the poses.
+/// Both ends of the band at these angles: between poses on the straight line between them, as drawn; unknown beyond the poses.
 fn ends_at(curve: &DeviationCurve, angles: &[f64]) -> [Vec<f64>; 2] {
     let from = angles.first().copied().unwrap_or(0.0);
     let mut poses: Vec<(f64, usize)> = within(curve, from).collect();

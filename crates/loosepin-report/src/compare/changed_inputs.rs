@@ -7,14 +7,14 @@ use loosepin_result::study::{InputDescription, StudyResult};
 use loosepin_text::diagnostics::Source;
 use loosepin_text::document::{Difference, describe_path, differences};
 
-/// Tables of a study whose entries are told in words.
+/// Tables of a study whose entries are described in words.
 const UNCERTAIN: [&str; 2] = ["random", "epistemic"];
-/// Entries that are told at most.
+/// Largest number of entries that are shown.
 const MOST: usize = 200;
-/// Characters of an entry that are told.
+/// Largest number of characters of an entry that are shown.
 const LONGEST: usize = 300;
 
-/// Where an input of a study stands.
+/// Place of an input of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputPlace {

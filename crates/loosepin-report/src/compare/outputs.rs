@@ -5,7 +5,7 @@ use loosepin_result::study::{OutputDescription, StudyResult};
 /// The outputs that both studies have.
 pub struct SharedOutputs {
     names: Vec<String>,
-    /// Those that are not compared, and why.
+    /// Outputs that are not compared, with the reasons.
     pub left_out: Vec<String>,
 }
 

@@ -14,7 +14,7 @@ pub struct ComparedRequirement {
     pub what: String,
     /// The limits and the required share in A and in B, in words; `None` if the study does not require it.
     pub required: [Option<String>; 2],
-    /// The share that keeps the limits, as far as it is known.
+    /// Bounds of the share that keeps the limits.
     pub kept: [Option<String>; 2],
     /// The verdicts.
     pub verdicts: [Option<Verdict>; 2],

@@ -44,14 +44,14 @@ pub struct ComparedEnd {
 pub enum Weight {
     /// There is none.
     None,
-    /// It is not larger than both errors together: it may be that of the computation alone.
+    /// The difference is not larger than both errors together: it may be numerical alone.
     WithinErrors,
-    /// It is larger.
+    /// The difference is larger.
     BeyondErrors,
 }
 
 impl Weight {
-    /// That of a difference.
+    /// The weight of a difference.
     pub fn of(difference_si: f64, errors_si: f64) -> Self {
         if difference_si == 0.0 {
             Self::None

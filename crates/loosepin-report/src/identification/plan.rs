@@ -8,7 +8,7 @@ use loosepin_result::motion_identification::{MotionPlan, PlannedFeature};
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::listed;
 
-/// A feature that leaves more than this share of each unknown tells nothing.
+/// Share of each unknown above which a feature counts as uninformative.
 const TELLS_NOTHING: f64 = 0.95;
 
 /// Remaining range of the unknowns by each feature.

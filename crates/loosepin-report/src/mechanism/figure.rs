@@ -17,7 +17,7 @@ use loosepin_text::units;
 
 /// Name of the figure.
 const NAME: &str = "mechanism";
-/// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
+/// Digits of the poses in a page: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;
 /// Most poses in a page.
 const MAX_POSES: usize = 361;

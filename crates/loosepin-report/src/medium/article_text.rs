@@ -79,7 +79,7 @@ fn push_facts(text: &mut String, facts: &[Fact], width: usize) {
     }
 }
 
-/// A table of each group that has a heading, below it; groups without one go on with the table before them.
+/// Appends a table for each group that has a heading, below it; groups without one continue the table before them.
 fn push_table(text: &mut String, table: &Table) {
     let title = words(&table.title);
     if !title.is_empty() {

@@ -1,4 +1,4 @@
-//! Where in the cycle of a motion something is.
+//! Place in the cycle of a motion.
 
 use crate::charts::chart::Chart;
 use crate::numbers::number::{NumberWriter, Rounding, within_turn_rad};
@@ -21,7 +21,7 @@ pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
 }
 
-/// Where over the cycle a history is largest, and how large.
+/// Place and value of the maximum of a history over the cycle.
 pub(crate) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
     record
         .drive_angle_rad

@@ -20,9 +20,9 @@ pub(super) struct PlayEffect {
 /// Proof of [`PlayEffect::largest_si`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shown {
-    /// It is the sum of first-order effects.
+    /// The sum of first-order effects.
     FirstOrder,
-    /// It was found, and no play makes it larger than this number, which is proven.
+    /// Found by a search, with a proven upper limit.
     UpTo(f64),
     /// Found by a search; larger values are not excluded.
     Found,
@@ -89,7 +89,7 @@ pub(super) fn spread_on_rims(record: &MotionRecord, output: &OutputMotion, write
     writer.with_tag(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
 }
 
-/// Where no end of the worst cases is proven, a sentence for each reason.
+/// Spans in which no end of the worst cases is proven, a sentence for each reason.
 pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
     let mut reasons: Vec<&str> = record.unproven_spans.iter().map(|span| span.words.as_str()).collect();
     reasons.sort_unstable();

@@ -206,7 +206,7 @@ fn statistic(statistic: Statistic) -> String {
 pub struct TaggedNumber {
     /// Its identity; `None` if that was not stated.
     pub tag: Option<Tag>,
-    /// The digits as they are shown, without unit: `97.9`, `1.2e-9`, `−0.5`, `1.2 · 10⁻⁹`.
+    /// The displayed digits, without unit: `97.9`, `1.2e-9`, `−0.5`, `1.2 · 10⁻⁹`.
     pub digits: String,
     /// The value of the digits, in the displayed unit.
     pub value: f64,

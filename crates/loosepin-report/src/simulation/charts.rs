@@ -29,7 +29,7 @@ pub(super) fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWr
     Chart::over_angle(id, &record.settings.drive, &angles_rad, writer)
 }
 
-/// Where an impact stands in the charts of a run.
+/// Place of an impact in the charts of a run.
 pub(super) fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, writer: &NumberWriter) -> f64 {
     if !is_over_angle(record) {
         return writer.scaled(impact.time_s, &SiUnit::TIME);
@@ -135,7 +135,7 @@ fn control_chart(
     chart.figure()
 }
 
-/// The parts of the balance, and what is left.
+/// The parts of the balance, and the residual.
 pub(super) fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let account = &record.energy;
     let unit = SiUnit::ENERGY;

@@ -20,7 +20,7 @@ const DRAWN: [&str; 5] = ["m/s^2", "rad/s^2", "N", "N m", "W"];
 
 /// A history with its spectrum.
 struct Oscillation {
-    /// Its name, and in words what it is.
+    /// Its name, and its description in words.
     name: String,
     words: String,
     unit: SiUnit,

@@ -9,7 +9,7 @@ use loosepin_text::units::{DisplayUnit, DisplayUnits, SiUnit};
 const MIN_SECTORS: f64 = 4.0;
 /// Half-width of the patch over the radius from which the surfaces are no half-spaces any more: the arc is 1.5 % longer than its chord.
 const WIDE_PATCH: f64 = 0.3;
-/// Depth over clearance from which the unworn geometry is told to be an estimate only.
+/// Depth over clearance from which the unworn geometry counts as an estimate only.
 const MUCH_WORN: f64 = 0.1;
 
 /// The units of numbers of wear: depths in µm, volumes in mm³.
@@ -46,7 +46,7 @@ pub(super) fn deepest_words(surface: &SurfaceWear, writer: &NumberWriter) -> Opt
     Some(format!("{from} to {to}"))
 }
 
-/// The checks of a run's wear, and what is to be known of its numbers; `writer` has the units of [`wear_units`].
+/// The checks of a run's wear, and notes on its numbers; `writer` has the units of [`wear_units`].
 ///
 /// With the worn shape (`is_worn`) nothing is said of Hertz's pressure, nor that the shape is unworn.
 pub(super) fn wear_sentences(wear: &JointWearRecord, is_worn: bool, writer: &NumberWriter) -> Vec<String> {

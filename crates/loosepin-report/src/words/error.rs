@@ -9,7 +9,7 @@ use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoi
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;
-/// Random samples that are advised are so many times as many, at most: beyond it nobody would wait.
+/// Largest multiple of the random samples that is advised: beyond it nobody would wait.
 const MAX_TIMES: f64 = 100.0;
 
 pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> String {

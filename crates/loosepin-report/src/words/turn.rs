@@ -5,7 +5,7 @@ use crate::numbers::tag::Tag;
 use crate::words::wording::{count, counted, deviation_of, listed, output_unit, output_words};
 use loosepin_result::study::{Deviation, FurtherOutput, FurtherTurns, Reduction, RequirementOutcome, StudyResult};
 
-/// Outputs that are told; all of them are in the files.
+/// Outputs that are shown; all of them are in the files.
 const MAX_TOLD: usize = 3;
 /// Digits of what later turns add.
 const DIGITS: usize = 2;

@@ -32,7 +32,7 @@ pub struct ControlHistory {
 /// Swings of an error about its mean over the second half of the recorded part.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ErrorOscillation {
-    /// Whether they stay as they are.
+    /// Whether the oscillation is steady or grows.
     pub course: OscillationTrend,
     /// Half the range of the error over a swing: the mean of all, or of the last ones where they grow.
     #[serde(with = "extended")]
@@ -47,7 +47,7 @@ pub struct ErrorOscillation {
     pub swings: usize,
 }
 
-/// How swings go on.
+/// Trend of an oscillation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OscillationTrend {

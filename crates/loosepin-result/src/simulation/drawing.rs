@@ -142,7 +142,7 @@ pub enum DriveSense {
     Backward,
     /// Both, one after the other.
     ToAndFro,
-    /// It holds its joint.
+    /// The drive holds its joint.
     Still,
 }
 

@@ -22,7 +22,7 @@ pub struct MotionKind {
     /// Angle of the drive, or phase of the cycle, within a turn at which the motion was looked at.
     #[serde(with = "extended")]
     pub section_angle_rad: f64,
-    /// Where every journal was, in the frame of its bearing.
+    /// Paths of every journal, in the frame of its bearing.
     pub journals: Vec<JournalOrbit>,
     /// The outputs that are positions or angles.
     pub outputs: Vec<SectionedOutput>,
@@ -84,9 +84,9 @@ impl LyapunovRecord {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NeighbourKind {
-    /// They part: the whole interval lies above zero, and over all turns they parted more than a thousandfold.
+    /// Neighbouring motions part: the whole interval lies above zero, and over all turns they parted more than a thousandfold.
     Part,
-    /// They meet: the whole interval lies below zero, and over all turns they came closer more than a thousandfold.
+    /// Neighbouring motions meet: the whole interval lies below zero, and over all turns they came closer more than a thousandfold.
     Meet,
     /// Neither is shown: the exponent is compatible with zero.
     Undecided,

@@ -3,11 +3,11 @@
 use super::SimulationRecord;
 use std::f64::consts::TAU;
 
-/// Turns that a spectrum looks at, the last ones: orders are told apart by one over their number.
+/// Largest number of turns of a spectrum, the last ones: the resolution of orders is one over their number.
 const MAX_TURNS: usize = 8;
 /// The highest order.
 const HIGHEST_ORDER: usize = 60;
-/// Of the angle between two samples.
+/// Round-off of the angle between two samples.
 const ROUND_OFF: f64 = 1e-9;
 /// A history that ends further from its start than this share of its range runs away, as the angle of a shaft does.
 const RUNS_AWAY: f64 = 0.5;
@@ -26,7 +26,7 @@ const RUNS_AWAY: f64 = 0.5;
 pub struct Spectrum {
     /// Orders h > 0, increasing: waves a turn.
     pub orders: Vec<f64>,
-    /// Their amplitudes, in the unit of the history.
+    /// Amplitudes of the orders, in the unit of the history.
     pub amplitudes_si: Vec<f64>,
     /// The mean x̄.
     pub mean_si: f64,

@@ -75,7 +75,7 @@ pub struct AccuracyOutcome {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where; of a curve the pose that is furthest from the target.
+    /// Place; of a curve the pose that is furthest from the target.
     pub at: ResponsePoint,
     /// The statistic.
     pub statistic: Statistic,

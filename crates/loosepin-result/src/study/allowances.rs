@@ -24,7 +24,7 @@ pub struct AllowanceRecord {
     /// The next value above it that was tried, at which they are not met or not decided; `None` if `allowed_si` is `up_to_si`.
     #[serde(with = "extended")]
     pub beyond_si: Option<f64>,
-    /// Where fits were asked about: the loosest one that is allowed.
+    /// The loosest fit that is allowed, if fits were asked about.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub allowed_fit: Option<String>,
     /// The next looser one of the list.

@@ -16,7 +16,7 @@ pub struct BoundRecord {
     pub output: String,
     /// Which deviation, or the value itself.
     pub of: Deviation,
-    /// Where in the cycle, or how the cycle was reduced to one number.
+    /// Place in the cycle, or reduction of the cycle to one number.
     pub at: ResponsePoint,
     /// The statistic.
     pub statistic: Statistic,

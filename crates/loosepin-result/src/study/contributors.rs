@@ -16,7 +16,7 @@ pub struct Contributors {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle.
+    /// Place in the cycle.
     pub at: ResponsePoint,
     /// Unit of the output.
     pub unit: SiUnit,

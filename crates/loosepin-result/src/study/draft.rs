@@ -9,7 +9,7 @@ use loosepin_text::units::{DisplayUnits, SiUnit};
 pub struct Draft {
     /// Runs that these bounds come from.
     pub runs: usize,
-    /// Those asked for of single numbers: of extremes and means of a cycle, not of curves.
+    /// Bounds of single numbers that are asked for: of extremes and means of a cycle, not of curves.
     pub bounds: Vec<BoundRecord>,
     /// The requirements over a whole cycle.
     pub requirements: Vec<RequirementOutcome>,

@@ -146,7 +146,7 @@ pub struct TreatmentComparison {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle, or how it was reduced.
+    /// Place in the cycle, or its reduction.
     pub at: ResponsePoint,
     /// Unit of the bands.
     pub unit: SiUnit,

@@ -153,7 +153,7 @@ pub struct PathOutput {
 pub struct RunCounts {
     /// All runs.
     pub runs: u64,
-    /// Those that failed.
+    /// Failed runs.
     pub failed: u64,
     /// The runs by what they were for, purposes without runs left out.
     pub by_purpose: Vec<PurposeRuns>,

@@ -66,7 +66,7 @@ pub struct PromisedEnd {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle: `whole` means everywhere.
+    /// Place in the cycle: `whole` means everywhere.
     pub at: ResponsePoint,
     /// The statistic.
     pub statistic: Statistic,

@@ -14,7 +14,7 @@ pub struct RareRecord {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle.
+    /// Place in the cycle.
     pub at: ResponsePoint,
     /// The probability.
     pub statistic: Statistic,
@@ -40,7 +40,7 @@ pub struct RareEnd {
     pub reliability_index: Option<f64>,
     /// Runs of this estimate, without those of the search for where it is.
     pub runs: u64,
-    /// Those that failed: no event at the lower end, the event at the upper one.
+    /// Failed runs: no event at the lower end, the event at the upper one.
     pub failed: u64,
 }
 

@@ -15,7 +15,7 @@ pub struct RequirementOutcome {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle: `whole` means everywhere.
+    /// Place in the cycle: `whole` means everywhere.
     pub at: ResponsePoint,
     /// Least allowed value; minus infinity where there is none.
     #[serde(with = "extended")]
@@ -49,7 +49,7 @@ pub struct RequirementOutcome {
 pub struct CountedMechanisms {
     /// All of them.
     pub mechanisms: u64,
-    /// Those that break the limit, failed runs among them.
+    /// Mechanisms that break the limit, failed runs among them.
     pub outside: u64,
     /// Error of the share outside, from the finite number of mechanisms.
     #[serde(with = "extended")]

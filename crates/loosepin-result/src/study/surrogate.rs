@@ -15,7 +15,7 @@ pub struct SurrogateRecord {
     pub training_runs: u64,
     /// Direct runs that it was held against: at the witnesses of bounds, and at the extremes of treatments.
     pub confirming_runs: u64,
-    /// Those at the witnesses of bounds.
+    /// Runs at the witnesses of bounds.
     pub runs_at_bounds: u64,
     /// Failed ones of both.
     pub failed: u64,
@@ -44,7 +44,7 @@ pub struct SurrogateOutput {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle; [`ResponsePoint::Whole`] for a curve.
+    /// Place in the cycle; [`ResponsePoint::Whole`] for a curve.
     pub at: ResponsePoint,
     /// Unit of the output.
     pub unit: SiUnit,

@@ -16,7 +16,7 @@ pub enum Verdict {
     Undecided,
 }
 
-/// Share of mechanisms that keep a limit, as far as it is known.
+/// Bounds of the share of mechanisms that keep a limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KnownShare {
     /// The least over the epistemic inputs, numerical error taken off.

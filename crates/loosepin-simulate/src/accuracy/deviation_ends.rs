@@ -29,7 +29,7 @@ pub struct DimensionLimit {
 pub struct DeviationQuestion {
     /// The position.
     pub reading: Position,
-    /// Which deviation of it; of the value itself the position, not what it is away from another.
+    /// Kind of deviation; for the value itself the position, not its distance from another.
     pub of: Deviation,
 }
 

@@ -36,7 +36,7 @@ impl Problem for AccuracyError {
 }
 
 impl AccuracyError {
-    /// The diagnostic about the model, at what it is about.
+    /// The diagnostic at the part of the model that it concerns.
     pub fn diagnostic(&self, model: &Model) -> Diagnostic {
         match self {
             Self::Sample(error) => error.diagnostic(model),

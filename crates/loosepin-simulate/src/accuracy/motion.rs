@@ -34,7 +34,7 @@ pub struct MotionPlan {
     pub positions: usize,
     /// Dimensions that scatter; empty without a study.
     pub scatter: Vec<Scatter>,
-    /// Those of them that do not scatter independently of each other.
+    /// Correlations of dimensions that do not scatter independently of each other.
     pub correlations: Vec<ScatterCorrelation>,
     /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,

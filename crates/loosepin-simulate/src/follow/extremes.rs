@@ -13,8 +13,8 @@ pub fn points_within(mut f: impl FnMut(f64) -> f64) -> [(f64, f64); POINTS_PER_S
     })
 }
 
-/// The largest and the smallest of two `known` values and of `f`, which is known at `points` and stays between two `limits`: located where
-/// these are beyond what is known.
+/// The largest and the smallest of two `known` values and of `f`, which is known at `points` and stays between two `limits`: located if
+/// these are beyond the known values.
 pub fn extremes_within<const N: usize>(
     points: &[(f64, f64); N],
     [low, high]: [f64; 2],

@@ -18,10 +18,10 @@ pub(crate) const LOBATTO: [(f64, f64); POINTS] = [
     (1.0, 0.05),
 ];
 
-/// Where everything is of the readings that are looked at inside the steps.
+/// Layout of the readings inside the steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct InsideLayout {
-    /// Where their numbers begin among those of what is followed.
+    /// Offset of their numbers among those of the followed quantities.
     pub first: usize,
     /// How many readings there are.
     pub count: usize,

@@ -13,7 +13,7 @@ use loosepin_result::study::Deviation;
 /// end on 1e-16 of it, and guesses are a hundredth away at most. (The third step is 6e-9 at most, the fourth round-off: slider-cranks, a four-bar.)
 const NEWTON_STEPS: usize = 4;
 
-/// Where everything is among the numbers of a lane that belong to what is followed.
+/// Layout of the numbers of a lane that belong to the followed quantities.
 #[derive(Debug, Clone)]
 pub(crate) struct FollowLayout {
     readings: usize,

@@ -52,12 +52,12 @@ impl PathReference {
 }
 
 impl PathLayout {
-    /// Of a coordinate of the error: the polynomial that it is compared with over the piece, its jet at the start of the step, the error over
-    /// the step.
+    /// Offset for a coordinate of the error: the polynomial of its reference over the piece, its jet at the start of the step, the error
+    /// over the step.
     const ERROR: usize = 0;
     const PER_ERROR: usize = 15;
-    /// Of a coordinate of the ideal point: the polynomial over the piece, its rate and acceleration at the start of the step, its velocity
-    /// over the step.
+    /// Offset for a coordinate of the ideal point: the polynomial over the piece, its rate and acceleration at the start of the step, its
+    /// velocity over the step.
     const IDEAL: usize = 2 * Self::PER_ERROR;
     const PER_IDEAL: usize = 12;
     const PASSED: usize = Self::IDEAL + 2 * Self::PER_IDEAL;
@@ -94,7 +94,8 @@ impl PathLayout {
         self.first + Self::PARTS + Self::PER_PART * part
     }
 
-    /// Follows a step to its end, where `is_chosen`, which lies at a `share` of the piece of the curves at hand, `rate` over time; 1 where a part that is asked for may have a new extreme between the points.
+    /// Follows a step to its end, where `is_chosen`, which lies at a `share` of the current piece of the curves, `rate` over time; 1 where
+    /// a requested part may have a new extreme between the points.
     pub fn follow<T: Real>(
         &self,
         numbers: &mut [T],

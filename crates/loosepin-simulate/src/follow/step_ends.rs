@@ -22,8 +22,7 @@ impl<T: Copy> StepEnds<'_, T> {
     }
 }
 
-/// A deviation at an end of a step with its derivatives over the variable of integration; `reference`: those of what it is compared with,
-/// over time.
+/// A deviation at an end of a step with its derivatives over the variable of integration; `reference`: those of its reference, over time.
 pub(super) fn deviation_at<T: Real>(
     of: Deviation,
     reading: impl FnOnce() -> [T; 3],

@@ -23,7 +23,7 @@ struct Piece {
 pub struct FreeState {
     /// Free coordinates.
     pub coordinates: Vec<f64>,
-    /// Their rates.
+    /// Rates of the coordinates.
     pub rates: Vec<f64>,
     /// Integrals of the errors of all controls.
     pub error_integrals: Vec<f64>,

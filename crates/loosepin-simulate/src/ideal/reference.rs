@@ -20,7 +20,7 @@ pub struct IdealReference<'a> {
     held_s: Option<f64>,
 }
 
-/// Where positions and velocities come from.
+/// Source of positions and velocities.
 enum Source<'a> {
     Solved(Box<IdealMotion<'a>>),
     Integrated(Arc<FreeMotion>),

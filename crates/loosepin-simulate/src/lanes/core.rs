@@ -18,7 +18,7 @@ use loosepin_math::Quintic;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 
-/// Of each lane its bit, as a number.
+/// The bit of each lane, as a number.
 const POWERS_OF_TWO: [f64; 32] = {
     let mut powers = [0.0; 32];
     let mut lane = 0;
@@ -324,8 +324,8 @@ impl<'a> Core<'a> {
         self.pass.lane.weights().enumerate().map(change).fold(0.0, f64::max)
     }
 
-    /// Moves the end of the current step of a lane by a small part of it: unknowns, integrals and energy by their slopes, and what is read with two
-    /// derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
+    /// Moves the end of the current step of a lane by a small part of it: unknowns, integrals and energy by their slopes, and readings with
+    /// two derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
     pub fn move_end(&mut self, lane: usize, by: f64) {
         self.is_dense = false;
         let (layout, memory) = (&self.pass.layout, &mut self.memory);

@@ -59,7 +59,7 @@ pub struct Search {
 /// Purpose of the current attempt.
 #[derive(Debug, Clone, Copy)]
 pub enum Phase {
-    /// To go on.
+    /// Continue stepping.
     Stepping,
     /// To end on an event.
     Searching(Search),

@@ -29,7 +29,7 @@ pub enum Block {
 /// How the next step follows from the last attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NextStepRule {
-    /// It is set already.
+    /// Already set.
     Set,
     /// The last one was good: it may be longer.
     Grow,
@@ -46,7 +46,7 @@ impl NextStepRule {
     }
 }
 
-/// Where everything is in [`Block::Lane`].
+/// Layout of [`Block::Lane`].
 #[derive(Debug, Clone, Copy)]
 pub struct LaneLayout {
     contacts: usize,
@@ -59,7 +59,7 @@ impl LaneLayout {
     pub const STEP: usize = 0;
     /// 1 in the chosen lanes, else 0.
     pub const CHOSEN: usize = 1;
-    /// Error of the last attempt over what is allowed.
+    /// Error of the last attempt over the allowed error.
     pub const ERROR: usize = 2;
     /// How much longer the next step may be by that error.
     pub const GROWTH: usize = 8;
@@ -99,7 +99,7 @@ impl LaneLayout {
     pub const STEPS: usize = 20;
     /// Rejected steps of the run so far.
     pub const REJECTIONS: usize = 21;
-    /// 1 where a penetration of the last attempt may be beyond what is allowed.
+    /// 1 where a penetration of the last attempt may be beyond the allowed range.
     pub const DEEP: usize = 22;
     /// Steps that end from this time on hold an instant, or need another piece of the curves that are followed, s.
     pub const DUE: usize = 23;

@@ -21,7 +21,7 @@ const FASTEST_M_S: f64 = 1e100;
 
 /// Largest growth from one step to the next, and the smallest after a good one.
 const GROWTH: [f64; 2] = [0.2, 6.0];
-/// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
+/// The same after a rejected attempt; after a NaN error, which comes from a step far too long, the smallest.
 const SHRINKAGE: [f64; 2] = [0.1, 0.9];
 /// Minima of penetrations since the last event, of all contacts together, from which on the contacts of a run count as lasting. An impact has
 /// none; one that something presses on has a few.
@@ -35,13 +35,13 @@ pub const MAX_RESIDUAL: f64 = 1e-9;
 /// Parts of a pass that all lanes share.
 #[derive(Debug, Clone)]
 pub struct Pass {
-    /// Where everything is in a state.
+    /// Layout of a state.
     pub layout: Layout,
-    /// Where everything is in what is read.
+    /// Layout of the readings.
     pub reads: ReadLayout,
-    /// Where everything is among the numbers of a lane.
+    /// Layout of the numbers of a lane.
     pub lane: LaneLayout,
-    /// Where everything is among the numbers of what is followed.
+    /// Layout of the numbers of the followed quantities.
     pub follow: FollowLayout,
     /// The integrator.
     pub stepper: Stepper,

@@ -287,7 +287,7 @@ impl Tracing<'_> {
         program(hoisted, &graph, &outputs)
     }
 
-    /// All blocks as they are before a program runs.
+    /// All blocks before a program runs.
     fn inputs(&self) -> [Vec<Traced>; BLOCKS] {
         let mut block = 0;
         self.lengths.map(|length| {

@@ -5,8 +5,7 @@ use loosepin_math::{KnownAngle, Real};
 use loosepin_mechanics::mechanism::{Arms, Mechanism};
 use loosepin_mechanics::model::{PlayId, PlayParts, Reading};
 
-/// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
-/// integration.
+/// Layout of the row. Time, gaps and outputs stand with their first two derivatives over the variable of integration.
 #[derive(Debug, Clone, Copy)]
 pub struct ReadLayout {
     contacts: usize,

@@ -193,7 +193,7 @@ impl<'a> SingleLane<'a> {
     }
 }
 
-/// The equations, and where they put what is read at the end of a step.
+/// The equations, and the destination of the readings at the end of a step.
 struct ReadingSystem<'s, 'a> {
     plain: &'s mut SingleLane<'a>,
     reads: &'s mut [f64],

@@ -12,7 +12,7 @@ use loosepin_text::units::{Dimension, format_apart};
 /// Round-off of the ends of a record, as a share of its length.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Adds the columns of `table` to the record, each with the computed values at the same places and what is left between them:
+/// Adds the columns of `table` to the record, each with the computed values at the same places and the residual:
 ///
 /// ```text
 /// residual = measured - computed,   rms = √(Σ residual²/n)

@@ -1,5 +1,5 @@
-//! Measured curves: a table with units in its header, laid over the outputs of a run, with what is left between them.
-//! Features of a measured motion that `identify` uses stand in `loosepin-study`.
+//! Measured curves: a table with units in its header, compared with the outputs of a run, with the residuals. Features of a measured motion
+//! that `identify` uses stand in `loosepin-study`.
 
 mod between;
 mod compare;

@@ -22,7 +22,7 @@ pub struct MeasuredTable {
     /// The other columns, in the order of the file.
     pub columns: Vec<MeasuredColumn>,
     pub(super) source: Arc<Source>,
-    /// Where each value of the first column stands.
+    /// Span of each value of the first column.
     pub(super) places: Vec<Span>,
 }
 

@@ -19,7 +19,7 @@ pub fn smallest_exchange_j(at_start: &MechanicalEnergy<f64>) -> f64 {
 pub struct PlaySummary {
     /// Contacts that began.
     pub contacts: u64,
-    /// Those among them that began slower than the floor v_min of the law.
+    /// Contacts among them that began slower than the floor v_min of the law.
     pub floored_contacts: u64,
     /// Impacts faster than the law is meant for.
     pub impacts_beyond_validity: u64,

@@ -1,4 +1,4 @@
-//! The start of flexible bodies that have settled: bent and stretched as they are once their own ringing has died away.
+//! The start of flexible bodies that have settled: bent and stretched as after the decay of their own oscillations.
 //!
 //! The shapes have no acceleration, and the rates that the motion of the mechanism gives them:
 //!
@@ -40,7 +40,7 @@ const SLOW: f64 = 0.1;
 const DIFFERENCE: f64 = 1e-7;
 /// Largest sum of the turns of the elements in a step of the load, rad.
 const MAX_TURN: f64 = 1.0;
-/// Largest change of a coordinate of a node with which Newton's method goes on, rad, and m for each metre of the mechanism.
+/// Largest change of a coordinate of a node with which Newton's method continues, rad, and m for each metre of the mechanism.
 const FAR: f64 = 10.0;
 /// Least share of the load that is added at once.
 const MIN_SHARE: f64 = 1e-4;

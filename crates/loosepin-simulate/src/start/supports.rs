@@ -49,9 +49,9 @@ pub(crate) fn buckling_factor(model: &Model, values: &Values, ends: [PointId; 2]
 /// What the other body of a joint does not do against the body of a clamp.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Held {
-    /// It does not turn.
+    /// The end does not turn.
     Angle,
-    /// It does not turn, nor move across the beam.
+    /// The end does not turn, nor move across the beam.
     Sideways,
 }
 

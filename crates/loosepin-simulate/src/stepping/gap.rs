@@ -1,4 +1,4 @@
-//! Where within a step pin and hole meet or part.
+//! Instants within a step at which pin and hole meet or part.
 
 use loosepin_math::Quintic;
 use loosepin_mechanics::contact::NormalContact;
@@ -40,7 +40,7 @@ impl Crossing {
 pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Crossing) -> Option<f64> {
     /// The step is searched piece by piece: a polynomial of degree five turns at most four times.
     const PIECES: usize = 8;
-    /// Where they begin and end.
+    /// Boundaries of the pieces, as shares of the step.
     const SHARES: [f64; PIECES + 1] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
     let sign = crossing.sign();
     let signed = |[value, slope, curvature]: [f64; 3]| [sign * value, sign * slope, sign * curvature];
@@ -163,7 +163,7 @@ impl ContactStep {
 
 /// Bisections that leave a share of 1e-15 of a step.
 const BISECTIONS: usize = 50;
-/// Newton's steps that are no longer end on the root: each squares what is left.
+/// Length of a Newton step below which it ends on the root: each squares the remaining error.
 const LAST_NEWTON_STEP: f64 = 1e-8;
 
 /// The rising root of the polynomial between `low` (not above) and `high` (above).

@@ -15,8 +15,8 @@ use loosepin_mechanics::model::{PlayId, SlidingVelocity};
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
 
-/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of
-/// errors of controls; then the integrals of the energy account, and the losses of frictions that are watched.
+/// Layout of the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of errors of
+/// controls; then the integrals of the energy account, and the losses of monitored frictions.
 #[derive(Debug, Clone)]
 pub struct Layout {
     /// Free coordinates.
@@ -178,7 +178,7 @@ pub struct Motion<'a, T> {
     pub states: Vec<PlayState<T>>,
     /// Roots of penetrations of the contacts that have one, and deflections of bristles.
     pub unknowns: Vec<ContactUnknowns<T>>,
-    /// Where everything is.
+    /// Layout of the state vector.
     pub layout: Layout,
     /// The time of the last evaluation, s.
     pub time_s: T,

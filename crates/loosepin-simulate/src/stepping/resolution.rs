@@ -32,7 +32,7 @@ pub struct SmallestClearance {
 }
 
 impl SmallestClearance {
-    /// That of `model` with `values`; `None` if nothing has play.
+    /// The smallest clearance of `model` with `values`; `None` if nothing has play.
     pub fn of(model: &Model, values: &Values) -> Option<Self> {
         let plays = model.play_clearances();
         plays

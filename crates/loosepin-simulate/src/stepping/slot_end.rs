@@ -1,4 +1,4 @@
-//! Where faces and round ends of a slot meet, a pin's gap has a kink.
+//! Kinks of the gap of a pin where faces and round ends of a slot meet.
 //!
 //! ```text
 //! p = ±ξ - h                     the pin is in the round end of that side where p ≥ 0

@@ -70,7 +70,7 @@ problems! {
         } => Code::AllRunsFailed,
             says("{}: {reason}", if *runs == 1 { "the run failed".to_owned() } else { format!("all {runs} runs failed; the first one") }),
             hint("`loosepin simulate` with --set makes a single run");
-        /// It was interrupted.
+        /// The sweep was interrupted.
         Interrupted { finished: usize, runs: usize } => Code::Interrupted,
             says("interrupted after {finished} of {runs} runs");
     }

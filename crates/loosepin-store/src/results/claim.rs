@@ -13,7 +13,7 @@ use super::inputs::InputsHash;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
 
-/// Where results are to go.
+/// Destination of results.
 #[derive(Debug, Clone)]
 pub enum Destination {
     /// `ROOT/NAME/HASH`: a folder for each set of inputs, so that nothing is ever in the way. Links in `ROOT` are followed, none below it.

@@ -35,7 +35,7 @@ problems! {
         AsideTaken { path: PathBuf } => Code::FolderHoldsOther,
             says("{} already exists; loosepin needs this name for result files while it replaces them", path.display()),
             hint("move it, or give another folder");
-        /// Another process writes there; `holder` is what it says of itself.
+        /// Another process writes there; `holder` is its own description.
         InUse { folder: PathBuf, holder: Option<String> } => Code::FolderInUse,
             says(
                 "{} is in use by {}; nothing in it is changed",

@@ -219,7 +219,7 @@ impl ResultsFolder {
         remove(&self.lock, MARKER_FILE)
     }
 
-    /// Renames what is to be replaced, whatever of that was done before; what has come in its place meanwhile goes.
+    /// Renames the replaced files, however many of them were renamed before; files that have taken their place meanwhile are removed.
     pub(super) fn set_replaced_aside(&self) -> Result<(), ResultsError> {
         for file_name in self.marker.replaced.iter().filter(|file_name| *file_name != MARKER_FILE) {
             if !is_file(self.folder(), file_name)? {

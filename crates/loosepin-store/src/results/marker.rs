@@ -36,7 +36,7 @@ pub struct Marker {
 }
 
 impl Marker {
-    /// That of `folder`.
+    /// The marker of `folder`.
     ///
     /// # Errors
     /// There is none, or another version wrote it.

@@ -96,7 +96,7 @@ fn along_axis(model: &Model, from_m: [f64; 2], [x, y]: [f64; 2], point: PointId)
     }
 }
 
-/// Those points of a body that lie apart from each other.
+/// Points of a body that lie apart from each other.
 fn apart(model: &Model, values: &Values, points: impl Iterator<Item = PointId>) -> Vec<PointId> {
     let mut centres = Centres::default();
     points.filter(|point| centres.is_new(point.body.0, in_body_m(model, values, *point))).collect()

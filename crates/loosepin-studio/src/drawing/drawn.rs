@@ -15,14 +15,14 @@ use crate::network::refusal::Refusal;
 
 /// Most pins and most links of a drawing.
 const MOST: usize = 50;
-/// Nobody draws further, mm.
+/// Largest coordinate of a drawing, mm.
 const FURTHEST_MM: f64 = 1e7;
 /// Two pins nearer to each other are one, mm.
 const NEAREST_MM: f64 = 1e-3;
 /// Steel bar of 20 mm x 8 mm: 7850 kg/m^3 times its section.
 const BAR_KG_PER_M: &str = "1.256 kg/m";
 const BLOCK_KG: f64 = 0.2;
-/// Of a block as of a body of a few centimetres.
+/// Inertia of a block, as of a body of a few centimetres.
 const BLOCK_KG_M2: &str = "5e-5 kg m^2";
 const TOLERANCE_MM: &str = "0.1";
 const POSITIONS: usize = 73;
@@ -169,7 +169,7 @@ impl Drawn {
         (x.hypot(y), y.atan2(x).to_degrees())
     }
 
-    /// Name, what it is as a line of the model, and its name in questions.
+    /// Name, text in the model, and name in questions.
     fn outputs(&self) -> Vec<(String, String)> {
         let mut outputs = Vec::new();
         for (pin, drawn) in self.pins.iter().enumerate() {

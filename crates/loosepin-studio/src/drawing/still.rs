@@ -8,7 +8,7 @@ use loosepin::result::simulation::{Drawing, PoseTable};
 use loosepin::simulate::parts;
 
 const M_PER_MM: f64 = 1e-3;
-/// Nobody draws further, mm.
+/// Largest coordinate of a drawing, mm.
 const FURTHEST_MM: f64 = 1e9;
 
 /// Poses of bodies by their names: x and y of the origin, mm, and the angle, degrees.
@@ -54,7 +54,7 @@ pub fn in_body_m(model: &Model, values: &Values, point: PointId) -> [f64; 2] {
     model.bodies[point.body.0].points[point.point].position_m.map(|id| values[id])
 }
 
-/// Where all bodies are, in their order: as given, or else joined to those that are placed, at the angle that the model guesses.
+/// Poses of all bodies, in their order: as given, or else joined to those that are placed, at the angle that the model guesses.
 pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
     let values = model.quantities.nominal();
     let mut poses: Vec<Option<Pose>> =

@@ -24,11 +24,11 @@ use crate::view::texts::Texts;
 const M_PER_MM: f64 = 1e-3;
 /// A number that is not to be round is written to this share of a step.
 const FREE_SHARE: f64 = 0.02;
-/// Nobody drags further, m.
+/// Largest distance of a drag, m.
 const FURTHEST_M: f64 = 1e6;
 /// Most points that lie at one centre: each is looked for in all joints.
 const MAX_HELD: usize = 200;
-/// Most coordinates that a drag changes: for each, all expressions of the model are worked out.
+/// Most coordinates that a drag changes: for each, all expressions of the model are evaluated.
 const MAX_COORDINATES: usize = 400;
 /// Keys of a distribution that say where it lies, beside its nominal value with a tolerance.
 const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
@@ -43,7 +43,7 @@ pub struct DragOutcome {
     pub model: Option<String>,
     /// The study as it is to be; `None` if it stays.
     pub study: Option<String>,
-    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were. Empty if a guide turns: all moves.
+    /// Expected position of each joint, m: the dragged one at the pointer, the others where they were. Empty if a guide turns: all moves.
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies as the drag leaves them.
     poses: Vec<Pose>,
@@ -74,7 +74,7 @@ struct Moved {
     expected_m: Vec<[f64; 2]>,
     /// Poses of all bodies afterwards.
     poses: Vec<Pose>,
-    /// Values are taken as they are, and not rounded to the step of the screen.
+    /// Values are taken exactly, and not rounded to the step of the screen.
     is_exact: bool,
 }
 

@@ -26,10 +26,10 @@ const RANDOM: &str = "random";
 const EPISTEMIC: &str = "epistemic";
 /// Numbers are rounded to this many parts of a unit.
 const ROUND: f64 = 1e12;
-/// Of a turn, to see whether a mechanism moves.
+/// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
 const PLAY: &str = "radial_clearance";
-/// Of a bearing whose radius nobody has said, where no other joint has one.
+/// Radius of a bearing without a stated one, if no other joint has one.
 const FIRST_RADIUS: &str = "8 mm";
 /// Name and numbers of a contact that nobody has described.
 const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\n\
@@ -137,7 +137,7 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
 
 /// Location of a number of the model.
 enum NumberLocation {
-    /// These bytes of the model, quotes and all.
+    /// Bytes of the model, with quotes.
     There(Range<usize>),
     /// Nowhere yet: the play of this joint.
     NewPlay(String),

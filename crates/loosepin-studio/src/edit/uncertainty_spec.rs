@@ -188,7 +188,7 @@ pub fn piece(number: &str, unit: &str, dimension: Dimension) -> Result<WrittenQu
     Ok(WrittenQuantity { number: canonical(number, value), unit: unit.to_owned(), value_si: found.value_si })
 }
 
-/// A number with its digits as they are written, where a file takes them so: `.5`, `5.`, `+5`, `007` and `8e1` are written anew.
+/// A number with its digits as written, if a file accepts them: `.5`, `5.`, `+5`, `007` and `8e1` are rewritten.
 fn canonical(number: &str, value: f64) -> String {
     let digits = number.strip_prefix('-').unwrap_or(number);
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, "0"));

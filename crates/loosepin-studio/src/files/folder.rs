@@ -96,9 +96,9 @@ impl Folder {
         self.opened.read(&relative(path)?, most as u64).map_err(|error| not_readable(path, &error))
     }
 
-    /// Writes a text file whole, or not at all; gives the tag of what is there now. `known` is the tag of what the page has seen there,
-    /// `None` if no file is to be there. The tag is compared under a lock that all studios of the folder take: of several that save
-    /// at once with one tag, one saves.
+    /// Writes a text file whole, or not at all; returns the tag of its present content. `known` is the tag of what the page has seen there,
+    /// `None` if no file is to be there. The tag is compared under a lock that all studios of the folder take: of several that save at once
+    /// with one tag, one saves.
     ///
     /// # Errors
     /// The path is none of this folder, or no `.toml` file; somebody else has changed the file.

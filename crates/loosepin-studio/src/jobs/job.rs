@@ -38,7 +38,7 @@ pub enum Outcome {
         /// Over all requirements.
         verdict: Option<Verdict>,
     },
-    /// It was stopped; its runs are kept.
+    /// The job was stopped; its runs are kept.
     Stopped,
 }
 

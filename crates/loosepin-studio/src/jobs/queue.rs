@@ -23,7 +23,7 @@ const MAX_WAITING: usize = 16;
 const MAX_ENDED: usize = 50;
 /// Least time between two messages on a job that runs.
 const REST: Duration = Duration::from_millis(200);
-/// Messages that a slow connection may be behind; it hears of the newest again with the next one.
+/// Messages that a slow connection may lag behind; it is sent the newest with the next one.
 const BEHIND: usize = 64;
 
 /// A task of the queue.

@@ -31,7 +31,7 @@ pub struct Stretch {
 pub struct LabelView {
     /// The text; `None` if it is none of the two.
     pub document: Option<Document>,
-    /// Where in it.
+    /// Range in the document.
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
     /// Its text.
@@ -53,7 +53,7 @@ pub struct DiagnosticView {
     pub message: String,
     /// The way out.
     pub hint: Option<String>,
-    /// Where.
+    /// Range.
     #[serde(flatten)]
     pub stretch: Option<Stretch>,
     /// Other places.

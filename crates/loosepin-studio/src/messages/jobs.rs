@@ -10,11 +10,11 @@ use serde::Serialize;
 pub enum JobState {
     /// Others are before it.
     Waiting,
-    /// It runs.
+    /// The job is running.
     Running,
     /// Its results are there.
     Done,
-    /// It came to no result.
+    /// The job has failed.
     Failed,
     /// Somebody stopped it; its runs are kept.
     Stopped,

@@ -39,7 +39,7 @@ pub struct Look {
     /// The drag, if any: the texts are read as the drag changes them.
     #[serde(default)]
     pub grip: Option<Grip>,
-    /// Where bodies were last: a mechanism that does not move yet is drawn there.
+    /// Previous poses of the bodies: a mechanism that does not move yet is drawn there.
     #[serde(default)]
     pub poses: Option<NamedPoses>,
 }
@@ -78,7 +78,7 @@ pub struct Grip {
     pub step_mm: f64,
     /// Values are as they come: no round steps.
     pub is_free: bool,
-    /// Where each body is: x and y of its origin, mm, and its angle, degrees.
+    /// Pose of each body: x and y of its origin, mm, and its angle, degrees.
     pub poses: Vec<[f64; 3]>,
 }
 
@@ -163,7 +163,7 @@ pub struct DragResult {
 /// The answer to a look.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LookAnswer {
-    /// That of the look.
+    /// Sequence number of the look.
     pub seq: u64,
     /// Everything wrong, and warnings.
     pub diagnostics: Vec<DiagnosticView>,

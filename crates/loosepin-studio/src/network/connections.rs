@@ -20,7 +20,7 @@ use crate::network::visitors::Visitors;
 
 /// Most connections at once, live ones too; where all have shown the token, further ones wait.
 const MAX_CONNECTIONS: usize = 64;
-/// Most bytes of a head, and of what is read or written at a time.
+/// Largest size of a head, and of a read or write, bytes.
 const BUFFER: usize = 64 << 10;
 /// Rest after the system has refused a connection, for example since too many files are open.
 const REST: Duration = Duration::from_millis(50);

@@ -69,7 +69,7 @@ pub struct SaveRequest {
 /// A text was saved.
 #[derive(Serialize)]
 pub struct SaveAnswer {
-    /// That of the text as it is now.
+    /// Tag of the present text.
     pub tag: String,
 }
 

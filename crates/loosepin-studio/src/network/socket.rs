@@ -199,7 +199,7 @@ impl Watched {
         }
     }
 
-    /// Those that are not as they were a tick ago.
+    /// Files that have changed since the last tick.
     fn changed(&mut self, folder: &Folder) -> Vec<String> {
         let mut changed = Vec::new();
         for (path, known) in &mut self.0 {

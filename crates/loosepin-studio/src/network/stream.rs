@@ -40,7 +40,7 @@ impl Stream {
         Self { tcp, place, end, has_ended: false, total, stalled: None, write: times.write, received: 0 }
     }
 
-    /// Whether it may go on. The task is woken when it may not any more.
+    /// Whether the connection may continue. The task is woken when it may not any more.
     fn check(&mut self, context: &mut Context<'_>) -> io::Result<()> {
         self.has_ended = self.has_ended || Pin::new(&mut self.end).poll(context).is_ready();
         if self.has_ended {

@@ -19,12 +19,12 @@ struct Shown {
 }
 
 impl Visitor {
-    /// It has shown the token: it makes room for nobody.
+    /// Marks the visitor as one with the token: it makes room for nobody.
     pub fn show_token(&self) {
         self.0.has_token.store(true, Ordering::Relaxed);
     }
 
-    /// It has shown the token on a live connection, which may stay open.
+    /// Marks the visitor as one with the token on a live connection, which may stay open.
     pub fn go_live(&self) {
         self.show_token();
         self.0.is_live.store(true, Ordering::Relaxed);

@@ -26,7 +26,7 @@ use crate::view::quantities::quantities;
 use crate::view::texts::Texts;
 
 const MM_PER_M: f64 = 1e3;
-/// A run that is followed for a drawing is shown at so many instants, at most.
+/// Largest number of instants shown of a run that is followed for a drawing.
 const CONTROLLED_POSITIONS: usize = 121;
 /// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
 const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";

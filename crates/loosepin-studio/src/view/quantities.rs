@@ -10,7 +10,7 @@ use crate::messages::{Document, QuantityKind, QuantityView};
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
 
-/// Tables of a study whose entries say what is known of a number, and how the page calls them.
+/// Tables of a study whose entries describe uncertainties, and their names on the page.
 const KNOWN: [(&str, QuantityKind); 2] = [("random", QuantityKind::Scatter), ("epistemic", QuantityKind::Unknown)];
 
 /// Numbers of the model in the order of its text, then what the study says of them.

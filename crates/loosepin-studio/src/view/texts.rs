@@ -26,13 +26,13 @@ pub struct Texts {
 }
 
 impl Texts {
-    /// Those that the page sends.
+    /// The texts sent by the page.
     pub fn sent(folder: &Folder, look: &Look) -> Self {
         let study = look.study.as_ref().map(|study| (study.path.as_str(), study.text.as_str()));
         Self::new(folder, (&look.model.path, &look.model.text), study)
     }
 
-    /// Those of a study on the disk.
+    /// The texts of a study on the disk.
     ///
     /// # Errors
     /// It, or its model, is not in the served folder.
@@ -45,7 +45,7 @@ impl Texts {
         Ok(Self::new(folder, (&model_path, &model), Some((path, &study))))
     }
 
-    /// Those of a study as the page shows it.
+    /// The texts of a study as the page shows it.
     ///
     /// # Errors
     /// The study names another model than the one that is shown: the command would run that one.
@@ -60,7 +60,7 @@ impl Texts {
         Ok(Self::new(folder, (&model.path, &model.text), Some((&study.path, &study.text))))
     }
 
-    /// Those that a result holds, with the tables that it holds.
+    /// The texts in a result, with its tables.
     ///
     /// # Errors
     /// An older version has kept none.

@@ -89,7 +89,7 @@ pub(super) fn narrow_to_nearest(end: &mut BoundEnd, limits_si: &[f64]) -> usize 
     if nearest.is_some_and(|limit_si| narrow(end, limit_si)) { rests_on } else { 0 }
 }
 
-/// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
+/// Moves the widened end of a bound to `limit`, and makes its error the difference to the value.
 fn set_widened(end: &mut BoundEnd, limit_si: f64) {
     let room = (limit_si - end.value_si).abs();
     end.widened_si = limit_si;

@@ -19,7 +19,7 @@ pub struct Material<'m> {
     /// The samples that the study came to have.
     pub sampling: Sampling,
     pub bounds: &'m Bounds,
-    /// Those that are looked at: what is possible at all, or to some degree.
+    /// The bounds to show: of all that is possible, or of a degree of possibility.
     pub pairs: &'m [BoundPair],
     pub rare: &'m [Rare],
 }

@@ -4,7 +4,7 @@ use super::material::Material;
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
 use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd};
 
-/// Those of the direct runs.
+/// The treatments of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
     let points = [material.bounds.outer_points.as_slice(); 3];
     material.bounds.comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect()

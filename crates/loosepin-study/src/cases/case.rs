@@ -24,7 +24,7 @@ pub struct Case {
     pub(super) sample: Sample<f64>,
     /// Scattering inputs, if the case has a study.
     pub(super) scatter: Vec<Scatter>,
-    /// Their correlations.
+    /// Correlations of the scatter.
     pub(super) correlations: Vec<ScatterCorrelation>,
     /// Its checks, in the order of the file.
     pub(super) checks: Vec<Check>,
@@ -179,7 +179,7 @@ pub(super) struct Impacts {
     pub tolerance_si: f64,
     /// Length of the run, s.
     pub span_s: f64,
-    /// Their unit.
+    /// Unit of the numbers.
     pub unit: ReadableUnit,
 }
 
@@ -207,7 +207,7 @@ pub(super) struct History {
     pub columns: Vec<(usize, ComputedColumn)>,
     /// Largest accepted difference, SI.
     pub tolerance_si: f64,
-    /// Their unit.
+    /// Unit of the numbers.
     pub unit: ReadableUnit,
 }
 

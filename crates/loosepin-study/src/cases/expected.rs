@@ -161,7 +161,7 @@ impl ExpectedReader<'_> {
         entries.iter().map(|entry| self.reader.measured(entry, due, Rule::Finite)).collect()
     }
 
-    /// A value, or the values of a list, as they are written.
+    /// A value, or the values of a list, as written.
     fn texts(&mut self, entry: &Entry<'_>) -> Vec<String> {
         let list = if entry.is_list() { self.reader.list(entry) } else { None };
         match list {

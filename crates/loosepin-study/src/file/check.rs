@@ -15,7 +15,7 @@ use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
 const MAX_IMPOSSIBLE_SHARE: f64 = 0.01;
 /// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
 const QUANTILES: usize = 1000;
-/// Probability of what a distribution is taken not to come to: beyond six standard deviations of a normal one.
+/// Probability that counts as none: beyond six standard deviations of a normal distribution.
 const NEARLY_NONE: f64 = 1e-9;
 /// Of numbers that are written in two files.
 const ROUND_OFF: f64 = 1e-9;

@@ -99,7 +99,7 @@ pub struct RandomInput {
     pub variable: RandomVariable,
     /// Source of the distribution, in words, if it is not stated itself: a tolerance, a fit, a sample.
     pub origin: Option<String>,
-    /// Those of its parameters that are epistemic inputs.
+    /// Parameters of the distribution that are epistemic inputs.
     pub parameters: Vec<UncertainParameter>,
 }
 
@@ -234,7 +234,7 @@ impl EpistemicInput {
         }
     }
 
-    /// Its values one by one as they are written, where it is one of a list.
+    /// Values of an input from a list, one by one, as written.
     pub fn members_written(&self, model: &Model) -> Option<Vec<String>> {
         match &self.variable {
             EpistemicVariable::OneOf(members) => {

@@ -23,7 +23,7 @@ pub(crate) struct Limits {
     pub budget: Option<Budget>,
     /// Runs of all questions, samples not grown.
     pub stated_runs: usize,
-    /// Those of them that are of the questions that follow.
+    /// Reserved runs of the questions that follow.
     pub reserved: usize,
 }
 

@@ -9,7 +9,7 @@ pub struct CostEstimate {
     pub most_runs: usize,
     /// Processor time of a run on the lanes of one thread, s; `None` if the first steps do not show it.
     pub run_s: Option<f64>,
-    /// Those of the runs that stand behind a promise, where something is promised.
+    /// Cost of the runs of a promise, if there is one.
     pub promise: Option<PromiseCost>,
 }
 

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
-/// Of combinations of laws, which are batches of their own, so many are timed.
+/// Largest number of timed combinations of laws, each of which is a batch of its own.
 const MAX_VARIANTS: usize = 4;
 /// The mechanisms among the runs, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
 /// as long as a run.
@@ -24,8 +24,8 @@ const MAX_PREPARING: Duration = Duration::from_millis(10);
 /// Multiplications of all timed runs, about a hundredth of a second; and evaluations without which a run shows nothing.
 const TIMED_MULTIPLICATIONS: f64 = 1.2e7;
 const MIN_EVALUATIONS: f64 = 100.0;
-/// The share of their time that timed runs have to come to, on average, where forces decide the motion: it begins with a settling, which
-/// tells nothing of the rest.
+/// Least progress of the timed runs, as a share of their time, on average, where forces decide the motion: the initial settling says
+/// nothing about the rest.
 const MIN_FREE_SHARE: f64 = 0.1;
 
 /// Estimated number and duration of the runs of `study`: measured on the first runs of its plan, each given up after some hundred or

@@ -47,7 +47,7 @@ pub const KIND: QuestionKind = QuestionKind {
     planned,
 };
 
-/// How far some runs go on.
+/// Number of further turns of some runs.
 #[derive(Debug, Clone, Copy)]
 struct Settings {
     /// Whether the study states them.
@@ -66,7 +66,7 @@ fn read(written: Option<&Entry<'_>>, reader: &mut Reader, stated: &mut QuestionS
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
     settings: Settings,
-    /// Runs of the bounds at most, among which those are that go on.
+    /// Runs of the bounds at most, among which are those that continue.
     most_of_bounds: usize,
     /// What they change, or why there is nothing to look at; `None` before the runs.
     answer: Option<FurtherTurnsResult>,
@@ -95,7 +95,7 @@ fn planned(basis: &QuestionContext<'_>) -> Planned {
     Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
 }
 
-/// It is the number of further turns that is too large.
+/// Error of the number of further turns, which is too large.
 fn by_own_table(error: PrepareError) -> PrepareError {
     match error {
         PrepareError::TooManyTurns { turns, what, most, .. } => {

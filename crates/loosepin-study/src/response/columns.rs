@@ -14,7 +14,7 @@ pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
     [0.5 - 0.5 * share, 0.5 + 0.5 * share].map(Statistic::quantile_at)
 }
 
-/// Where in the recorded turns a column is taken.
+/// Place of a column in the recorded turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Location {
     /// At this many turns of the drive after the start of the recorded part.
@@ -35,7 +35,7 @@ pub struct StudyColumn {
     pub output: usize,
     /// Which deviation.
     pub deviation: Deviation,
-    /// Where.
+    /// Place.
     pub spot: Location,
 }
 

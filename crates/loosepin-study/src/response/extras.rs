@@ -20,7 +20,7 @@ pub struct RunExtras {
 pub struct JointExtras {
     /// Contacts that began in the recorded turns.
     pub contacts: f64,
-    /// Those that began slower than the floor of the law.
+    /// Contacts that began slower than the floor of the law.
     pub floored: f64,
     /// Impacts faster than the law is meant for; NaN if its limit is unknown.
     pub beyond_validity: f64,

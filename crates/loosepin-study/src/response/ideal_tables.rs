@@ -37,7 +37,7 @@ impl IdealKey {
 pub struct CachedIdealMotion {
     /// Its table, where deviations from it are asked for.
     pub curve: Option<Arc<IdealCurve>>,
-    /// Itself, where forces decide it and outputs without a table are asked for.
+    /// The motion itself, if forces decide it and outputs without a table are requested.
     pub motion: Option<Arc<FreeMotion>>,
 }
 

@@ -8,7 +8,7 @@ use loosepin_uncertainty::RandomVariable;
 /// Standard deviations on either side of the mean to which a distribution without an end is taken.
 pub(crate) const DEVIATIONS: f64 = 3.0;
 
-/// Where an input lies.
+/// Limits of an input.
 #[derive(Debug, Clone)]
 pub(crate) struct InputLimits {
     pub path: String,

@@ -84,7 +84,7 @@ impl InputFile {
         controlled_drawing(&mechanism, &set.values, positions).ok()
     }
 
-    /// Where play is uncertain in a study, the worst case is that of the most play; what is `set` counts before.
+    /// Settings of the most play, if play is uncertain in a study: the worst case is taken there; `set` has priority.
     fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
         let is_set =

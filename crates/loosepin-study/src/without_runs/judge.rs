@@ -49,7 +49,7 @@ enum Asked {
     One(usize),
     /// x and y of a point: what lies between them bounds every error of its path.
     Path([usize; 2]),
-    /// It is no position.
+    /// The output is no position.
     No(&'static str),
 }
 

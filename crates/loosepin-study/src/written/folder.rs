@@ -1,4 +1,4 @@
-//! A study in its folder of results: what is opened there before its runs, and what is left there after them.
+//! A study in its folder of results: opening it before the runs, and writing it after them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,7 +24,7 @@ pub enum StudyOutcome {
         /// The folder.
         folder: ResultsFolder,
     },
-    /// It was interrupted: its store and `runs.parquet` stand in the folder.
+    /// The study was interrupted: its store and `runs.parquet` stand in the folder.
     Interrupted {
         /// The finished runs.
         finished: Box<RunsTable>,

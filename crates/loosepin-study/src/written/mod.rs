@@ -1,5 +1,5 @@
-//! Files that go into a study and come out of it: what it is computed from, its folder of results, commands that repeat a run.
-//! How a study file is read stands in `file`.
+//! Input and output files of a study: its inputs, its folder of results, commands that repeat a run. How a study file is read stands in
+//! `file`.
 
 pub(crate) mod export;
 pub(crate) mod folder;

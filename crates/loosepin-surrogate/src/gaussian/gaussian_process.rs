@@ -60,7 +60,7 @@ impl Factor {
     }
 }
 
-/// Columns of a trend that are worked out side by side: as many as there are numbers in two vectors.
+/// Columns of a trend that are computed side by side: as many as there are numbers in two vectors.
 const COLUMNS_AT_ONCE: usize = 8;
 
 /// What `product` makes of each of `columns`, [`COLUMNS_AT_ONCE`] side by side.

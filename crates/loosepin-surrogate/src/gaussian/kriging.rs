@@ -24,7 +24,7 @@ const VARIANCE_BOUNDS: (f64, f64) = (-7.0, 14.0);
 const NUGGET_BOUNDS: (f64, f64) = (-18.5, 1.0);
 /// First length scales, in units of √d.
 const STARTS: [f64; 3] = [0.4, 1.2, 4.0];
-/// Steps before the best start goes on alone, and steps of that one.
+/// Steps before the best start continues alone, and steps of that one.
 const SCREENING_STEPS: usize = 12;
 const STEPS: usize = 80;
 /// Gain of -2 ln L below which a search ends.
@@ -40,7 +40,7 @@ pub struct Kriging {
     solved: Solved,
 }
 
-/// All that fixes a process; the factors are worked out again when one is loaded.
+/// Definition of a process; the factors are computed again when one is loaded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Stored {
     kernel: Kernel,

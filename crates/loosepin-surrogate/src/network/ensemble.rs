@@ -15,7 +15,7 @@ const SIZES: [usize; 4] = [3, 6, 10, 16];
 /// Networks of an output that was scaled to mean 0 and standard deviation 1.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Ensemble {
-    /// Those with the largest evidence.
+    /// Networks with the largest evidence.
     pub networks: Vec<Network>,
 }
 

@@ -44,7 +44,7 @@ impl OperationCounts {
         self.multiply_adds + self.additions + self.multiplications + self.divisions + self.square_roots
     }
 
-    /// Floating-point operations as they are usually counted: a fused multiply-add is two, choices and signs are none.
+    /// Floating-point operations by the usual count: a fused multiply-add is two, choices and signs are none.
     pub fn flops(&self) -> usize {
         self.arithmetic() + self.multiply_adds
     }

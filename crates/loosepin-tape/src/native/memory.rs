@@ -184,7 +184,7 @@ struct Call {
     lanes_of_a_trip: usize,
     /// So many of its blocks do not begin where that of the caller with the same number does.
     moves: usize,
-    /// These, one after the other.
+    /// Places of the blocks, one after the other.
     moved: [Moved; MAX_BLOCKS],
 }
 

@@ -31,7 +31,8 @@ impl RegisterFile {
     }
 }
 
-/// A value that must be stored first gives up its register only if it is needed so many times later than one that need not.
+/// Weight of a store: a value that must be stored first gives up its register only if it is needed this many times later than one that need
+/// not.
 const STORE_WEIGHT: usize = 4;
 
 /// Position of the vector registers in [`Allocator::files`].

@@ -32,7 +32,7 @@ pub struct KernelSize {
     pub bytes: usize,
 }
 
-/// Two vectors go side by side if that costs less than one instruction in so many.
+/// Reciprocal of the share of extra instructions below which two vectors go side by side.
 ///
 /// Measured on Zen 5, one vector fills gaps of the other and gains 3 to 12 %; what does not fit into the registers loses
 /// more than that from about one added instruction in six on.

@@ -3,11 +3,11 @@
 /// A property of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event {
-    /// It exceeds this limit.
+    /// The value exceeds this limit.
     Above(f64),
-    /// It falls short of this limit.
+    /// The value falls short of this limit.
     Below(f64),
-    /// It does not exceed this limit.
+    /// The value does not exceed this limit.
     UpTo(f64),
     /// Its magnitude exceeds this limit.
     Beyond(f64),

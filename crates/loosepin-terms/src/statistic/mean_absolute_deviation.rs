@@ -33,7 +33,7 @@ impl StatisticKind for MeanAbsoluteDeviation {
         as_kind::<StandardDeviation>(other).is_some()
     }
 
-    /// It is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
+    /// The mean absolute deviation is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
     fn effect_of_errors(&self) -> ErrorEffect {
         ErrorEffect::RootMeanSquare
     }

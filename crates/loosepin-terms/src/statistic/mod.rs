@@ -94,7 +94,7 @@ statistics! {
     }
 }
 
-/// Those that plans and charts take whatever is asked.
+/// Statistics that plans and charts use for every question.
 impl Statistic {
     /// The quantile at `probability`.
     pub const fn quantile_at(probability: f64) -> Self {

@@ -27,12 +27,12 @@ impl StatisticKind for StandardDeviation {
         Estimation::RootOfVariance
     }
 
-    /// It is greatest where half of the mechanisms is at either end: (T. Popoviciu 1935) Var <= (b - a)²/4.
+    /// The variance is greatest where half of the mechanisms is at either end: (T. Popoviciu 1935) Var <= (b - a)²/4.
     fn range_within(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         [0.0, 0.5 * (high - low)]
     }
 
-    /// It is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
+    /// The standard deviation is a norm of Y - E Y: |S(Y + e) - S(Y)| <= S(e) <= √E(e²).
     fn effect_of_errors(&self) -> ErrorEffect {
         ErrorEffect::RootMeanSquare
     }

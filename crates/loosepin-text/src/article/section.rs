@@ -6,7 +6,7 @@ use super::text::{Medium, Text};
 /// All that is said of one thing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Article {
-    /// The name of what it is about.
+    /// Title.
     pub title: String,
     /// Its sections in their order.
     pub sections: Vec<Section>,
@@ -68,7 +68,7 @@ impl Fact {
         Fact { name: name.into(), lines: lines.into_iter().map(Into::into).collect() }
     }
 
-    /// A line that says itself what it is of.
+    /// A line that names its subject itself.
     pub fn nameless(line: impl Into<Text>) -> Fact {
         Fact { name: String::new(), lines: vec![line.into()] }
     }

@@ -57,7 +57,7 @@ pub struct Diagnostic {
     pub message: String,
     /// The way out.
     pub hint: Option<String>,
-    /// Where; absent where no file is at fault.
+    /// Place; absent if no file is at fault.
     pub place: Option<Place>,
     /// Other places that matter.
     pub labels: Vec<Label>,

@@ -151,7 +151,7 @@ impl Source {
 pub struct Place {
     /// The file.
     pub source: Arc<Source>,
-    /// Where in it.
+    /// Span in the file.
     pub span: Span,
 }
 

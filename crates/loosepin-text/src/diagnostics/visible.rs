@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-/// `text` with every character that would change a terminal, or the order of what is read, as its number: `\u{1b}`. Ends of lines and
-/// tabs stay.
+/// `text` with every character that would change a terminal, or the reading order, as its number: `\u{1b}`. Ends of lines and tabs stay.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.chars().any(is_hidden) {
         return Cow::Borrowed(text);

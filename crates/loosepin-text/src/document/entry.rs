@@ -118,8 +118,8 @@ impl<'t> Entry<'t> {
         quantity_of(self.key?)
     }
 
-    /// How its key is written, with what it means: `mass = "0.3 kg" (mass of the body)`. None of an element of a list, or of a key
-    /// without an example.
+    /// An example of its key, with its meaning: `mass = "0.3 kg" (mass of the body)`. None of an element of a list, or of a key without an
+    /// example.
     pub fn example(&self) -> Option<String> {
         let key = self.key.filter(|key| !key.example.is_empty())?;
         Some(format!("{} = {} ({})", key.name, key.example, key.doc))

@@ -109,7 +109,7 @@ impl Keys {
         Keys { doc, keys, exactly_one: &[], planned: &[], removed: &[] }
     }
 
-    /// These keys, where exactly one of each group must be there.
+    /// These keys, of which exactly one of each group must be there.
     pub const fn with_exactly_one(self, exactly_one: &'static [&'static [&'static str]]) -> Keys {
         Keys { exactly_one, ..self }
     }

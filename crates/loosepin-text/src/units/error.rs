@@ -101,7 +101,7 @@ problems! {
             /// The functions there are, where the name stands for one.
             known: Option<Vec<String>>,
             nearest: Option<String>,
-            /// A value of the key, with what it means, where the name stands alone.
+            /// An example of the key, with its meaning, if the name stands alone.
             example: Option<String>,
         } => Code::UnknownParameter,
             says("there is no {} '{name}'", if known.is_some() { "function" } else { "parameter" }),

@@ -1,4 +1,4 @@
-//! Lists, counts and durations as they are said.
+//! Lists, counts and durations in words.
 
 use std::fmt::Display;
 

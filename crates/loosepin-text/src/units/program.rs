@@ -95,7 +95,7 @@ impl Expression {
     }
 }
 
-/// Runs operations made by the parser over the slots `values`; gives what is left on the stack, NaN if nothing is.
+/// Runs operations made by the parser over the slots `values`; returns the top of the stack, NaN if it is empty.
 ///
 /// A list may hold many expressions, each ending in [`Op::Store`]. Nothing is allocated.
 pub fn run(ops: &[Op], values: &mut [f64]) -> f64 {

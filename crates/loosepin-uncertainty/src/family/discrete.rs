@@ -37,7 +37,7 @@ impl Discrete {
         Ok(Self::of_atoms(atoms))
     }
 
-    /// These values in increasing order; their weights need not sum up to 1.
+    /// The distribution with these atoms: values in increasing order with their weights, which need not sum up to 1.
     pub fn of_atoms(atoms: Vec<(f64, f64)>) -> Self {
         let sum: f64 = atoms.iter().map(|atom| atom.1).sum();
         let mut below = 0.0;

@@ -47,12 +47,12 @@ pub(super) struct Tails {
 }
 
 impl Tails {
-    /// Those of a probability of staying below.
+    /// The tails at a probability of staying below.
     pub fn at(below: f64) -> Self {
         Self { below, above: 1.0 - below }
     }
 
-    /// Those of a standard normal variable at `z`.
+    /// The tails of a standard normal variable at `z`.
     pub fn of_standard_normal(z: f64) -> Self {
         Self { below: normal_cdf(z), above: normal_cdf(-z) }
     }
@@ -77,7 +77,8 @@ pub(super) trait Family: Debug + Send + Sync {
     /// The least x with P(X <= x) at least `at.below`; accurate in both tails, the ends of the support at 0 and 1.
     fn quantile(&self, at: Tails) -> f64;
 
-    /// Values in increasing order with their probabilities, where no other values are possible.
+    /// Atoms of a discrete distribution: values with positive probability, in increasing order with their probabilities; `None` if other values are
+    /// possible.
     fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         None
     }

@@ -46,7 +46,7 @@ impl Default for DesignSearch {
 /// A point of the limit state nearest to the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignPoint {
-    /// Where, in standard normal numbers.
+    /// Point in standard normal numbers.
     pub point: Vec<f64>,
     /// Reliability index β: its distance from the origin, negative where the origin itself belongs to the event.
     pub index: f64,

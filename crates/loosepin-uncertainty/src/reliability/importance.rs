@@ -6,7 +6,7 @@ use crate::{ScrambledSobol, SobolError, hash, normal_cdf, normal_quantile, stude
 
 /// Share of the points that are drawn wide around the origin, whatever the design points say.
 const WIDE_SHARE: f64 = 0.25;
-/// Independent scramblings, whose spread tells the error.
+/// Independent scramblings, for the standard error.
 const REPLICATES: usize = 16;
 /// Points of each replicate in the first round.
 const FIRST_POINTS: usize = 32;

@@ -27,7 +27,7 @@ pub struct RareProbability {
     pub high: RareEstimate,
     /// Evaluations of the limit state.
     pub runs: usize,
-    /// Those that gave no number.
+    /// Runs without a number.
     pub failed: usize,
 }
 

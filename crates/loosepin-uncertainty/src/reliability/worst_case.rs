@@ -1,4 +1,4 @@
-//! Where in a box of unknown inputs an event is likeliest and least likely: by the reliability index, which is not flat.
+//! Extreme probabilities of an event in a box of unknown inputs: by the reliability index, which is not flat.
 
 use super::design_point::{DesignPoint, DesignSearch, design_points, search_design_point};
 
@@ -26,7 +26,7 @@ impl Default for BoxSearch {
 /// The end of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexExtreme {
-    /// Where in the unit box.
+    /// Place in the unit box.
     pub at: Vec<f64>,
     /// The design points there, nearest first.
     pub designs: Vec<DesignPoint>,

@@ -96,7 +96,7 @@ pub enum Distribution {
     Discrete {
         /// The values, each once, in any order.
         values: Vec<f64>,
-        /// Their probabilities, > 0, as many, with the sum 1.
+        /// Probabilities of the values, > 0, as many, with the sum 1.
         probabilities: Vec<f64>,
     },
     /// A sample taken as it is: every value with the same probability.

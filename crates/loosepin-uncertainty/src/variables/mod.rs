@@ -1,5 +1,5 @@
-//! Random variables: distributions as they are stated, checked, fitted, with parameters that are themselves uncertain.
-//! The mathematics of a family stands in `family`; intervals and evidence outside of these folders.
+//! Random variables: distributions stated in files, checked, fitted, with parameters that are themselves uncertain. The mathematics of a
+//! family stands in `family`; intervals and evidence outside of these folders.
 
 pub(crate) mod distribution;
 pub(crate) mod open_end;

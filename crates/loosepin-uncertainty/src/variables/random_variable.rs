@@ -10,7 +10,7 @@ use crate::family::{
 };
 use crate::variables::distribution::{Distribution, DistributionError};
 
-/// A distribution whose parameters have been checked, with what its quantile function needs worked out.
+/// A distribution with checked parameters, and the constants of its quantile function.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(try_from = "Distribution", into = "Distribution")]
 pub struct RandomVariable {
@@ -95,12 +95,13 @@ impl RandomVariable {
         self.family.tails(x).standard_normal()
     }
 
-    /// Whether it takes single values only.
+    /// Whether the distribution is discrete: it consists of atoms.
     pub fn has_atoms(&self) -> bool {
         self.atoms().is_some()
     }
 
-    /// Values in increasing order with their probabilities, where no others are possible.
+    /// Atoms of a discrete distribution: values with positive probability, in increasing order with their probabilities; `None` if other values are
+    /// possible.
     pub(crate) fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         self.family.atoms()
     }

@@ -71,7 +71,7 @@ pub(crate) struct DesignMatrix {
     weights: Vec<f64>,
     /// The next degrees, two at most.
     higher: Vec<Arc<Self>>,
-    /// Nodes over all axes but one, worked out when they are needed.
+    /// Nodes over all axes but one, computed on first use.
     rest: Vec<OnceLock<Rest>>,
 }
 

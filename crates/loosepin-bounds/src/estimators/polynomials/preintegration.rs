@@ -90,7 +90,7 @@ impl Rest {
     }
 }
 
-/// Where extremes are sought along `axis`.
+/// Scanning points for extremes along `axis`.
 fn scanned(axis: Axis, step: usize) -> f64 {
     let (low, high) = axis.ends();
     low + (high - low) * step as f64 / SCAN_STEPS as f64
@@ -117,7 +117,7 @@ pub(crate) struct Conditional {
 #[derive(Debug)]
 struct Line {
     value: Univariate,
-    /// The terms of the two highest degrees: the size of what is left out.
+    /// The terms of the two highest degrees: the size of the truncation.
     last_terms: Univariate,
     /// Ends of the axis and extremes: between them it is monotone.
     turns: Vec<Turn>,

@@ -22,7 +22,7 @@ pub(crate) const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 const QUANTILE_STEPS: usize = 100;
 const QUANTILE_RESOLUTION: f64 = 1e-12;
 
-/// Probabilities below this and above the rest of 1 are told apart by quantiles.
+/// Tail probability below which, or above 1 minus which, probabilities are distinguished by quantiles.
 const TAIL: f64 = 1e-4;
 
 /// The polynomials of one sample.

@@ -15,7 +15,7 @@ const MAX_RESIDUAL_OF_ALL: f64 = 1e-6;
 const TRIAL_POINTS: usize = 8;
 const FACTOR: f64 = 3.5;
 const CLEARLY_LESS: f64 = 0.25;
-/// Where the highest degree leaves more than this times what is allowed, lower ones are not tried.
+/// Factor of the allowed residual above which lower degrees are not tried.
 const HOPELESS: f64 = 100.0;
 /// This many degrees are tried.
 const TRIED_DEGREES: usize = 4;

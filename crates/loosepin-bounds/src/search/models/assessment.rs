@@ -11,7 +11,7 @@ pub(in crate::search) const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.
 /// taken the cautious way: rather noise than an extreme, rather few derivatives than many.
 const TOLERATED_MISFIT: f64 = 4.0;
 
-/// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
+/// Misfit by which every model with some noise must be worse than one with less before those with more noise are not tried.
 const HOPELESS_MISFIT: f64 = 50.0;
 
 /// The models that are worth it, held against the same values one after the other, from those of little to those of much noise.

@@ -17,7 +17,7 @@ use loosepin_math::dense::{Cholesky, dot, gram};
 use loosepin_math::{FourRows, exponentials, interleaved, pairwise_dots, with_vector_instructions};
 use loosepin_surrogate::{Factor, Whitened, matern_five_halves_of};
 
-/// To the factors of no more points than this others are appended: those of many take memory for as long as they are kept.
+/// Largest number of points to whose factors others are appended: those of many take memory for as long as they are kept.
 pub(in crate::search) const MAX_APPENDED_TO: usize = 128;
 
 /// Places that are predicted side by side: as many as there are numbers in two vectors.
@@ -76,13 +76,13 @@ pub(crate) struct Distances {
 }
 
 impl Distances {
-    /// Those of `points`.
+    /// The distances of `points`.
     pub fn new(points: &[Vec<f64>]) -> Self {
         let of_row = |row: usize| points[..=row].iter().map(move |other| distance(&points[row], other));
         Self { count: points.len(), triangle: (0..points.len()).flat_map(of_row).collect() }
     }
 
-    /// Those of a point from the ones before it, and from itself.
+    /// The distances of a point from the ones before it, and from itself.
     fn row(&self, row: usize) -> &[f64] {
         &self.triangle[row * (row + 1) / 2..(row + 1) * (row + 2) / 2]
     }

@@ -42,7 +42,7 @@ pub(crate) struct Grid {
     /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
     /// others are prepared when they are asked for.
     levels: Vec<OnceLock<Vec<Model>>>,
-    /// That of a process with kinks everywhere, prepared when it is asked for.
+    /// The model of a process with kinks everywhere, prepared on first use.
     with_kinks: OnceLock<Option<Model>>,
 }
 

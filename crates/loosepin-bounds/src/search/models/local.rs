@@ -197,7 +197,7 @@ impl<'a> LocalFits<'a> {
         }
     }
 
-    /// Whether all of [`Self::places`] lie in `region`, as far as that is known without a look at each.
+    /// Whether all of [`Self::places`] lie in `region`, as far as a test without a look at each shows.
     pub fn are_all_in(&self, region: &Region) -> bool {
         self.fits.iter().all(|fit| fit.are_all_in(region))
     }

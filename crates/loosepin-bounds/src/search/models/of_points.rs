@@ -52,7 +52,7 @@ pub(crate) struct Search<'a> {
 pub(crate) struct Branch<'a> {
     /// The points of the combination.
     pub points: Vec<usize>,
-    /// Those at which the target is defined.
+    /// Points at which the target is defined.
     pub(in crate::search) defined: Vec<usize>,
     /// The model; `None` if the target is defined at too few points.
     pub(in crate::search) model: Option<TargetModel<'a>>,
@@ -90,7 +90,7 @@ impl Branch<'_> {
 #[derive(Clone, Copy)]
 pub(in crate::search) struct Modelled<'m> {
     pub targets: &'m [(Target, Vec<Direction>)],
-    /// Those of each target: [`Search::branches_of_targets`].
+    /// Branches of each target: [`Search::branches_of_targets`].
     pub branches: &'m [Vec<Branch<'m>>],
 }
 

@@ -13,7 +13,7 @@ type Key = (Vec<usize>, usize);
 #[derive(Default)]
 pub(crate) struct SharedGrids {
     made: Mutex<BTreeMap<Key, Option<Arc<Grid>>>>,
-    /// Those of the points of the round before.
+    /// Grids of the points of the round before.
     earlier: Vec<Arc<Grid>>,
 }
 

@@ -36,7 +36,7 @@ use loosepin_math::{interleaved, pairwise_dots};
 /// A deviation σ below this share of the range of the estimates is round-off.
 const MIN_DEVIATION: f64 = 1e-12;
 
-/// Lists of values that are worked out side by side: as many as there are numbers in two vectors.
+/// Lists of values that are computed side by side: as many as there are numbers in two vectors.
 const LISTS_AT_ONCE: usize = 8;
 
 /// Round-off of a misfit, of the order of 1e-13, is far below this.
@@ -45,14 +45,14 @@ const ROUND_OFF_OF_MISFIT: f64 = 1e-6;
 /// The models of one set of points, shared by all statistics that are known there, with places at which predictions are wanted.
 pub(crate) struct Smoother {
     grid: Arc<Grid>,
-    /// Where predictions are wanted: candidates, then the points themselves.
+    /// Places of predictions: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
     seen_places: ObservedPoints,
     /// Whether every place lies in the unit box.
     are_inside: bool,
     axes: Axes,
-    /// Predictions of each model, worked out when they are first asked for.
+    /// Predictions of each model, computed on first use.
     at_places: Vec<OnceLock<AtPlaces>>,
 }
 
@@ -62,7 +62,7 @@ pub(crate) struct Fit<'a> {
     model: &'a Model,
     /// The whitened values, by which the mean is taken at any place.
     whitened: (Vec<f64>, Vec<f64>),
-    /// The process at all places, worked out when it is first asked for.
+    /// The process at all places, computed on first use.
     means: OnceLock<Vec<f64>>,
     centre: f64,
     deviation: f64,
@@ -294,7 +294,7 @@ impl<'v> Prepared<'v> {
     }
 }
 
-/// What the rough part is worked out of when somebody asks for it.
+/// Inputs of the rough part, which is computed on request.
 struct Rough {
     residual: Vec<f64>,
     replicates: Vec<Vec<f64>>,
@@ -328,8 +328,7 @@ pub(crate) struct Kinked {
 }
 
 impl Fit<'_> {
-    /// That of a process with kinks everywhere to the same values, worked out when it is first asked for; `None` if they are known to be smooth,
-    /// or noisy.
+    /// The process with kinks everywhere fitted to the same values, computed on first use; `None` if they are known to be smooth, or noisy.
     pub fn with_kinks(&self) -> Option<&Kinked> {
         self.kinked.get_or_init(|| self.find_with_kinks()).as_ref()
     }
@@ -384,7 +383,7 @@ impl Fit<'_> {
         self.misfit
     }
 
-    /// Whether all of [`Fit::places`] lie in `region`, as far as that is known without a look at each.
+    /// Whether all of [`Fit::places`] lie in `region`, as far as a test without a look at each shows.
     pub fn are_all_in(&self, region: &Region) -> bool {
         self.smoother.are_inside && region.is_whole()
     }

@@ -100,7 +100,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// [`Self::at`] each of `places`, worked out side by side with the same bits.
+    /// [`Self::at`] for each of `places`, computed side by side with the same bits.
     pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Forecast> {
         match self {
             Self::Plain(fit) => fit.at_each(places, allowance).into_iter().map(Forecast::Plain).collect(),

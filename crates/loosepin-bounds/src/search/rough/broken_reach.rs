@@ -11,8 +11,8 @@ use crate::data::direction::{Direction, extreme_among};
 use crate::search::search_box::{Axes, BoxPoint, Region};
 use loosepin_math::dense::dot;
 
-/// Where slopes meet, only points so near to the extreme are its neighbours, in units of the box: a rounded extreme changes by a few resolutions of the
-/// search there, so that where it is taken for a kink little is conceded.
+/// Largest distance of the neighbours of an extreme between two slopes, in units of the box: a rounded extreme changes by a few resolutions
+/// of the search there, so that where it is taken for a kink the allowance is small.
 const MAX_DISTANCE: f64 = 1e-3;
 
 /// The largest fall/d² of the neighbours, over the largest one further away, from which slopes are taken to meet. It is 3 where a rounded
@@ -25,8 +25,8 @@ const FURTHER: f64 = 10.0;
 /// Fall/d² across an edge, over the largest one on this side of it, from which it is one. Around a rounded extreme it does not grow.
 const MIN_BREAK: f64 = 10.0;
 
-/// Of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more, up
-/// to the second, on the other.
+/// Share of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more,
+/// up to the second, on the other.
 const THIS_SIDE: f64 = 0.5;
 const OTHER_SIDE: f64 = 1.5;
 

@@ -27,7 +27,7 @@ const MIN_POINTS_OF_A_PARAMETER: usize = 4;
 /// Normal deviations of a one-sided interval of 95 %.
 const ONE_SIDED: f64 = 1.645;
 
-/// Steps of the iteration, and halvings of each, after which it has come to its end.
+/// Steps of the iteration, and halvings of each, at most.
 const MAX_STEPS: usize = 50;
 const MAX_HALVINGS: usize = 8;
 const MIN_GAIN: f64 = 1e-9;
@@ -35,13 +35,13 @@ const MIN_GAIN: f64 = 1e-9;
 /// Standardised errors of predicting each estimate from the others may go up to this before a model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
 
-/// Replicates that are worked out side by side.
+/// Replicates that are computed side by side.
 const REPLICATES_AT_ONCE: usize = 8;
 
 /// How the errors of a model at the points are scattered.
 #[derive(Debug, Clone)]
 pub(in crate::search) struct Scatter {
-    /// Where their variance depends on u.
+    /// Slopes, if their variance depends on u.
     slopes: Option<Slopes>,
     /// Factor of the standard deviation where the model predicts some estimate worse than it should.
     pub distrust: f64,
@@ -84,7 +84,7 @@ pub(in crate::search) struct Regressors {
 }
 
 impl Regressors {
-    /// Those of `seen` points.
+    /// The regressors of `seen` points.
     pub fn new(seen: &[Vec<f64>]) -> Self {
         let count = seen.len() as f64;
         let dimensions = seen.first().map_or(0, Vec::len);

@@ -58,7 +58,7 @@ pub(in crate::search) struct Likelihoods<'m> {
 }
 
 impl<'m> Likelihoods<'m> {
-    /// Those of all that were `assessed`; `None` if the values are as smooth as they should be.
+    /// The likelihoods of all `assessed` models; `None` if the values are as smooth as they should be.
     pub fn of(assessed: &[Assessed<'m>]) -> Option<Self> {
         let least = |smoothness: Smoothness| {
             let own = assessed.iter().filter(|own| !own.is_noisy() && own.model.smoothness() == smoothness);

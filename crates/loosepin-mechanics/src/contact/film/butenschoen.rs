@@ -7,7 +7,7 @@ use super::*;
 const ROTATION: &str = include_str!("butenschoen/rotation.csv");
 const SQUEEZE: &str = include_str!("butenschoen/squeeze.csv");
 
-/// Where Butenschön's load is not that of its neighbours, so that there is a misprint in it: ε, D/L, what stands there.
+/// Misprints of Butenschön's load, which differs from that of its neighbours: ε, D/L, the printed number.
 const MISPRINTS: [[f64; 3]; 4] = [[-0.95, 8.0, 0.0085], [0.8, 2.5, 15.94], [0.96, 2.5, 492.49], [0.99, 6.0, 2331.0]];
 
 /// The thinnest film at L/D = 1 in squeeze, ε and D/L: his loads are low by more, the thinner the film, and here by 0.71 %, where our

@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn peer_forces_of_films_of_finite_length() {
-        /// Of the force. The peer's own error, from two grids, is a tenth of that.
+        /// Relative tolerance of the force. The peer's own error, from two grids, is a tenth of that.
         const RELATIVE: f64 = 1e-4;
         // ε, Λ, ε̇, wε, then F_r and F_t: tools/film/reynolds.py.
         for [ratio, length_ratio, squeeze_1_s, wedge_1_s, radial, tangential] in [

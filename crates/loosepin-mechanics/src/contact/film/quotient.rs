@@ -99,7 +99,7 @@ impl FilmQuotient<f64> {
     }
 }
 
-/// Where in the sums a motion is.
+/// The terms of the sums at a motion.
 struct SumTerms<T> {
     short: FilmForce<T>,
     /// (1 + X)/(1 + X + κΛ²).

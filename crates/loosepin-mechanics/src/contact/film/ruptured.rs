@@ -244,7 +244,7 @@ impl Grid {
     }
 }
 
-/// Σ a_i b_i over the shorter of the two, eight sums beside one another.
+/// Σ a_i b_i over the shorter of the two, in eight partial sums.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
     let length = a.len().min(b.len());
@@ -288,7 +288,7 @@ mod tests {
 
     #[test]
     fn peer_forces_of_films_that_rupture() {
-        /// Of the force: what two grids leave after extrapolation, in the peer and here.
+        /// Relative tolerance of the force: the difference between two grids after extrapolation, in the peer and here.
         const RELATIVE: f64 = 1e-4;
         // ε, Λ, ε̇, wε, then F_r and F_t: tools/film/ruptured.py.
         for [ratio, length_ratio, squeeze_1_s, wedge_1_s, radial, tangential] in [

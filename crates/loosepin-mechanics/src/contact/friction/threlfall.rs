@@ -4,8 +4,7 @@ use super::keys::{COEFFICIENT, TRANSITION_SPEED};
 use super::law::{Friction, FrictionDescription, KinkSpeeds, friction_numbers};
 use loosepin_math::{Real, exponential};
 
-/// Friction that grows steeply and evens out (Threlfall 1978): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from
-/// there on what it is at v_r, 0.95 μ.
+/// Friction that grows steeply and evens out (Threlfall 1978): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from there on constant, 0.95 μ.
 #[derive(Debug, Clone, Copy)]
 pub struct ThrelfallFriction<T> {
     /// Coefficient μ.

@@ -72,7 +72,7 @@ pub(in crate::dynamics) struct JointFrictions<T> {
     entries: Vec<Entry<T>>,
     /// Generalised forces of the unit wrenches, a row over all coordinates for each joint.
     pushes: Vec<T>,
-    /// Their effect on accelerations and multipliers.
+    /// Effect of unit forces on accelerations and multipliers.
     answers: Vec<T>,
     multipliers: Vec<T>,
     /// B: parts of joint k by joint j.

@@ -16,7 +16,7 @@ pub(in crate::dynamics) struct Column<T> {
 pub(in crate::dynamics) struct NodalWorkspace<T> {
     /// Nodes at the last state that was set.
     pub(in crate::dynamics) nodes: Vec<Nodal<T>>,
-    /// Their rates.
+    /// Rates of the nodes.
     pub(in crate::dynamics) rates: Vec<Nodal<T>>,
     /// Forces on the nodes without those of accelerations of the free coordinates.
     pub(in crate::dynamics) forces: Vec<Nodal<T>>,

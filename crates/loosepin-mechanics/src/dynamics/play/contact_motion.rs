@@ -106,7 +106,7 @@ pub struct GapMotion<T> {
 }
 
 impl<T: Real> GapMotion<T> {
-    /// That of a contact which is not in a straight slot.
+    /// Motion of a contact which is not in a straight slot.
     #[inline(always)]
     pub(in crate::dynamics) fn without_slot(gap: [T; 3], penetration_acceleration_m_s2: T) -> Self {
         Self { gap, penetration_acceleration_m_s2, along: [T::zero(); 3] }

@@ -157,7 +157,7 @@ impl<'a> StartEquations<'a> {
         })
     }
 
-    /// Their Jacobian, row-major.
+    /// Jacobian of the conditions, row-major.
     pub fn jacobian(&self, kinematics: &Kinematics<f64>, out: &mut [f64]) {
         let (loops, columns) = (self.tree.constraint_rows(), self.tree.coordinates());
         constraints::jacobian(self.tree, self.geometry, kinematics, &mut out[..loops * columns]);

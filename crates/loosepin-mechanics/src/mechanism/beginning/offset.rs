@@ -1,4 +1,4 @@
-//! Where journals are in their bearings at the start.
+//! Positions of journals in their bearings at the start.
 
 use crate::mechanism::error::{MechanismError, SampleError};
 use crate::model::{Model, OffsetPlace, PlayId, QuantityId, Values};

@@ -15,7 +15,7 @@ pub enum GapMeasure {
 }
 
 impl GapMeasure {
-    /// That of the contacts of a joint with play.
+    /// The gap measure of the contacts of a joint with play.
     pub fn of(play: &PlayGeometry<f64>) -> Self {
         if play.foundation.is_some() {
             return Self::Penetration;

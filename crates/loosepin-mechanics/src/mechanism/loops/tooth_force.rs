@@ -18,7 +18,7 @@ use crate::model::{Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
-/// By what share the distance of two gears may differ from what their pitch radii give: rounded numbers of a drawing.
+/// Largest relative difference of the distance of two gears from the sum of their pitch radii: rounded numbers of a drawing.
 const MAX_MISFIT: f64 = 0.01;
 
 impl<T: Real> ToothForce<T> {

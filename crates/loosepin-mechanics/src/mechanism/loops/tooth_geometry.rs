@@ -19,7 +19,7 @@ pub struct ToothForce<T> {
 numbers!(struct ToothForce { slope, radii_m; mesh, is_second });
 
 impl<T: Real> ToothForce<T> {
-    /// Those of a coupling, where its joints feel the force.
+    /// The geometry of the teeth of a coupling, if its joints carry the force.
     pub fn new(coupling: &Coupling, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
         let teeth = coupling.teeth?;
         // The force of a rack is one already: no radius makes it of a torque.

@@ -23,7 +23,7 @@ pub struct JointFriction<T> {
 numbers!(struct JointFriction { law, size_m, second_arm_m, guide_direction; joint });
 
 impl<T: Real> JointFriction<T> {
-    /// Those of all ideal joints of `model` with friction, in the order of the joints.
+    /// The frictions of all ideal joints of `model` with friction, in the order of the joints.
     pub fn all(model: &Model, values: &Values) -> Vec<Self> {
         let joints = model.joints.iter().enumerate();
         let with_friction = joints.filter_map(|(index, joint)| Some((JointId(index), joint, joint.friction.as_ref()?)));

@@ -65,7 +65,7 @@ impl TableNumbers<f64> {
         meetings.map(|x| (x - start) / rate).filter(|meeting_s| *meeting_s > time_s).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where two pieces meet, numbered upwards; of a periodic table from the first of all pieces at number 0 on, in both directions.
+    /// Boundary of two pieces, numbered upwards; of a periodic table from the first of all pieces at number 0 on, in both directions.
     fn meeting(&self, index: i64) -> Option<f64> {
         let breaks = self.pieces.breaks();
         if !self.is_periodic {

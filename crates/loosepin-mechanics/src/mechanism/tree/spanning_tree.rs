@@ -178,7 +178,7 @@ pub struct Tree {
     pub cuts: Vec<Cut>,
     /// Places of the ideal couplings, in file order.
     pub couplings: Vec<CouplingPlace>,
-    /// Their indices in the model.
+    /// Indices of the couplings in the model.
     pub coupling_indices: Vec<usize>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
@@ -461,7 +461,7 @@ impl Tree {
         self.slot_of_body[body.0] = self.links.len();
     }
 
-    /// Where `body`, the link pushed last, is flexible: adds its sections, seen from the point at which it hangs on its parent.
+    /// Adds the sections of `body`, the link pushed last, if it is flexible, seen from the point at which it hangs on its parent.
     fn push_sections(&mut self, (model, values): (&Model, &Values), body: BodyId, hangs_at: Option<PointId>) {
         let Some(beam) = &model.bodies[body.0].beam else { return };
         let slot = self.links.len();

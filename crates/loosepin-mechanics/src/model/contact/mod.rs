@@ -43,7 +43,7 @@ pub struct Contact {
     pub friction: Option<Friction>,
     /// Film of oil, if any.
     pub film: Option<Lubrication>,
-    /// It stands for none: joints have play and name no contact, so that the model is complete for its motion only.
+    /// A missing contact: joints have play and name no contact, so that the model is complete for its motion only.
     pub is_missing: bool,
 }
 

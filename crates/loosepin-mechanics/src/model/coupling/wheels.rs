@@ -51,7 +51,7 @@ impl Wheels {
         self.sizes.into_iter().chain([self.offset_rad]).collect()
     }
 
-    /// Their ratio and offset.
+    /// Ratio and offset of the wheels.
     pub(super) fn proportion<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
         let [first, second] = self.sizes;
         let ratio = signed(number(first) / number(second), self.is_reversed);

@@ -73,7 +73,7 @@ pub trait MotionTable: KindOfDrive {
 pub enum Written<K> {
     /// This motion.
     Motion(K),
-    /// None: the coordinate stays what it is.
+    /// No motion: the coordinate keeps its value.
     Standstill(QuantityId),
 }
 

@@ -17,7 +17,7 @@ pub trait KindOfJoint: Sized {
     const WORD: &'static str;
     /// Keys of its table.
     const KEYS: &'static Keys;
-    /// Dimension of its coordinate: an angle, or a position along a line; none where it has none.
+    /// Dimension of its coordinate: an angle, or a position along a line; `None` if it has none.
     const COORDINATE: Option<Dimension>;
     /// How a body hangs on another by it.
     const TREE_ATTACHMENT: TreeAttachment;
@@ -29,7 +29,7 @@ pub trait KindOfJoint: Sized {
     const CONTACT_PLACES: &'static [&'static str] = &[];
     /// Key of its clearance, in errors and hints.
     const CLEARANCE_KEY: &'static str = "clearance";
-    /// Key of the size on which its friction acts where it is ideal; none where it has no friction.
+    /// Key of the size on which its friction acts where it is ideal; `None` if it has no friction.
     const FRICTION_SIZE: Option<&'static str> = None;
     /// Whether it may wear.
     const WEARS: bool = false;
@@ -72,13 +72,13 @@ pub trait KindOfJoint: Sized {
 /// How a body hangs on another by a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TreeAttachment {
-    /// It turns about the point.
+    /// The body turns about the point.
     Turning,
-    /// It slides along the line.
+    /// The body slides along the line.
     Sliding,
-    /// It does not move.
+    /// The body is fixed.
     Fixed,
-    /// It never does: the joint is always cut, since it costs fewer constraints than it would have coordinates.
+    /// The joint is never in the tree: it is always cut, since it costs fewer constraints than it would have coordinates.
     Never,
 }
 
@@ -135,11 +135,11 @@ impl IdealRows {
 /// Role of a joint for a flexible body at one of its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtBeam {
-    /// It holds the point, and the section turns freely unless the joint is driven.
+    /// The joint holds the point, and the section turns freely unless the joint is driven.
     Point,
-    /// It holds the section there: a couple acts.
+    /// The joint holds the section there: a couple acts.
     Section,
-    /// It cannot hold one: its name in words.
+    /// The joint cannot hold one: its name in words.
     Refused(&'static str),
 }
 

@@ -41,7 +41,7 @@ pub trait KindOfOutput: Sized {
         None
     }
 
-    /// The flexible body whose stress is to be worked out for it.
+    /// The flexible body whose stress is computed for it.
     fn stressed_body(&self) -> Option<BodyId> {
         None
     }
@@ -51,7 +51,8 @@ pub trait KindOfOutput: Sized {
 pub trait KindOfReading: Copy + PartialEq + Debug {
     /// Whether it is a number of the lanes; else it is looked at in plain states alone.
     const IS_ON_LANES: bool = true;
-    /// Whether it is what a drive or control must do: `motion` shows it along the ideal motion too, where no positions of points are at hand.
+    /// Whether it is an effort of a drive or control: `motion` shows it along the ideal motion too, where no positions of points are
+    /// available.
     const IS_EFFORT: bool = false;
 
     /// The quantity in words, for example `x of slider.pin`.

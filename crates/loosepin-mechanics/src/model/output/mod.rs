@@ -32,7 +32,7 @@ use loosepin_math::Real;
 use loosepin_text::document::{Key, Keys, Table, count_of, joined};
 use loosepin_text::units::{Dimension, ReadableUnit};
 
-/// Makes the enum of all kinds and that of what is read at an instant, and hands every question on to the kind.
+/// Makes the enum of all kinds and that of their readings at an instant, and forwards every call to the kind.
 macro_rules! output_kinds {
     ($($(#[$doc:meta])* $kind:ident),* $(,)?) => {
         /// The quantity that an output measures, of any kind.

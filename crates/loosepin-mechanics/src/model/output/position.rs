@@ -16,7 +16,7 @@ pub enum Position {
     Angle(Relative<BodyId>),
 }
 
-/// Something that moves, and what it is seen from: `relative_to` in files.
+/// A moving object and its observer: `relative_to` in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Relative<T> {
     /// The observed object.
@@ -91,7 +91,7 @@ pub(super) fn relative_body(
     Some(Relative { of, to: Some(to) })
 }
 
-/// Reports what is seen from the body that it belongs to.
+/// Reports an observer that is on the same body as the observed object.
 fn refuse_same_body(reader: &mut dyn OutputReader, beside: &Entry<'_>, of: BodyId, to: BodyId) -> Option<()> {
     if of != to {
         return Some(());

@@ -24,7 +24,7 @@ pub struct InitialOffset {
     pub path: String,
     /// The joint.
     pub joint: JointId,
-    /// Where.
+    /// Position.
     pub place: OffsetPlace,
 }
 

@@ -135,8 +135,8 @@ impl Model {
         &self.tables
     }
 
-    /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,
-    /// `joint.gudgeon.radial_clearance`. The place of the table above it where it is not written.
+    /// Place of an entry of the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`, `joint.gudgeon.radial_clearance`. The
+    /// place of the table above it where it is not written.
     pub fn place(&self, path: &str) -> Option<Place> {
         let written = self.quantities.id(path).and_then(|id| self.quantities[id].span);
         if let Some(span) = written.or_else(|| self.places.get(path).copied()) {

@@ -55,7 +55,7 @@ pub struct WearLife {
 /// Shape of a wearing joint over its life.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WearGeometry {
-    /// That of the unworn joint.
+    /// Geometry of the unworn joint.
     Fixed,
     /// Worn, by jumps over many cycles.
     Worn(CycleJumps),
@@ -126,7 +126,7 @@ impl WearMeasure {
         }
     }
 
-    /// Their words, in the same order.
+    /// Names of the measures, in the same order.
     pub const WORDS: [&'static str; 7] = {
         let (mut words, mut measure) = ([""; 7], 0);
         while measure < Self::ALL.len() {

@@ -144,7 +144,7 @@ impl ModelReader {
         Some(FeedForward::TimeCourse(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
     }
 
-    /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.
+    /// Initial state of controlled joints if none is given: on their references, and as fast.
     pub fn initial_of_controls(&self) -> Vec<InitialValue> {
         let both = self.controls.iter().enumerate().flat_map(|(index, control)| {
             let of = InitialOf::joint(control.measured, self.coordinate_of(control.measured));

@@ -10,9 +10,9 @@ pub(super) struct Parameters {
     pub known: HashMap<String, (usize, Dimension)>,
     /// In file order.
     pub order: Vec<String>,
-    /// Those that were reported: what uses them is not reported again.
+    /// Parameters that were reported: expressions that use them are not reported again.
     pub broken: HashSet<String>,
-    /// Those that were reported where they are used, since they lack their unit.
+    /// Parameters that were reported where they are used, since they lack their unit.
     blamed: HashSet<String>,
     used: HashSet<usize>,
 }

@@ -123,8 +123,8 @@ impl Model {
         roots
     }
 
-    /// The joints and couplings with play whose stated clearance is this quantity or depends on it, each with its clearance: that of
-    /// the parts as warm as they are.
+    /// The joints and couplings with play whose stated clearance is this quantity or depends on it, each with its clearance: that of the
+    /// parts at their temperature.
     pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
         self.play_clearances().filter(move |(_, clearance)| {
             let stated = self.quantities.stated_clearance(*clearance);

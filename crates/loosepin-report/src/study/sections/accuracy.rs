@@ -9,7 +9,7 @@ use loosepin_text::units::format_number;
 
 /// Digits of an error, and of a number of runs that is foreseen.
 const ERROR_DIGITS: usize = 2;
-/// Targets that are told one by one; the others stand in `summary.json`.
+/// Targets that are shown one by one; the others stand in `summary.json`.
 const MAX_TARGETS: usize = 12;
 
 /// The end of the study, then required and reached accuracy of each target; those that are not reached come first.

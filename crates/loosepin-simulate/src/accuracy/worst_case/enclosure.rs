@@ -1,4 +1,4 @@
-//! Where all positions lie that the play allows, and first and second derivatives of the outputs over them, on intervals.
+//! Enclosure of all positions that the play allows, and first and second derivatives of the outputs over them, on intervals.
 //!
 //! Φ(q, v) = 0 are the loop equations over the free coordinates q and the numbers v of [`super::variables`]: play, dimensions, and last the
 //! input of the cycle around its angle. With J = dΦ/dq over a box Q and the inverse Y of its middle, Krawczyk's operator
@@ -24,7 +24,7 @@ use loosepin_mechanics::model::{Position, Values};
 const BOXES: usize = 8;
 /// How much larger than what they must hold they are made.
 const INFLATION: f64 = 1.15;
-/// A box that has grown so much since the first is given up.
+/// Growth of a box since the first at which it is given up.
 const MAX_GROWTH: f64 = 50.0;
 
 /// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.

@@ -10,8 +10,8 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Position, Values};
 
-/// Every so many positions the search starts from the middle and from the borders of the play too, not only from where the extreme was
-/// at the positions beside it.
+/// Number of positions after which the search starts from the middle and from the borders of the play too, not only from the extremes at
+/// the positions beside it.
 const POSITIONS_BETWEEN_STARTS: usize = 12;
 /// Extremes at neighbouring positions that are further apart than this share of the play are taken as starts for each other once more.
 const SAME_PLACE: f64 = 0.3;

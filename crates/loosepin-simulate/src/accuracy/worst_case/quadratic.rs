@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// Steps of the search for good multipliers; whatever it ends with gives a true upper end.
 const STEPS: usize = 60;
-/// It ends where |s| of every ball is this near to one.
+/// Distance of |s| of every ball from one at which the iteration ends.
 const SETTLED: f64 = 1e-7;
 
 /// A quadratic function g·s + s·H s/2 of which the numbers are known to lie in intervals; s lies in a ball of radius one for each of `balls`.

@@ -16,7 +16,7 @@ const STARTS_WHERE_BLOCKED: usize = 16;
 /// The longest step, in units of the play: from any place to the border.
 const LONGEST_STEP: f64 = 1e6;
 
-/// Where an output is extreme.
+/// Position of an extreme of an output.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorstPosition {
     /// Output there minus output with all joints in the middle of their play, m or rad.

@@ -22,7 +22,7 @@ pub(in super::super) struct Variables {
 
 #[derive(Debug, Clone, Copy)]
 enum PlayVariables {
-    /// It cannot be displaced.
+    /// The joint cannot be displaced.
     Fixed,
     Disc {
         first: usize,

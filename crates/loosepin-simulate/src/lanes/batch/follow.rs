@@ -11,7 +11,7 @@ use crate::lanes::reads::ReadLayout;
 const FEWEST_IN_PLACE: u32 = 8;
 
 impl Batch<'_> {
-    /// Lets the recorded part of a run begin, or go on, at `time_s`.
+    /// Begins, or resumes, the recorded part of a run at `time_s`.
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
         let Some(run) = &mut self.runs[lane] else { return };
         run.is_recorded = true;

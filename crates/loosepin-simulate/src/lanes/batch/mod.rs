@@ -45,8 +45,8 @@ pub(crate) const MAX_STEP_TURNS: f64 = 1.0 / 96.0;
 const MIN_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const MIN_STEP_TURNS: f64 = 1e-14;
-/// Evaluations after which a run alone goes on as machine code: about as many take as long as making it does (12,500 of `slider_crank_5000`,
-/// 11,200 of `six_bar`), so that no run takes more than twice as long as without.
+/// Evaluations after which a single run continues as machine code: about as many take as long as compiling it does (12,500 of
+/// `slider_crank_5000`, 11,200 of `six_bar`), so that no run takes more than twice as long as without.
 const EVALUATIONS_ALONE: u64 = 12_000;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
@@ -82,7 +82,7 @@ pub(crate) struct Batch<'a> {
     started: u64,
     output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
-    /// Where everything is among the numbers of what is followed.
+    /// Layout of the numbers of the followed quantities.
     follow: FollowLayout,
     /// What is looked at inside the steps.
     inside: Vec<Reading>,
@@ -191,7 +191,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Lets the run alone go on by a later execution, with the same bits, where that is machine code; says whether it does.
+    /// Continues a single run by a later execution, with the same bits, if that is machine code; returns whether it does.
     fn go_on_later(&mut self, execution: Execution, kept: &mut CompiledCodeCache<'a>) -> bool {
         let Some(run) = &self.runs[0] else { return false };
         let LaneRun { sample, arms, .. } = run;

@@ -3,7 +3,7 @@
 use loosepin_result::simulation::TrustHorizon;
 use loosepin_text::units::{decimal_exponent, power_of_ten};
 
-/// Lengths to which positions can be trusted are stated for so many powers of ten.
+/// Powers of ten of the lengths for which the time of trust is stated.
 const LENGTHS: i32 = 3;
 /// The largest of them over the smallest clearance, or over the size of a mechanism without play, at most: what is larger says nothing about the
 /// motion within the play.

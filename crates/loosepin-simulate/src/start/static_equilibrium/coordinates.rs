@@ -28,7 +28,7 @@ pub(super) struct Coordinates {
     pub shapes: Vec<usize>,
     /// Whether each of them is a length.
     pub are_lengths: Vec<bool>,
-    /// Those that neither settle nor belong to a beam in absolute nodal coordinates.
+    /// Coordinates that neither settle nor belong to a beam in absolute nodal coordinates.
     pub others: Vec<usize>,
 }
 

@@ -15,12 +15,12 @@ const MM_PER_M: f64 = 1e3;
 const GROUND: &str = "ground";
 /// Two points nearer to each other are one, mm.
 const NEAREST_MM: f64 = 1e-3;
-/// Nobody draws further, mm.
+/// Largest coordinate of a drawing, mm.
 const FURTHEST_MM: f64 = 1e7;
 /// Steel bar of 20 mm x 8 mm: 7850 kg/m^3 times its section.
 const BAR_KG_PER_M: &str = "1.256 kg/m";
 const BLOCK_MASS: &str = "\"0.2 kg\"";
-/// Of a block as of a body of a few centimetres.
+/// Inertia of a block, as of a body of a few centimetres.
 const BLOCK_INERTIA: &str = "\"5e-5 kg m^2\"";
 const FIRST_BAR: &str = "first guess: a steel bar of 20 mm x 8 mm";
 const FIRST_GUESS: &str = "first guess";

@@ -16,7 +16,7 @@ use crate::messages::Document;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
 
-/// Of a turn, to see whether a mechanism moves.
+/// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 36;
 /// Instants of a motion by actuators, for the same.
 const INSTANTS: usize = 4;
@@ -37,7 +37,7 @@ pub struct IntendedChange {
 /// Findings of the library on a mechanism.
 #[derive(Debug, PartialEq)]
 pub struct LibraryFindings {
-    /// It moves as its drives or actuators say, all the way round.
+    /// Whether it moves as its drives or actuators demand, all the way round.
     pub is_complete: bool,
     /// Degrees of freedom; what is missing, where it is not complete; what the study lacks.
     pub words: Vec<String>,

@@ -34,7 +34,7 @@ impl Named {
     }
 }
 
-/// Where something begins or ends.
+/// An end of a new part.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "at", rename_all = "snake_case")]
 pub enum End {

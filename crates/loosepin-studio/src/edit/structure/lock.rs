@@ -1,4 +1,4 @@
-//! Numbers that dragging leaves as they are: their line ends with the comment `# locked`.
+//! Numbers that dragging does not change: their line ends with the comment `# locked`.
 //!
 //! A lock is a note in the model for people and for the studio; runs do not look at it. All numbers of one line are locked together.
 

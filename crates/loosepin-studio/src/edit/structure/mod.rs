@@ -47,7 +47,7 @@ pub use checked::why_not;
 pub use edit::Edit;
 pub use lock::Locks;
 
-/// The changes of an edit, and what is to be known of them.
+/// The changes of an edit, and notes on them.
 #[derive(Debug, Serialize)]
 pub struct Restructured {
     /// In units of the texts that were sent, in their order.
@@ -60,7 +60,7 @@ pub struct Restructured {
     pub gone: Vec<String>,
     /// Name of what came.
     pub name: Option<String>,
-    /// Where new bodies are: x and y, mm, and the angle, degrees.
+    /// Poses of new bodies: x and y, mm, and the angle, degrees.
     pub poses: NamedPoses,
 }
 

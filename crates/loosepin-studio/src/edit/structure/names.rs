@@ -20,7 +20,7 @@ pub struct NameReference {
     pub span: Range<usize>,
     /// Contents of that, without quotes.
     pub written: String,
-    /// It is the place where the thing itself stands.
+    /// Whether it is the definition of the item itself.
     pub is_own: bool,
 }
 

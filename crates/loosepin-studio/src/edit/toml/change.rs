@@ -9,7 +9,7 @@ use crate::messages::{Change, Document};
 /// Lines that are compared with each other, at most; larger changes become one.
 const MAX_PAIRS: usize = 1_000_000;
 
-/// The changes from an old text to a new one; lines that both have stay as they are.
+/// The changes from an old text to a new one; lines that both have stay unchanged.
 pub fn changes(document: Document, old: &Source, new: &str) -> Vec<Change> {
     let before: Vec<&str> = old.text().split_inclusive('\n').collect();
     let after: Vec<&str> = new.split_inclusive('\n').collect();

@@ -1,4 +1,4 @@
-//! Where everything stands in a text that is TOML: the lines of each header and entry, each key, each value.
+//! Spans of a TOML text: the lines of each header and entry, each key, each value.
 //!
 //! The parser of the `toml` crate gives its words and their places (`toml_parser`): `toml` itself keeps one place of a table that has
 //! several headers.

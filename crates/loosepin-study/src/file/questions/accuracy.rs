@@ -265,7 +265,7 @@ fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
     }
 }
 
-/// Accuracies under a key as they are written, until the questions are known.
+/// Accuracies under a key as written, until the questions are known.
 #[derive(Debug, Default)]
 pub(crate) struct WrittenAccuracies {
     written: Vec<(String, String, Measured, Span)>,

@@ -87,7 +87,7 @@ pub struct Ask {
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,
-    /// Where in the cycle.
+    /// Place in the cycle.
     pub location: Where,
     /// Its requested statistics, in file order; limits in the SI unit of the output.
     pub asked: Vec<Asked>,

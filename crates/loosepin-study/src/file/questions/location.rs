@@ -1,4 +1,4 @@
-//! Where in the cycle an output is asked for or required.
+//! Place in the cycle of a question or requirement.
 
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
@@ -8,7 +8,7 @@ use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::document::{Entry, Key, Kind, Reader, Written, optional};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value, parse_quantity};
 
-/// Where in the cycle.
+/// Place in the cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Where {
     /// Everywhere: the curve over the cycle.
@@ -31,7 +31,8 @@ pub(crate) const POSES: Key = optional(
 );
 
 impl StudyReader {
-    /// Where in the cycle: `everywhere` stands for the whole curve, `reduction` for a number of it, which is `of` an output and a deviation.
+    /// Reads the place in the cycle: `everywhere` stands for the whole curve, `reduction` for a number of it, which is `of` an output and a
+    /// deviation.
     pub(crate) fn location(
         &mut self,
         [everywhere, poses, reduction]: [&Option<Entry<'_>>; 3],

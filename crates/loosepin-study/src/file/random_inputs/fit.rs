@@ -25,7 +25,7 @@ const DEVIATIONS_TO_LIMIT: f64 = 3.0;
 
 /// A clearance at which is found out whether a quantity that is zero in the model is one on the radius or on the diameter.
 const TRIED_M: f64 = 1e-6;
-/// Of a clearance that an expression gives.
+/// Round-off of a clearance from an expression.
 const ROUND_OFF: f64 = 1e-9;
 
 /// A diameter that differs from that of the bearing by more than this share belongs to something else.
@@ -202,7 +202,7 @@ impl StudyReader {
     }
 }
 
-/// Where fits are given.
+/// Place of a fit in the file.
 struct FitPlace<'t> {
     diameter_m: f64,
     entry: Entry<'t>,

@@ -20,7 +20,7 @@ use loosepin_uncertainty::{Distribution, FittedFamily, GoodnessOfFit, Interval, 
 const BELONGS_TO: [(&str, &str); 5] =
     [("column", "samples"), ("fitted", "samples"), ("cp", "tolerance"), ("cpk", "tolerance"), ("diameter", "fit")];
 
-/// Of a number that is written in two files.
+/// Round-off of a number that is written in two files.
 const ROUND_OFF: f64 = 1e-9;
 /// The limits of a drawing lie this many standard deviations from the mean, times Cp.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;

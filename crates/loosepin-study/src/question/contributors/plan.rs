@@ -5,7 +5,7 @@ use loosepin_bounds::{DoubleLoop, Purpose, RunInputs, SampleTable};
 use loosepin_uncertainty::contributors::{IndexPlan, IndexPlanError, Indices, independent_groups};
 use loosepin_uncertainty::hash;
 
-/// Independent scramblings, which tell the errors of indices.
+/// Independent scramblings, for the errors of indices.
 const REPLICATES: usize = 8;
 /// Pairs of sample points in each, at least.
 const MIN_PAIRS: usize = 4;

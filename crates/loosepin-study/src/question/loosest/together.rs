@@ -124,7 +124,7 @@ struct Known<F> {
 }
 
 impl<F> Known<F> {
-    /// Whether `values` are met: by what is known, or else by a trial.
+    /// Whether `values` are met: by earlier results, or else by a trial.
     fn holds<E>(&mut self, values: &[f64]) -> Result<bool, E>
     where
         F: FnMut(&[f64]) -> Result<bool, E>,

@@ -170,9 +170,9 @@ struct Event<'r> {
     combination: usize,
 }
 
-/// Why an estimate cannot go on.
+/// Reason why an estimate cannot continue.
 enum Missing {
-    /// These runs are not there yet.
+    /// Runs that are not made yet.
     Runs(Vec<RunInputs>),
     /// More random inputs than Sobol' points have dimensions.
     Points(SobolError),
@@ -186,9 +186,9 @@ impl From<SobolError> for Missing {
 
 /// Why a search for design points came to no end.
 enum SearchEnd {
-    /// It took as many runs as it may.
+    /// The estimate has used its runs.
     Spent,
-    /// The estimate itself cannot go on.
+    /// The estimate cannot continue.
     Missing(Missing),
 }
 

@@ -98,7 +98,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     record
 }
 
-/// All surrogates as they are saved.
+/// All surrogates in the form of their file.
 pub fn saved_surrogates(
     material: &Material<'_>,
     input_hash: &str,

@@ -52,7 +52,7 @@ pub struct SavedOutput {
     pub output: String,
     /// Which deviation.
     pub of: Deviation,
-    /// Where in the cycle; one place for a number.
+    /// Places in the cycle; one for a number.
     pub at: Vec<ResponsePoint>,
     /// Unit of its values.
     pub unit: SiUnit,

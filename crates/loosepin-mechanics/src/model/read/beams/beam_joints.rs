@@ -96,7 +96,7 @@ impl ModelReader {
         }
     }
 
-    /// Where something stands, or the table above it.
+    /// Span of an entry, or of the table above it.
     fn span_of(&self, path: &str) -> Span {
         let mut path = path;
         loop {
