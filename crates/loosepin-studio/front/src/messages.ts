@@ -1,7 +1,7 @@
 // What the studio and its server say to each other, from the types of the server in Rust.
 // Not written by hand: `just studio-messages` writes it, and a test of the architecture compares it.
 
-/** What holds a pin. */
+/** Support of a pin. */
 export type Hold =
   /** Links alone. */
   | { kind: 'free' }
@@ -20,7 +20,7 @@ export interface DrawnPin {
   x: number;
   /** Upwards, mm. */
   y: number;
-  /** What holds it. */
+  /** Its support. */
   hold: Hold;
 }
 
@@ -46,7 +46,7 @@ export interface Named {
   point?: string | null;
 }
 
-/** Where something begins or ends. */
+/** An end of a new part. */
 export type End =
   /** A point of the model. */
   | {
@@ -107,7 +107,7 @@ export type Axis =
   /** Upwards. */
   | 'y';
 
-/** What an output records. */
+/** The recorded quantity of an output. */
 export type Watched =
   /** The path of a point. */
   | {
@@ -151,9 +151,9 @@ export type Edit =
   /** A link between two places. */
   | {
       kind: 'add_link';
-      /** Where it begins. */
+      /** Its beginning. */
       from: End;
-      /** Where it ends. */
+      /** Its end. */
       to: End;
     }
   /** A further point of a body; where it is one of another body, both are joined by a pin. */
@@ -217,7 +217,7 @@ export type Edit =
       is_locked: boolean;
     };
 
-/** The changes of an edit, and what is to be known of them. */
+/** The changes of an edit, and notes on them. */
 export interface Restructured {
   /** In units of the texts that were sent, in their order. */
   changes: Change[];
@@ -225,11 +225,11 @@ export interface Restructured {
   says: string[];
   /** The mechanism moves as its drives say. */
   is_complete: boolean;
-  /** What goes, in words. */
+  /** Removed items, in words. */
   gone: string[];
   /** Name of what came. */
   name: string | null;
-  /** Where new bodies are: x and y, mm, and the angle, degrees. */
+  /** Poses of new bodies: x and y, mm, and the angle, degrees. */
   poses: NamedPoses;
 }
 
@@ -241,7 +241,7 @@ export interface Change {
   from: number;
   /** Behind the last UTF-16 unit that goes. */
   to: number;
-  /** What comes in its place. */
+  /** The replacement. */
   insert: string;
 }
 
@@ -249,7 +249,7 @@ export interface Change {
 export type Document =
   /** The mechanism. */
   | 'model'
-  /** What is uncertain in it, and what is asked. */
+  /** Its uncertain inputs and its questions. */
   | 'study';
 
 /** Poses of bodies by their names: x and y of the origin, mm, and the angle, degrees. */
@@ -310,7 +310,7 @@ export interface Bend {
   shapes: ((number | null)[])[];
   /** Coordinate of each shape at each pose, rad. */
   turns: ((number | null)[])[];
-  /** Deflections are drawn so many times as large. */
+  /** Magnification of deflections. */
   factor: number;
   /** x and y of places along the axis at each pose, mm, in place of shapes. */
   track?: ([(number | null)[], (number | null)[]])[];
@@ -346,7 +346,7 @@ export interface ListedResult {
   path: string;
   /** Its name. */
   title: string;
-  /** What it is the result of. */
+  /** Kind of the result. */
   kind: ResultKind;
   /** Over all requirements of a study. */
   verdict: Verdict | null;
@@ -377,7 +377,7 @@ export type Verdict =
   | 'promised'
   /** Not met for at least one value, numerical error included. */
   | 'not_met'
-  /** The numerical error reaches over the limit, or nothing is known of the share: more runs decide. */
+  /** The numerical error reaches over the limit, or the share is unknown: more runs decide. */
   | 'undecided';
 
 /** The served folder as the page shows it. */
@@ -386,11 +386,11 @@ export interface Listing {
   files: ListedFile[];
   /** Finished results, the newest first. */
   results: ListedResult[];
-  /** Whether there is more than is told. */
+  /** Whether the list is truncated. */
   truncated: boolean;
 }
 
-/** What can be done with a result. */
+/** Available actions on a result. */
 export interface ResultActions {
   /** Name of the result. */
   title: string;
@@ -428,15 +428,15 @@ export interface Stretch {
 
 /** A second place that matters to a diagnostic. */
 export interface LabelView extends Partial<Stretch> {
-  /** The text; nothing where it is none of the two. */
+  /** The text; `None` if it is none of the two. */
   document: Document | null;
-  /** What is said of it. */
+  /** Its text. */
   text: string;
 }
 
 /** Something wrong, or worth a warning. */
 export interface DiagnosticView extends Partial<Stretch> {
-  /** The text at fault; nothing where it is none of the two. */
+  /** The text at fault; `None` if it is none of the two. */
   document: Document | null;
   /** Path of the file at fault. */
   path: string | null;
@@ -444,7 +444,7 @@ export interface DiagnosticView extends Partial<Stretch> {
   code: string;
   /** How grave it is. */
   severity: Severity;
-  /** What is wrong. */
+  /** The problem. */
   message: string;
   /** The way out. */
   hint: string | null;
@@ -456,7 +456,7 @@ export interface DiagnosticView extends Partial<Stretch> {
 
 /** A change that mends a diagnostic. */
 export interface Fix extends Change {
-  /** What it does, in words. */
+  /** Its effect, in words. */
   words: string;
 }
 
@@ -471,23 +471,23 @@ export type Severity =
 export type JobState =
   /** Others are before it. */
   | 'waiting'
-  /** It runs. */
+  /** The job is running. */
   | 'running'
   /** Its results are there. */
   | 'done'
-  /** It came to no result. */
+  /** The job has failed. */
   | 'failed'
   /** Somebody stopped it; its runs are kept. */
   | 'stopped';
 
-/** What a job runs. */
+/** Kind of a job. */
 export type JobKind =
   /** A study. */
   | 'study'
   /** One mechanism by itself. */
   | 'run';
 
-/** What is run in the background. */
+/** A background job. */
 export interface Job {
   /** Its number. */
   id: number;
@@ -497,19 +497,19 @@ export interface Job {
   study: string;
   /** Its name. */
   title: string;
-  /** What becomes of it. */
+  /** Its state. */
   state: JobState;
   /** Finished runs. */
   finished: number;
-  /** The runs that it may come to. */
+  /** Upper limit of its runs. */
   most: number;
   /** Since it began to run. */
   seconds: number;
-  /** What came out, in sentences. */
+  /** Results, in sentences. */
   words: string[];
-  /** What is known before it is finished. */
+  /** Intermediate results before it is finished. */
   draft: JobDraft | null;
-  /** What is wrong, where it failed. */
+  /** Errors, if it failed. */
   diagnostics: string[];
   /** Folder of its results, in the served folder. */
   result: string | null;
@@ -517,7 +517,7 @@ export interface Job {
   verdict: Verdict | null;
 }
 
-/** What is known of a study before it is finished. */
+/** Intermediate results of a study. */
 export interface JobDraft {
   /** In sentences. */
   words: string[];
@@ -527,9 +527,9 @@ export interface JobDraft {
 
 /** The band of one deviation, from the runs so far. */
 export interface DraftBand {
-  /** What is shown: `Deviation of slider`. */
+  /** Title: `Deviation of slider`. */
   title: string;
-  /** What the band is, and what it is not yet. */
+  /** Meaning of the band, and its present limits. */
   words: string;
   /** The chart as an SVG document that takes its style from the page. */
   figure: string;
@@ -539,7 +539,7 @@ export interface DraftBand {
 export interface SentText {
   /** Path in the served folder. */
   path: string;
-  /** What it says. */
+  /** Its text. */
   text: string;
 }
 
@@ -551,7 +551,7 @@ export interface Shown {
   study: SentText;
 }
 
-/** What the page asks to be read. */
+/** A request of the page to read its texts. */
 export interface Look {
   /** Counts up; comes back with the answer. */
   seq: number;
@@ -561,27 +561,27 @@ export interface Look {
   study?: SentText | null;
   /** Positions in a turn. */
   positions: number;
-  /** What is dragged, where anything is: what is looked at are the texts that the drag makes of these. */
+  /** The drag, if any: the texts are read as the drag changes them. */
   grip?: Grip | null;
-  /** Where bodies were last: a mechanism that does not move yet is drawn there. */
+  /** Previous poses of the bodies: a mechanism that does not move yet is drawn there. */
   poses?: NamedPoses | null;
 }
 
 /** A drag. */
 export interface Grip {
-  /** What is dragged. */
+  /** The dragged object. */
   held: Held;
-  /** Where a centre or point is to be, or a place on the line of a guide, mm. */
+  /** Target of a centre or point, or a place on the line of a guide, mm. */
   to_mm: [number, number];
   /** Written values are rounded to the next round step that is not below this one, mm. */
   step_mm: number;
   /** Values are as they come: no round steps. */
   is_free: boolean;
-  /** Where each body is: x and y of its origin, mm, and its angle, degrees. */
+  /** Pose of each body: x and y of its origin, mm, and its angle, degrees. */
   poses: [number, number, number][];
 }
 
-/** What a drag takes. */
+/** The dragged object. */
 export type Held =
   /** The centre of a pin. */
   | {
@@ -604,7 +604,7 @@ export type Held =
       joint: string;
     };
 
-/** What comes over the live connection from the page. */
+/** Messages from the page over the live connection. */
 export type FromPage =
   /** The first message. */
   | {
@@ -637,7 +637,7 @@ export type FromPage =
       id: number;
     };
 
-/** What goes over the live connection to the page. */
+/** Messages to the page over the live connection. */
 export type ToPage =
   /** The token was right. */
   | {
@@ -670,21 +670,21 @@ export type ToPage =
 
 /** The answer to a look. */
 export interface LookAnswer {
-  /** That of the look. */
+  /** Sequence number of the look. */
   seq: number;
   /** Everything wrong, and warnings. */
   diagnostics: DiagnosticView[];
-  /** The mechanism; nothing where the model cannot be read, or does not move. */
+  /** The mechanism; `None` if the model cannot be read, or does not move. */
   view: View | null;
-  /** What a drag did: `diagnostics` and `view` are of the texts with its changes. */
+  /** Effect of a drag: `diagnostics` and `view` are of the texts with its changes. */
   reshaped: DragResult | null;
   /** How long it took. */
   cost_ms: number;
-  /** It took too long and was stopped: nothing is known of these texts. */
+  /** The look took too long and was stopped: these texts were not read. */
   is_cut: boolean;
 }
 
-/** What a drag does to the texts that were sent. */
+/** Effect of a drag on the sent texts. */
 export interface DragResult {
   /** The changes, all in units of the texts that were sent, in their order. */
   changes: Change[];
@@ -692,7 +692,7 @@ export interface DragResult {
   words: string[];
   /** The angle of the drive at which the joints lie where the drag left them. */
   angle_deg: number | null;
-  /** Where the bodies are that the drag has moved, by name: so a mechanism is drawn that does not move yet. */
+  /** Poses of the dragged bodies, by name: for drawing a mechanism that does not move yet. */
   poses: NamedPoses;
   /** Why nothing can be changed. */
   refusal: string | null;
@@ -706,7 +706,7 @@ export interface View {
   mobility: string;
   /** Why it does not move yet; what is drawn is where its bodies were put. */
   incomplete: string | null;
-  /** What play and scatter do without dynamics, in sentences. */
+  /** Quasi-static effects of play and scatter, in sentences. */
   sentences: string[];
   /** The mechanism, moving. */
   drawing: MovingDrawing | null;
@@ -714,7 +714,7 @@ export interface View {
   bands: LiveBand[];
   /** The limits among them. */
   limits: LimitView[];
-  /** What it is made of. */
+  /** Its parts. */
   outline: Outline;
   /** Its numbers. */
   quantities: QuantityView[];
@@ -738,7 +738,7 @@ export interface LimitView {
 export interface LiveBand {
   /** Name of the output. */
   output: string;
-  /** What it is. */
+  /** Description. */
   words: string;
   /** How wide the band is where it is widest, in a sentence. */
   largest: string;
@@ -752,30 +752,30 @@ export interface LiveBand {
   si_per_unit: number;
   /** Whether the band keeps each limit of its output, in a sentence. */
   kept: string[];
-  /** What makes the band where it is widest, the largest part first. */
+  /** Parts of the band where it is widest, the largest first. */
   parts: BandPart[];
 }
 
-/** What one joint or one dimension adds to a band. */
+/** The share of one joint or one dimension in a band. */
 export interface BandPart {
   /** Joint, or path of the dimension. */
   name: string;
-  /** What it is. */
+  /** Its source. */
   kind: PartKind;
   /** Share of the outer band, 0 to 1. */
   share: number;
-  /** What it adds, with its unit. */
+  /** Its share, with the unit. */
   words: string;
 }
 
-/** What a part of a band comes from. */
+/** The source of a part of a band. */
 export type PartKind =
   /** The play of a joint. */
   | 'play'
   /** The scatter of a dimension. */
   | 'part';
 
-/** What the mechanism is made of. */
+/** Parts of the mechanism. */
 export interface Outline {
   /** Bodies that move. */
   bodies: string[];
@@ -813,15 +813,15 @@ export interface PointView {
 
 /** A dimension of a body or a joint. */
 export interface DimensionView {
-  /** What it is. */
+  /** Its kind. */
   kind: DimensionKind;
   /** Name of the body, or of the joint whose line it is. */
   of: string;
   /** Index of the body that it moves with, in the drawing. */
   body: number;
-  /** Where it begins in the frame of that body, mm. */
+  /** Its beginning in the frame of that body, mm. */
   from: [number, number];
-  /** Where it ends; of a line, a millimetre along it. */
+  /** Its end; for a line, a millimetre along it. */
   to: [number, number];
   /** With its unit. */
   written: string;
@@ -829,11 +829,11 @@ export interface DimensionView {
   path: string | null;
 }
 
-/** What a dimension is. */
+/** Kind of a dimension. */
 export type DimensionKind =
-  /** Of a body. */
+  /** Length of a body. */
   | 'length'
-  /** Of the line of a joint. */
+  /** Angle of the line of a joint. */
   | 'angle';
 
 /** A spring or a load, with where it stands in the drawing. */
@@ -842,9 +842,9 @@ export interface ForceView {
   table: ForceTable;
   /** Its name. */
   name: string;
-  /** What it is, in words. */
+  /** Its kind, in words. */
   kind: string;
-  /** Both ends of a spring along a line; the one place of all others; nothing where no point says where. */
+  /** Both ends of a spring along a line; the one place of all others; empty if no point says where. */
   ends: PinView[];
   /** Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees. */
   direction_deg: number | null;
@@ -859,7 +859,7 @@ export type ForceTable =
   /** Forces and torques. */
   | 'load';
 
-/** Where a pin is. */
+/** A pin and its position. */
 export interface PinView {
   /** Index of a body that carries it, in the drawing. */
   body: number;
@@ -873,7 +873,7 @@ export interface PinView {
 export interface JointView {
   /** Its name. */
   name: string;
-  /** What it is, in words. */
+  /** Its kind, in words. */
   kind: string;
   /** Its play, where it has any. */
   play: string | null;
@@ -887,31 +887,31 @@ export interface JointView {
 export interface OutputView {
   /** Its name. */
   name: string;
-  /** What it is, in words. */
+  /** Its description, in words. */
   words: string;
 }
 
 /** A number of the texts. */
 export interface QuantityView {
-  /** Where it stands: `joint.gudgeon.radial_clearance`. */
+  /** Path in the file: `joint.gudgeon.radial_clearance`. */
   path: string;
   /** In words. */
   words: string;
   /** The text. */
   document: Document;
-  /** What is written, quotes left out. */
+  /** The written text, without quotes. */
   written: string;
   /** First UTF-16 unit. */
   from: number;
   /** Behind the last UTF-16 unit. */
   to: number;
-  /** What it is. */
+  /** Its kind. */
   kind: QuantityKind;
   /** Dragging leaves it as it is. */
   is_locked: boolean;
 }
 
-/** What is written of a number. */
+/** Kind of a written number. */
 export type QuantityKind =
   /** Its value in the model. */
   | 'number'
@@ -928,17 +928,17 @@ export interface Refused {
   hint: string | null;
 }
 
-/** What the server is. */
+/** Description of the server. */
 export interface HelloAnswer {
   /** Version of the program. */
   version: string;
   /** Path of the served folder. */
   folder: string;
-  /** What it takes. */
+  /** Its limits. */
   limits: Limits;
 }
 
-/** What the server takes. */
+/** Limits of the server. */
 export interface Limits {
   /** Largest text, bytes. */
   text_bytes: number;
@@ -952,9 +952,9 @@ export interface OpenRequest {
 
 /** A model, or a study with its model. */
 export interface OpenAnswer {
-  /** Nothing where the model of the study cannot be read. */
+  /** `None` if the model of the study cannot be read. */
   model: OpenedText | null;
-  /** Nothing where a model was asked for. */
+  /** `None` if a model was asked for. */
   study: OpenedText | null;
 }
 
@@ -962,9 +962,9 @@ export interface OpenAnswer {
 export interface OpenedText {
   /** Its path. */
   path: string;
-  /** What it says. */
+  /** Its text. */
   text: string;
-  /** By which it is known to be the same when it is saved. */
+  /** Tag by which it is recognised when it is saved. */
   tag: string;
 }
 
@@ -972,15 +972,15 @@ export interface OpenedText {
 export interface SaveRequest {
   /** Path in the served folder. */
   path: string;
-  /** What it says. */
+  /** Its text. */
   text: string;
-  /** Of the text that it is made of; nothing of a new one. */
+  /** Tag of the text that it changes; `None` for a new one. */
   tag?: string | null;
 }
 
 /** A text was saved. */
 export interface SaveAnswer {
-  /** That of the text as it is now. */
+  /** Tag of the present text. */
   tag: string;
 }
 
@@ -996,7 +996,7 @@ export interface SetUncertaintyRequest {
   text: string;
 }
 
-/** What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer. */
+/** Effect on the texts of an entry of a number's uncertainty. What somebody types is no fault of the page: a refusal is an answer. */
 export interface SetUncertaintyAnswer {
   /** In units of the texts that were sent, in their order. */
   changes: Change[];
@@ -1010,13 +1010,13 @@ export interface RestructureRequest {
   model: SentText;
   /** The study of it, where there is one. */
   study?: SentText | null;
-  /** What is to be done. */
+  /** The requested change. */
   edit: Edit;
-  /** Where the bodies are shown. */
+  /** Displayed poses of the bodies. */
   poses?: NamedPoses;
 }
 
-/** What a change of the mechanism does, or why there is none. */
+/** Effect of a change of the mechanism, or why there is none. */
 export interface RestructureAnswer extends Partial<Restructured> {
   /** Why not. */
   refusal: Refused | null;
@@ -1040,11 +1040,11 @@ export interface NewAnswer {
 
 /** A drawing from nothing. */
 export interface DrawRequest extends Drawn {
-  /** Path of the new folder into which model and study go; nothing where only words are asked for. */
+  /** Path of the new folder into which model and study go; `None` if only words are asked for. */
   folder?: string | null;
 }
 
-/** What the library says of a drawing. */
+/** Findings of the library on a drawing. */
 export interface DrawAnswer {
   /** Degrees of freedom in words, or what is missing. */
   says: string[];
@@ -1054,7 +1054,7 @@ export interface DrawAnswer {
   study: string | null;
 }
 
-/** Where a drawing in the DXF format is to go. */
+/** Destination of a drawing in the DXF format. */
 export interface ImportRequest {
   /** Path of the new folder. */
   folder: string;
@@ -1064,15 +1064,15 @@ export interface ImportRequest {
   unit?: string | null;
 }
 
-/** What came of a drawing in the DXF format. */
+/** Result of an import of a drawing in the DXF format. */
 export interface ImportAnswer {
   /** Path of the model. */
   model: string;
-  /** What was found in the drawing, and what was left out. */
+  /** Findings in the drawing, and omitted parts. */
   notes: string[];
 }
 
-/** What a code of a diagnostic means. */
+/** Meaning of a code of a diagnostic. */
 export interface ExplainAnswer {
   /** The code. */
   code: string;
@@ -1088,7 +1088,7 @@ export interface ViewRequest {
   path: string;
 }
 
-/** Where a report is shown, once. */
+/** Address at which a report is shown once. */
 export interface ViewAnswer {
   /** Its address. */
   address: string;
@@ -1111,9 +1111,9 @@ export interface Comparison {
   headline: string;
   /** The studies, A first. */
   sides: [ComparedSide, ComparedSide];
-  /** What makes the numbers less comparable. */
+  /** Reasons why the numbers are less comparable. */
   warnings: string[];
-  /** What is not compared, and why. */
+  /** Parts that are not compared, with the reasons. */
   left_out: string[];
   /** Requirements with both verdicts. */
   requirements: ComparedRequirement[];
@@ -1121,27 +1121,27 @@ export interface Comparison {
   bands: ComparedBand[];
   /** Bounds of single statistics with their differences. */
   statistics: ComparedStatistic[];
-  /** What differs in the inputs, uncertain ones first. */
+  /** Differences of the inputs, uncertain ones first. */
   inputs: ChangedInput[];
 }
 
 /** An input that two studies have differently. */
 export interface ChangedInput {
-  /** Where it stands. */
+  /** Place of the input. */
   place: InputPlace;
   /** Its path: `joint.gudgeon.radial_clearance`. */
   path: string;
   /** The same in words. */
   words: string;
-  /** What A has, with its unit; nothing where it has no such entry. */
+  /** Entry of A, with its unit; `None` if it has no such entry. */
   before: string | null;
-  /** What B has. */
+  /** Entry of B. */
   after: string | null;
 }
 
-/** Where an input of a study stands. */
+/** Place of an input of a study. */
 export type InputPlace =
-  /** Among the uncertain inputs. */
+  /** An uncertain input. */
   | 'uncertain'
   /** In the model. */
   | 'model'
@@ -1154,7 +1154,7 @@ export type InputPlace =
 
 /** Both bands of an output over the cycle. */
 export interface ComparedBand {
-  /** Of what: `Deviation of slider`. */
+  /** Title: `Deviation of slider`. */
   title: string;
   /** How far each band reaches, in a sentence. */
   words: string;
@@ -1170,9 +1170,9 @@ export interface ComparedBand {
 export interface ComparedRequirement {
   /** On what: `deviation of slider over the whole cycle`. */
   what: string;
-  /** The limits and the share that is required in A and in B, in words; nothing where the study does not require it. */
+  /** The limits and the required share in A and in B, in words; `None` if the study does not require it. */
   required: [string | null, string | null];
-  /** The share that keeps the limits, as far as it is known. */
+  /** Bounds of the share that keeps the limits. */
   kept: [string | null, string | null];
   /** The verdicts. */
   verdicts: [Verdict | null, Verdict | null];
@@ -1192,7 +1192,7 @@ export interface ComparedSide {
 
 /** A statistic that both studies bound. */
 export interface ComparedStatistic {
-  /** Of what: `slider (x of slider.pin): deviation, largest absolute value in the cycle`. */
+  /** The response: `slider (x of slider.pin): deviation, largest absolute value in the cycle`. */
   response: string;
   /** Which one, and by which treatment where it is not the mixed one. */
   statistic: string;
@@ -1216,9 +1216,9 @@ export interface ComparedEnd {
 export type Weight =
   /** There is none. */
   | 'none'
-  /** It is not larger than both errors together: it may be that of the computation alone. */
+  /** The difference is not larger than both errors together: it may be numerical alone. */
   | 'within_errors'
-  /** It is larger. */
+  /** The difference is larger. */
   | 'beyond_errors';
 
 /** A result of which it is asked what can be done with it. */

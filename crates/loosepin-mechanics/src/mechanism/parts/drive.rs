@@ -105,7 +105,7 @@ impl Drives<f64> {
 }
 
 impl<T: Real> Drives<T> {
-    /// Position, velocity and acceleration of a drive at `time_s`, in the present piece; `workspace` holds [`workspace`] numbers.
+    /// Position, velocity and acceleration of a drive at `time_s`, in the present piece; `workspace` holds [`workspace_length`] numbers.
     #[inline(always)]
     pub fn motion(&self, drive: DriveId, time_s: T, workspace: &mut [TimeDual<T>]) -> [T; 3] {
         self.law_motion(drive.0, time_s, workspace)

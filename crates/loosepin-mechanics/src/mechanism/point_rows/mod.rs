@@ -21,7 +21,7 @@ macro_rules! point_rows {
     ($($keeps:ident => $form:ident),* $(,)?) => {
         /// The rows of a cut joint at a state.
         pub enum PointRowsAtState<T> {
-            $(#[doc = concat!("Of [`Keeps::", stringify!($keeps), "`].")] $keeps($form<T>),)*
+            $(#[doc = concat!("Of [`PointConstraint::", stringify!($keeps), "`].")] $keeps($form<T>),)*
         }
 
         impl<T: Real> PointRowsAtState<T> {
