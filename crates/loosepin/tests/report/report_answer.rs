@@ -621,7 +621,7 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     result.counts.runs = 256;
     let text = one_line(&study_text(&result));
     assert!(text.contains("Bounds, numerical error included"), "{text}");
-    assert!(!text.contains("unknown inputs"), "{text}");
+    assert!(!text.contains("all values of the unknown inputs"), "{text}");
     let page = one_line(&study_page(&result));
     assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
     assert!(page.contains("Shares of mechanisms, numerical error included."), "{page}");
