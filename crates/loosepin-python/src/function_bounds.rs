@@ -1,7 +1,6 @@
 //! Bounds of any vectorised function of Python: the uncertainty wing without a mechanism.
 
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{self, BoundPair, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic};
 use loosepin::diagnostics::{self, Code};
@@ -16,7 +15,7 @@ use crate::column::Column;
 use crate::error::raise_problem;
 use crate::growing_samples::{Accuracy, GrowingSamples};
 use crate::inputs::Inputs;
-use crate::waiting::wait_for;
+use crate::waiting::without_gil;
 
 /// Bounds that cannot be had of a function.
 #[derive(Debug)]
@@ -139,12 +138,6 @@ pub fn requests(stated: &[(usize, String, Option<f64>)]) -> PyResult<Vec<Request
 pub fn input_names(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<(Vec<String>, Vec<String>)> {
     let inputs = Inputs::read(inputs)?;
     Ok((inputs.random_names, inputs.epistemic_names))
-}
-
-/// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
-pub fn without_gil<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
-    raised.map_or(Ok(result), Err)
 }
 
 fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {

@@ -11,10 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::raise;
-use crate::function_bounds::{Names, answer, requests, without_gil};
+use crate::function_bounds::{Names, answer, requests};
 use crate::growing_samples::{Accuracy, GrowingSamples};
 use crate::python_run_provider::PythonRunProvider;
-use crate::waiting::{RunCounts, wait_for};
+use crate::waiting::{RunCounts, wait_for, without_gil};
 
 /// Questions about a function.
 pub struct FunctionRequests<'a> {

@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::function_bounds::without_gil;
+use crate::waiting::without_gil;
 
 /// By how much bounds may be widened, and how many runs may be made for it, as Python states them.
 #[derive(FromPyObject)]

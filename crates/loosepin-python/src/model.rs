@@ -115,6 +115,11 @@ impl Model {
         checked.map_err(|error| raise(of_argument("inputs", diagnostics::Diagnostic::error(&error, None))))
     }
 
+    /// Whether `path` is that of the law of a contact, whatever its name.
+    fn is_path_of_law(&self, path: &str) -> bool {
+        self.0.contact_of_law(path).is_some()
+    }
+
     /// Output, component, deviation, and key and value of the place of what results call `name`; an angle in rad after its drive.
     #[allow(clippy::type_complexity, reason = "keys of a question")]
     fn question_of(&self, name: &str) -> PyResult<(String, Option<&'static str>, &'static str, Place)> {

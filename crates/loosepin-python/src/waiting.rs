@@ -72,3 +72,9 @@ pub fn wait_for<T: Send>(
         })
     })
 }
+
+/// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
+pub fn without_gil<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
+    raised.map_or(Ok(result), Err)
+}

@@ -199,7 +199,7 @@ impl Sample {
 
     /// Whether its replicates fill its distribution clearly more evenly than independent runs would.
     pub fn is_even(&self) -> bool {
-        *self.is_even.get_or_init(|| stratification::is_even(self))
+        *self.is_even.get_or_init(|| stratification::is_even(&self.sorted(), &self.replicates().collect::<Vec<_>>()))
     }
 
     /// The finished values of each replicate that has any.

@@ -1,7 +1,6 @@
 //! How much better the replicates of a sample are than independent runs, over its whole distribution.
 
 use super::estimate::variance_of_mean;
-use super::sample::Sample;
 
 /// Shares at which the replicates are compared: deciles.
 const LEVELS: usize = 10;
@@ -10,7 +9,7 @@ const MIN_GAIN: f64 = 2.0;
 /// At one or two, as where the response has few values, in one of two hundred.
 const MIN_GAIN_OF_FEW_VALUES: f64 = 4.0;
 
-/// Whether the replicates of `sample` fill its distribution clearly more evenly than independent runs would.
+/// Whether `replicates` fill the distribution of all their values, which are `sorted`, clearly more evenly than independent runs would.
 ///
 /// ```text
 /// K/Σ (V_k/v_k) ≥ 2,   v_k = F_k (1 - F_k)/N
@@ -20,8 +19,7 @@ const MIN_GAIN_OF_FEW_VALUES: f64 = 4.0;
 /// N independent runs; K of the nine deciles are different values with others above. One share has R - 1 degrees of freedom; those at nine
 /// deciles together about three times as many, as the distance of Anderson and Darling between each replicate and all runs has (T. W.
 /// Anderson and D. A. Darling 1952). With K below 3 the gain must be 4.
-pub(super) fn is_even(sample: &Sample) -> bool {
-    let sorted = sample.sorted();
+pub(super) fn is_even(sorted: &[f64], replicates: &[&[f64]]) -> bool {
     let count = sorted.len();
     let mut limits: Vec<f64> =
         (1..LEVELS).filter_map(|level| Some(sorted[(count * level / LEVELS).checked_sub(1)?])).collect();
@@ -29,8 +27,8 @@ pub(super) fn is_even(sample: &Sample) -> bool {
     let of_limit = |&limit: &f64| {
         let share =
             |values: &[f64]| values.iter().filter(|&&value| value <= limit).count() as f64 / values.len() as f64;
-        let below = share(&sorted);
-        let shares: Vec<f64> = sample.replicates().map(share).collect();
+        let below = share(sorted);
+        let shares: Vec<f64> = replicates.iter().map(|values| share(values)).collect();
         (below < 1.0).then(|| variance_of_mean(&shares) * count as f64 / (below * (1.0 - below)))
     };
     let ratios: Vec<f64> = limits.iter().filter_map(of_limit).collect();
@@ -41,7 +39,6 @@ pub(super) fn is_even(sample: &Sample) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::sample::Sample;
-    use super::is_even;
     use loosepin_uncertainty::uniform;
 
     const SAMPLES: u64 = 1000;
@@ -50,7 +47,7 @@ mod tests {
     fn even_ones(value: impl Fn(u64, u64, u64) -> f64) -> usize {
         let sample =
             |seed: u64| Sample::new((0..8).map(|r| (0..32).map(|i| value(seed, r, i)).collect::<Vec<_>>().into_iter()));
-        (0..SAMPLES).filter(|&seed| is_even(&sample(seed))).count()
+        (0..SAMPLES).filter(|&seed| sample(seed).is_even()).count()
     }
 
     #[test]
@@ -70,7 +67,7 @@ mod tests {
 
     #[test]
     fn a_sample_of_one_value_or_none_shows_nothing() {
-        assert!(!is_even(&Sample::new((0..8).map(|_| [3.0; 4].into_iter()))));
-        assert!(!is_even(&Sample::new((0..8).map(|_| [f64::NAN; 4].into_iter()))));
+        assert!(!Sample::new((0..8).map(|_| [3.0; 4].into_iter())).is_even());
+        assert!(!Sample::new((0..8).map(|_| [f64::NAN; 4].into_iter())).is_even());
     }
 }

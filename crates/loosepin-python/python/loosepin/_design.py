@@ -137,7 +137,7 @@ def read_points(points: Any, names: Sequence[str]) -> Array:
     return np.ascontiguousarray(array)
 
 
-def split_laws(inputs: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
+def split_laws(model: _loosepin.Model, inputs: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
     """Inputs that are numbers, and laws by the path of their contact, from the argument `inputs` of `Model.evaluate`."""
     if not hasattr(inputs, "items"):
         raise TypeError(f"inputs is a {type(inputs).__name__}; must be a mapping from paths in the model to values")
@@ -145,7 +145,7 @@ def split_laws(inputs: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str
     for path in given:
         if not isinstance(path, str):
             raise TypeError(f"inputs: a path is {path!r}; must be a str")
-    laws = {path: value for path, value in given.items() if path.startswith("contact.") and path.endswith(".law")}
+    laws = {path: value for path, value in given.items() if model.is_path_of_law(path)}
     for path, law in laws.items():
         if not isinstance(law, str):
             raise TypeError(f"inputs: '{path}' is a {type(law).__name__}; must be the name of a contact law, the same for all runs")

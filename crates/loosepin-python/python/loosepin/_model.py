@@ -163,7 +163,7 @@ class Model:
         measured from the same lengths without play. The runs are those of a study: the same engine, and so are threads, progress, failed
         runs, Ctrl-C and errors, see `Study.evaluate`.
         """
-        numbers, laws = split_laws(inputs)
+        numbers, laws = split_laws(self._native, inputs)
         questions = named(outputs)
         key = (tuple(numbers), tuple(laws.items()), questions_toml(self._native, questions), turns, transient, samples, tolerance)
         native = self._evaluators.get(key)
