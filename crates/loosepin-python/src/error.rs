@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{self, Diagnostics, Severity};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyTuple, PyType};
 
 pyo3::create_exception!(
     loosepin,
@@ -15,10 +15,11 @@ pyo3::create_exception!(
 );
 
 /// One thing that is wrong: what, where, and the way out.
-#[pyclass(frozen, get_all, module = "loosepin")]
+#[pyclass(frozen, get_all, eq, hash, module = "loosepin")]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Diagnostic {
     /// The code, which does not change between versions.
-    code: &'static str,
+    code: String,
     /// "error" or "warning".
     severity: String,
     /// The error and the rule.
@@ -35,8 +36,31 @@ pub struct Diagnostic {
     text: String,
 }
 
+/// What [`Diagnostic`] is made of: code, severity, message, hint, file, line, column, text.
+type Fields = (String, String, String, Option<String>, Option<String>, Option<usize>, Option<usize>, String);
+
 #[pymethods]
 impl Diagnostic {
+    #[new]
+    #[allow(clippy::too_many_arguments, reason = "they are its fields")]
+    fn of_fields(
+        code: String,
+        severity: String,
+        message: String,
+        hint: Option<String>,
+        file: Option<String>,
+        line: Option<usize>,
+        column: Option<usize>,
+        text: String,
+    ) -> Self {
+        Self { code, severity, message, hint, file, line, column, text }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, Fields) {
+        let Self { code, severity, message, hint, file, line, column, text } = self.clone();
+        (py.get_type::<Self>(), (code, severity, message, hint, file, line, column, text))
+    }
+
     fn __str__(&self) -> &str {
         &self.text
     }
@@ -52,7 +76,7 @@ impl Diagnostic {
         let place = diagnostic.place.as_ref();
         let (line, column) = place.map(diagnostics::Place::line_and_column).unzip();
         Self {
-            code: diagnostic.code.as_str(),
+            code: diagnostic.code.as_str().to_owned(),
             severity: diagnostic.severity.to_string(),
             message: diagnostic.message.clone(),
             hint: diagnostic.hint.clone(),

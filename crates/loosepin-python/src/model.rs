@@ -10,7 +10,7 @@ use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, measured_argument};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, simulate_until};
-use loosepin::study::{InputFile, NamedPlace, NamedQuestion};
+use loosepin::study::{InputFile, NamedPlace, NamedQuestion, NamedText, model_from_texts, model_texts};
 use loosepin::units::{Dimension, SiUnit};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -24,6 +24,9 @@ const MAX_SAMPLES: i64 = 1_000_000;
 
 /// Key, word, and angle of the drive that the word names, rad.
 type Place = (&'static str, String, Option<f64>);
+
+/// A model file and its tables, each with its name.
+type ModelTexts = (NamedText, Vec<NamedText>);
 
 /// A checked model.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -61,6 +64,18 @@ impl Model {
     #[staticmethod]
     fn from_text(text: &str, name: &str) -> PyResult<Self> {
         Ok(Self(Arc::new(model::Model::from_text(name, text).map_err(raise)?)))
+    }
+
+    /// The text that it was read from and those of the tables that it names, by which [`Model::from_texts`] has it again.
+    fn texts(&self) -> ModelTexts {
+        model_texts(&self.0)
+    }
+
+    /// The model with these texts; no file is opened.
+    #[staticmethod]
+    fn from_texts(texts: ModelTexts) -> PyResult<Self> {
+        let (model, tables) = texts;
+        Ok(Self(Arc::new(model_from_texts(&model, &tables).map_err(raise)?)))
     }
 
     /// Its name.

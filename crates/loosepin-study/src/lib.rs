@@ -58,4 +58,4 @@ pub use written::folder::{ClaimOutcome, StudyOutcome, begin_in_folder, conclude,
 pub use written::input_file::{InputFile, InputFileProblem};
 pub use written::inputs::{add_model, add_study, study_inputs};
 pub use written::single_run::{FinishedRun, run_inputs, run_into, witness_run};
-pub use written::texts::{NamedText, StudyTexts};
+pub use written::texts::{NamedText, StudyTexts, model_from_texts, model_texts};

@@ -28,6 +28,7 @@ __version__: str
 _Made = tuple[int, NDArray[np.float64], NDArray[np.int32]]
 _RunProvider = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[_Made | None]]
 _Texts = tuple[tuple[str, str], tuple[str, str], str, list[tuple[str, str]]]
+_ModelTexts = tuple[tuple[str, str], list[tuple[str, str]]]
 
 class LoosepinError(Exception):
     code: str | None
@@ -36,6 +37,17 @@ class LoosepinError(Exception):
 
 @final
 class Diagnostic:
+    def __new__(
+        cls,
+        code: str,
+        severity: str,
+        message: str,
+        hint: str | None,
+        file: str | None,
+        line: int | None,
+        column: int | None,
+        text: str,
+    ) -> Diagnostic: ...
     @property
     def code(self) -> str: ...
     @property
@@ -76,6 +88,9 @@ class Model:
     def warnings(self) -> list[Diagnostic]: ...
     def outputs(self) -> list[tuple[str, str, str]]: ...
     def parameters(self) -> list[tuple[str, str, float]]: ...
+    def texts(self) -> _ModelTexts: ...
+    @staticmethod
+    def from_texts(texts: _ModelTexts) -> Model: ...
     def is_path_of_law(self, path: str) -> bool: ...
     def value_of(self, path: str, text: str) -> float: ...
     def check_value(self, path: str, value_si: float) -> None: ...

@@ -184,6 +184,20 @@ class Model:
     def _evaluators(self) -> dict[Any, _loosepin.Evaluator]:
         return {}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (_loosepin.__version__, self._native.texts())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both were read from the same texts, tables included; the names of their files do not count."""
+        return isinstance(other, Model) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def _content(self) -> tuple[str, list[str]]:
+        (_, model), tables = self._native.texts()
+        return model, [table for _, table in tables]
+
     def __repr__(self) -> str:
         return f"<loosepin.Model {self.name!r}>"
 
@@ -194,6 +208,18 @@ class Model:
         )
         head = "<tr><th>output</th><th>what</th><th>SI unit</th></tr>"
         return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
+
+
+def _unpickled(version: str, texts: Any) -> Model:
+    """The model that was pickled by its texts: that of its file, and the tables that it names."""
+    check_version("model", version)
+    return Model(_loosepin.Model.from_texts(texts))
+
+
+def check_version(what: str, version: str) -> None:
+    """Refuses what another version of the package pickled."""
+    if version != _loosepin.__version__:
+        raise ValueError(f"a {what} of loosepin {version}; this is loosepin {_loosepin.__version__}")
 
 
 class Simulation(Mapping[str, Array]):

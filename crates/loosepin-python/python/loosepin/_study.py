@@ -14,7 +14,7 @@ from ._design import InputReader, StudyInput, read_points, study_inputs
 from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
-from ._model import Model
+from ._model import Model, check_version
 from ._progress import Listener, listener
 from ._records import Array
 from ._result import StudyResult
@@ -242,12 +242,22 @@ class Study:
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (_loosepin.__version__, self._native.texts())
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both were read from the same texts, model and tables included; the names of their files do not count."""
+        return isinstance(other, Study) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def _content(self) -> tuple[str, str, list[str]]:
+        (_, study), (_, model), _, tables = self._native.texts()
+        return study, model, [table for _, table in tables]
+
     def __repr__(self) -> str:
         return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"
 
 
 def _unpickled(version: str, texts: Any) -> Study:
     """The study that was pickled by its texts: study, model, and the tables that they name."""
-    if version != _loosepin.__version__:
-        raise ValueError(f"a study of loosepin {version}; this is loosepin {_loosepin.__version__}")
+    check_version("study", version)
     return Study(_loosepin.Study.from_texts(texts))

@@ -26,12 +26,11 @@ pub struct StudyTexts {
 impl Study {
     /// Everything that the study was read from.
     pub fn texts(&self) -> StudyTexts {
-        let text = |source: &Arc<Source>| (source.name().to_owned(), source.text().to_owned());
         StudyTexts {
-            study: text(self.source()),
-            model: text(self.model.source()),
+            study: named_text(self.source()),
+            model: named_text(self.model.source()),
             model_path: self.model_path.display().to_string(),
-            tables: self.tables().iter().chain(self.model.tables()).map(text).collect(),
+            tables: self.tables().iter().chain(self.model.tables()).map(named_text).collect(),
         }
     }
 
@@ -40,11 +39,31 @@ impl Study {
     /// # Errors
     /// As for [`Study::from_path`]; a table that is not among the texts.
     pub fn from_texts(texts: &StudyTexts) -> Result<Study, Diagnostics> {
-        let tables: Arc<[Arc<Source>]> = texts.tables.iter().map(|(name, text)| Source::new(name, text)).collect();
-        let source = |(name, text): &NamedText| Source::with_files(name, text, Arc::clone(&tables));
-        let model = Model::from_source(source(&texts.model))?;
-        Study::of_model(&source(&texts.study), model, &PathBuf::from(&texts.model_path))
+        let model = model_from_texts(&texts.model, &texts.tables)?;
+        let study = with_tables(&texts.study, &texts.tables);
+        Study::of_model(&study, model, &PathBuf::from(&texts.model_path))
     }
+}
+
+/// The text of the file of `model`, and the tables that it names.
+pub fn model_texts(model: &Model) -> (NamedText, Vec<NamedText>) {
+    (named_text(model.source()), model.tables().iter().map(named_text).collect())
+}
+
+/// The model that has these texts; no file is opened.
+///
+/// # Errors
+/// As for [`Model::from_path`]; a table that is not among the texts.
+pub fn model_from_texts(model: &NamedText, tables: &[NamedText]) -> Result<Model, Diagnostics> {
+    Model::from_source(with_tables(model, tables))
+}
+
+fn named_text(source: &Arc<Source>) -> NamedText {
+    (source.name().to_owned(), source.text().to_owned())
+}
+
+fn with_tables((name, text): &NamedText, tables: &[NamedText]) -> Arc<Source> {
+    Source::with_files(name, text, tables.iter().map(|(name, text)| Source::new(name, text)).collect())
 }
 
 /// The study at `path` in the repository, with texts of its files replaced; each of them is there.
