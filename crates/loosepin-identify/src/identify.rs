@@ -303,7 +303,7 @@ fn of_readings(
             let further = looks_further.then(|| further(rig, &set, &bounds, readings));
             let searched = further.as_ref().map(|(searched, _)| *searched);
             let further = further.and_then(|(_, further)| further);
-            Outcome::ConsistentPlays(ConsistentPlays {
+            Outcome::Consistent(ConsistentPlays {
                 plays,
                 combinations,
                 alike: sums_of_plays.alike.clone(),

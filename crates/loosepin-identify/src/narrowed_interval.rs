@@ -85,7 +85,7 @@ pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Diagnost
     let mut known: Vec<PlayBounds> = Vec::new();
     for specimen in &answer.specimens {
         match &specimen.outcome {
-            Outcome::ConsistentPlays(consistent) => known.extend(consistent.plays.iter().cloned()),
+            Outcome::Consistent(consistent) => known.extend(consistent.plays.iter().cloned()),
             Outcome::Misfit(_) => return Err(unexplained(&specimen.name)),
         }
     }

@@ -66,7 +66,7 @@ pub struct Specimen {
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// Some values of the plays.
-    ConsistentPlays(ConsistentPlays),
+    Consistent(ConsistentPlays),
     /// No value of the plays.
     Misfit(Misfit),
 }

@@ -42,7 +42,7 @@ pub(crate) fn answer(study: &Study) -> Specimen {
 
 pub(crate) fn known(specimen: &Specimen) -> &ConsistentPlays {
     match &specimen.outcome {
-        Outcome::ConsistentPlays(known) => known,
+        Outcome::Consistent(known) => known,
         Outcome::Misfit(misfit) => panic!("{misfit:?}"),
     }
 }
@@ -50,6 +50,6 @@ pub(crate) fn known(specimen: &Specimen) -> &ConsistentPlays {
 pub(crate) fn misfit(specimen: &Specimen) -> &Misfit {
     match &specimen.outcome {
         Outcome::Misfit(misfit) => misfit,
-        Outcome::ConsistentPlays(known) => panic!("{known:?}"),
+        Outcome::Consistent(known) => panic!("{known:?}"),
     }
 }

@@ -57,7 +57,7 @@ fn peer_hundred_seeds_by_brute_force() {
     let (mut misses, mut widest) = (0, [0.0_f64; 4]);
     for (number, seed) in seeds().iter().enumerate() {
         let specimen = answer(&study(&model, &study_of(seed, &base)));
-        let Outcome::ConsistentPlays(_) = &specimen.outcome else {
+        let Outcome::Consistent(_) = &specimen.outcome else {
             misses += 1;
             continue;
         };

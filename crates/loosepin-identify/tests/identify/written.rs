@@ -87,7 +87,7 @@ fn identity_the_named_reading_tells_apart_what_one_reading_does_not() {
     let first = study(&text_of("model.toml"), &text_of("first.toml"));
     let answer =
         identify(&first, &Options::default(), NO_CALLBACK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    let Outcome::ConsistentPlays(known) = &answer.specimens[0].outcome else { panic!("it fits") };
+    let Outcome::Consistent(known) = &answer.specimens[0].outcome else { panic!("it fits") };
     assert_eq!(known.alike, [[0, 1, 2]]);
     let further = known.further.as_ref().expect("there is a better place");
     assert!(further.candidates > 1000);

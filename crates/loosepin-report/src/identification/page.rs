@@ -116,7 +116,7 @@ fn answer_sentences(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<S
         named(&specimen.name, format!("{}.", words.join("; ")))
     };
     let of_readings = |specimen: &Specimen| match &specimen.outcome {
-        Outcome::ConsistentPlays(known) => named(&specimen.name, headline(&specimen.readings, known, writer)),
+        Outcome::Consistent(known) => named(&specimen.name, headline(&specimen.readings, known, writer)),
         Outcome::Misfit(_) => named(&specimen.name, "misfit: no values of the plays explain the readings.".to_owned()),
     };
     let mut words: Vec<String> = answer.motion.iter().map(of_motion).collect();

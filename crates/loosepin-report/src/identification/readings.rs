@@ -20,7 +20,7 @@ const ERROR_DIGITS: usize = 2;
 pub(super) fn push_readings(section: &mut Section, specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) {
     let readings = &specimen.readings;
     match &specimen.outcome {
-        Outcome::ConsistentPlays(known) => push_consistent(section, (known, readings), index, writer),
+        Outcome::Consistent(known) => push_consistent(section, (known, readings), index, writer),
         Outcome::Misfit(misfit) => {
             let of_all = match readings.len() {
                 1 => "the reading".to_owned(),
