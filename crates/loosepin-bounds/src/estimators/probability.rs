@@ -12,7 +12,7 @@ use loosepin_uncertainty::clopper_pearson;
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.
 const MIN_PER_REPLICATE: usize = 2;
 /// Eight replicates of independent runs seem to be worth this many times their number at one limit in one sample of thirty, and over the
-/// whole distribution in one of a hundred. Were every gain believed, the narrower of two intervals would always be taken, and miss twice as
+/// whole distribution as well in one of two hundred. Were every gain believed, the narrower of two intervals would always be taken, and miss twice as
 /// often as stated.
 const MIN_GAIN: f64 = 2.0;
 

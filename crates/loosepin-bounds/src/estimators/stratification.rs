@@ -4,9 +4,9 @@ use super::estimate::variance_of_mean;
 
 /// Shares at which the replicates are compared: deciles.
 const LEVELS: usize = 10;
-/// Independent runs seem to be worth this many times their number at three deciles or more in one of a hundred samples of eight replicates.
+/// Independent runs seem to be worth this many times their number over the nine deciles in one of fifty samples of eight replicates.
 const MIN_GAIN: f64 = 2.0;
-/// At one or two, as where the response has few values, in one of two hundred.
+/// At one or two deciles, as where the response has few values, in one of forty.
 const MIN_GAIN_OF_FEW_VALUES: f64 = 4.0;
 
 /// Whether `replicates` fill the distribution of all their values, which are `sorted`, clearly more evenly than independent runs would.

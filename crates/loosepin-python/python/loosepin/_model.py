@@ -174,10 +174,10 @@ class Model:
             self._evaluators[key] = native
         table = InputReader(self._native, key[0], {}).read(numbers) if numbers else np.empty((1, 0))
         recorded = {}
-        for (name, question), (own, unit, poses, columns) in zip(questions.items(), native.asked()):
+        for (name, question), (own, unit, poses, columns) in zip(questions.items(), native.asked(), strict=True):
             is_single = isinstance(question, str) and len(columns) == 1
             recorded[name] = (own, unit, None if is_single else poses, columns)
-        units = dict(zip(key[0], native.input_units()))
+        units = dict(zip(key[0], native.input_units(), strict=True))
         return evaluated(native, (key[0], units, table), recorded, threads, progress, lambda warning: warnings.warn(warning, stacklevel=4))
 
     @cached_property

@@ -1,4 +1,4 @@
-//! What every run of a study records, by the names that it has in results.
+//! Recorded outputs of every run of a study, by their names in results.
 
 use crate::file::{Ask, Where};
 use crate::response::columns::{ColumnPlan, Location};
@@ -12,14 +12,14 @@ pub struct RecordedOutput {
     pub name: String,
     /// Unit of its values.
     pub unit: SiUnit,
-    /// Angles of the drive at the points of a curve, rad; nothing for a number.
+    /// Angles of the drive at the points of a curve, rad; `None` for a number.
     pub pose_rad: Option<Vec<f64>>,
-    /// Where its values stand in a row.
+    /// Columns of its values in a row.
     pub columns: Vec<usize>,
 }
 
 impl RecordedOutput {
-    /// What the runs of a plan record, each once, in the order in which it is asked for.
+    /// Recorded outputs of the runs of a plan, each once, in the order of its questions.
     pub(crate) fn of_plan(plan: &ColumnPlan) -> Vec<Self> {
         let mut recorded: Vec<Self> = Vec::new();
         let mut push = |output: Option<Self>| {
@@ -37,7 +37,7 @@ impl RecordedOutput {
         recorded
     }
 
-    /// What one question of a plan records: a curve of all its angles, or one number.
+    /// Recorded output of one question of a plan: a curve of all its angles, or one number.
     pub(crate) fn of_ask(plan: &ColumnPlan, ask: &Ask) -> Option<Self> {
         match (&ask.location, &ask.columns[..]) {
             (Where::Reduced(_), &[column]) => Self::number(plan, column),

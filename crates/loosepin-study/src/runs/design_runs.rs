@@ -1,4 +1,4 @@
-//! Runs of a study at inputs that somebody else chooses: a design of experiments, a row a run.
+//! Runs of a study at inputs that the caller chooses: a design of experiments, one row for each run.
 
 use crate::drafts::progress::Progress;
 use crate::error::StudyError;
@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 /// Runs that one thread makes side by side at least: with fewer, another thread compiles more than it runs.
 const MIN_RUNS_PER_THREAD: usize = 8;
 
-/// What each number of a run takes in memory: its value, and a copy in the table of whoever asks, with its columns.
+/// What each number of a run takes in memory: its value, and a copy with its columns in the table of the caller.
 const BYTES_PER_NUMBER: usize = 24;
 /// What a run takes beside: its inputs, their copies and places.
 const BYTES_PER_RUN: usize = 400;
@@ -172,7 +172,7 @@ impl DesignRuns {
         Ok(())
     }
 
-    /// Whether a run can be compared with the others, and is resolved by the tolerance. Values that break a rule are told by the run.
+    /// Whether a run can be compared with the others, and is resolved by the tolerance. The run itself reports values that break a rule.
     fn judged(&self, inputs: &RunInputs) -> Judged {
         let Ok(values) = self.response.values(&inputs.random, &inputs.epistemic) else { return Judged::Fine };
         let speed_rad_s = |values: &Values| self.study.model.input(self.study.cycle.span, values).speed_rad_s;
