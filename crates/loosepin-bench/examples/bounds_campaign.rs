@@ -7,6 +7,7 @@ use loosepin_bench::hard_bounds;
 use loosepin_bench::known_bounds::{self, slider_crank_with_play};
 use loosepin_bench::known_case::KnownCase;
 use loosepin_bench::{largest, median};
+use std::ops::Range;
 use std::time::Instant;
 
 /// Round-off of numbers about 1.
@@ -37,8 +38,8 @@ struct Tally {
 
 fn main() {
     let mut words = std::env::args().skip(1);
-    let mut number = |default| words.next().map_or(default, |word| word.parse::<u64>().expect("a number"));
-    let (seeds, angles) = (number(100), number(0));
+    let seeds: u64 = words.next().map_or(100, |word| word.parse().expect("a number of seeds"));
+    let angles = words.next().map_or(0..0, |word| indices(&word));
     let only = words.next().unwrap_or_default();
     println!(
         "{:32} {:24} {:>22} {:>11} {:>11} {:>13} {:>13} {:>17} {:>19}",
@@ -58,13 +59,19 @@ fn main() {
         is_met &= report(&case, seeds);
     }
     let step = std::f64::consts::TAU / 72.0;
-    for angle in 0..angles {
+    for angle in angles {
         is_met &= report(&slider_crank_with_play(step * angle as f64), seeds.min(100));
     }
     if !is_met {
         println!("some statistic held in fewer than {MIN_HELD} of the seeds, or has a median above {MAX_RATIO}");
         std::process::exit(1);
     }
+}
+
+/// The first so many indices, or those from A up to B without B: `A..B`.
+fn indices(word: &str) -> Range<u64> {
+    let number = |word: &str| word.parse().expect("a number of angles, or A..B");
+    word.split_once("..").map_or_else(|| 0..number(word), |(first, end)| number(first)..number(end))
 }
 
 /// Prints what all seeds say of one case, and tells whether it is good enough.

@@ -120,7 +120,8 @@ pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
 mod tests {
     use super::super::estimate::Confidence;
     use super::super::sample::Sample;
-    use super::share;
+    use super::{effective_runs, share};
+    use loosepin_uncertainty::uniform;
 
     #[test]
     fn analytic_failed_runs_widen_the_share_from_m_over_n_to_m_and_f_over_n() {
@@ -137,5 +138,38 @@ mod tests {
         let share = share(&sample, &Confidence::new(0.95, 8), |value| value > 99.0);
         assert_eq!(share.high.value, 0.0);
         assert!(share.high.above > 0.014 && share.high.above < 0.016);
+    }
+
+    const SAMPLES: u64 = 4000;
+    /// Above this count of 4,000 misses lies one of ten thousand where one of two hundred misses: 20 + 4 √20.
+    const MAX_MISSES: usize = 38;
+
+    /// How many samples of eight replicates of 32 independent values are believed to be better than independent ones about a share of 0.4,
+    /// and how many intervals lie above and below it.
+    fn of_independent_values(value: impl Fn(f64) -> f64, is_hit: impl Fn(f64) -> bool) -> [usize; 3] {
+        let confidence = Confidence::new(0.99, 8);
+        let mut found = [0; 3];
+        for seed in 0..SAMPLES {
+            let replicate = |r: u64| (0..32).map(|i| value(uniform(seed, 32 * r + i))).collect::<Vec<_>>().into_iter();
+            let sample = Sample::new((0..8).map(replicate));
+            let hits = |values: &[f64]| values.iter().filter(|&&value| is_hit(value)).count();
+            let shares: Vec<f64> = sample.replicates().map(|values| hits(values) as f64 / 32.0).collect();
+            let runs = effective_runs(&sample, &confidence, hits(sample.values()), &shares);
+            let share = share(&sample, &confidence, &is_hit).low;
+            found[0] += usize::from(runs > 256.0);
+            found[1] += usize::from(share.value - share.below > 0.4);
+            found[2] += usize::from(share.value + share.above < 0.4);
+        }
+        found
+    }
+
+    #[test]
+    fn independent_runs_are_hardly_ever_believed_to_be_better_and_intervals_miss_as_stated() {
+        let of_many_values = of_independent_values(|u| u, |value| value < 0.4);
+        let of_two_values = of_independent_values(|u| f64::from(u < 0.4), |value| value > 0.5);
+        for [believed, above, below] in [of_many_values, of_two_values] {
+            assert!(100 * believed <= SAMPLES as usize, "{believed} of {SAMPLES} believed");
+            assert!(above.max(below) <= MAX_MISSES, "{above} above, {below} below of {SAMPLES}");
+        }
     }
 }
