@@ -356,6 +356,24 @@ impl<'a> Recorder<'a> {
         values
     }
 
+    /// The value of one column at `time_s` within the step, or of the deviation that follows the columns in [`Self::look`].
+    fn look_at(&mut self, step: &mut Step<'_, '_>, time_s: f64, series: usize) -> f64 {
+        let column = &self.columns[series % self.columns.len()];
+        let with_forces = column.reading.needs_forces();
+        let dynamics = if with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
+        let value_si = column.reading.value(&self.arms, dynamics);
+        if series < self.columns.len() {
+            return value_si;
+        }
+        match self.reference.at(time_s, with_forces) {
+            Ok(ideal) => value_si - column.reading.value(&self.arms, ideal),
+            Err(error) => {
+                self.failure.get_or_insert(error);
+                f64::NAN
+            }
+        }
+    }
+
     fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
         let (start_s, end_s) = (step.start_s, step.end_s);
         if self.extremes.is_empty() {
@@ -370,7 +388,7 @@ impl<'a> Recorder<'a> {
                 if !may_exceed(&points, self.extremes[series][side].value) {
                     continue;
                 }
-                let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[series]);
+                let peak = maximum_within(&points, |time_s| sign * self.look_at(step, time_s, series));
                 self.extremes[series][side].raise(peak.value, peak.time_s);
             }
         }

@@ -43,6 +43,9 @@ pub fn maximum_within(points: &[(f64, f64)], mut f: impl FnMut(f64) -> f64) -> P
         return refine_maximum(points[top - 1].0, time_s, points[top + 1].0, f);
     }
     // At an end the maximum may still lie inside: look for a higher point ever closer to the end.
+    if clearly_rises_to(points, top) {
+        return Peak { value, time_s };
+    }
     let neighbour_s = if top == 0 { points[1].0 } else { points[top - 1].0 };
     let mut outer_s = neighbour_s;
     for _ in 0..4 {
@@ -54,6 +57,22 @@ pub fn maximum_within(points: &[(f64, f64)], mut f: impl FnMut(f64) -> f64) -> P
         outer_s = inner_s;
     }
     Peak { value, time_s }
+}
+
+/// Whether a value rises so steeply towards the end of its `points` with index `end` that nothing higher lies just inside: there the slope of
+/// the parabola through the last three points, and that of the cubic through the last four, are at least half of the last slope between two.
+fn clearly_rises_to(points: &[(f64, f64)], end: usize) -> bool {
+    let from_end = |k: usize| if end == 0 { points[k] } else { points[end - k] };
+    if points.len() < 4 {
+        return false;
+    }
+    let [(t0, y0), (t1, y1), (t2, y2), (t3, y3)] = [0, 1, 2, 3].map(from_end);
+    // Newton's divided differences; with times that run away from the end all slopes are negative where the value rises to it.
+    let [first, second, third] = [(y1 - y0) / (t1 - t0), (y2 - y1) / (t2 - t1), (y3 - y2) / (t3 - t2)];
+    let [curved, curved_before] = [(second - first) / (t2 - t0), (third - second) / (t3 - t1)];
+    let parabola = first + curved * (t0 - t1);
+    let cubic = parabola + (curved_before - curved) / (t3 - t0) * (t0 - t1) * (t0 - t2);
+    parabola / first >= 0.5 && cubic / first >= 0.5
 }
 
 /// The maximum of `f` between `left_s` and `right_s`, where `middle_s` lies higher than both, by golden sections and
@@ -101,6 +120,25 @@ mod tests {
         // A maximum is flat: its place is known to the root of the last place.
         assert!((peak.time_s - exact).abs() < 1e-6);
         assert!((peak.value - f(exact)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn analytic_no_further_point_is_looked_at_where_a_value_clearly_rises_to_an_end() {
+        let points = |f: fn(f64) -> f64| [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| (t, f(t)));
+        let rises: [fn(f64) -> f64; 3] = [|t| t, |t| t.exp(), |t| (0.9 * t).sin()];
+        for f in rises {
+            let expected = Peak { value: f(1.0), time_s: 1.0 };
+            assert_eq!(maximum_within(&points(f), |_| unreachable!("the end is higher")), expected);
+        }
+        let falls: fn(f64) -> f64 = |t| -t.exp();
+        assert_eq!(maximum_within(&points(falls), |_| unreachable!("the start is higher")).time_s, 0.0);
+        // A maximum just inside, of a curve of the second, third and fourth degree.
+        let inside: [fn(f64) -> f64; 3] =
+            [|t| -(t - 0.97).powi(2), |t| t - (t / 0.97).powi(3) * 0.97 / 3.0, |t| t - (t / 0.97).powi(4) * 0.97 / 4.0];
+        for f in inside {
+            let peak = maximum_within(&points(f), f);
+            assert!((peak.value - f(0.97)).abs() < 1e-12 && (peak.time_s - 0.97).abs() < 1e-5, "{peak:?}");
+        }
     }
 
     #[test]
