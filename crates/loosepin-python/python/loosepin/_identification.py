@@ -11,12 +11,15 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from . import _loosepin
+from ._objects.arrays import NoArray
+from ._objects.pickles import pickled
+from ._objects.records import Record
 
 StudyT = TypeVar("StudyT")
 
 
-@dataclass(frozen=True)
-class Unknown:
+@dataclass(frozen=True, eq=False)
+class Unknown(Record):
     """An input of the study before and after an identification, SI."""
 
     path: str
@@ -38,8 +41,8 @@ class Unknown:
         return self.after[0] > self.before[0] or self.after[1] < self.before[1]
 
 
-@dataclass(frozen=True)
-class Posterior:
+@dataclass(frozen=True, eq=False)
+class Posterior(Record):
     """Posterior distribution of an unknown of a motion: prior uniform over the interval of the study."""
 
     path: str
@@ -57,7 +60,7 @@ class Posterior:
     """The mechanism that was measured, where the file says."""
 
 
-class Identification(Generic[StudyT]):
+class Identification(NoArray, Generic[StudyT]):
     """The answer of `Study.identify`: that of the command `loosepin identify`."""
 
     def __init__(self, native: _loosepin.Identification, study: Callable[[_loosepin.Study], StudyT]) -> None:
@@ -110,11 +113,28 @@ class Identification(Generic[StudyT]):
         """Writes the page."""
         Path(path).write_text(self._native.page(), encoding="utf-8")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return pickled("Identification", _restored, *self._content(), self._study)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same answer for the same study."""
+        return isinstance(other, Identification) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash(self._native.json())
+
+    def _content(self) -> tuple[str, Any]:
+        return self._native.json(), self._native.study_texts()
+
     def __str__(self) -> str:
         return self._native.text()
 
+    def __repr__(self) -> str:
+        found = ", ".join(unknown.path for unknown in self.unknowns)
+        return f"<loosepin.Identification of {self.record['study']!r}: {found or 'no unknowns'}{', a misfit' if self.is_misfit else ''}>"
 
-class MotionPlan:
+
+class MotionPlan(Record):
     """Expected information in features of a motion, before anything is measured: the answer of `loosepin identify --plan`."""
 
     def __init__(self, text: str, record: str) -> None:
@@ -135,6 +155,13 @@ class MotionPlan:
 
     def __str__(self) -> str:
         return self._text
+
+    def __repr__(self) -> str:
+        return f"<loosepin.MotionPlan: {len(self.features)} features>"
+
+
+def _restored(json: str, texts: Any, study: Callable[[_loosepin.Study], StudyT]) -> Identification[StudyT]:
+    return Identification(_loosepin.Identification.from_parts(json, texts), study)
 
 
 def _unknown(record: dict[str, Any], specimen: str | None) -> Unknown:

@@ -22,12 +22,15 @@ __all__ = [
     "__version__",
     "evaluate",
     "input_names",
+    "law_cdf",
+    "law_ppf",
 ]
 __version__: str
 
 _Made = tuple[int, NDArray[np.float64], NDArray[np.int32]]
 _RunProvider = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[_Made | None]]
 _Texts = tuple[tuple[str, str], tuple[str, str], str, list[tuple[str, str]]]
+_SimulationParts = tuple[str, tuple[list[str], list[list[float]]] | None]
 _ModelTexts = tuple[tuple[str, str], list[tuple[str, str]]]
 
 class LoosepinError(Exception):
@@ -108,6 +111,9 @@ class Model:
 
 @final
 class Simulation:
+    def parts(self) -> _SimulationParts: ...
+    @staticmethod
+    def from_parts(parts: _SimulationParts) -> Simulation: ...
     @property
     def model(self) -> str: ...
     @property
@@ -125,6 +131,9 @@ class Simulation:
 
 @final
 class Identification:
+    def study_texts(self) -> _Texts: ...
+    @staticmethod
+    def from_parts(json: str, texts: _Texts) -> Identification: ...
     def json(self) -> str: ...
     def text(self) -> str: ...
     def page(self) -> str: ...
@@ -221,6 +230,8 @@ class RunRows:
 
 @final
 class StudyResult:
+    @staticmethod
+    def from_parts(summary: str, samples: list[tuple[str, str, Any]], surrogates: str | None) -> StudyResult: ...
     @property
     def name(self) -> str: ...
     def samples(self) -> list[Column]: ...
@@ -243,6 +254,8 @@ class Surrogates:
     def to_onnx(self, output: int) -> bytes: ...
     def predict(self, output: int, paths: list[str], values: NDArray[np.float64]) -> list[NDArray[np.float64]]: ...
 
+def law_cdf(law: object, values: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def law_ppf(law: object, probabilities: NDArray[np.float64]) -> NDArray[np.float64]: ...
 def input_names(inputs: list[tuple[str, Any]]) -> tuple[list[str], list[str]]: ...
 def evaluate(
     function: Callable[[list[NDArray[np.float64]]], NDArray[np.float64]],

@@ -14,7 +14,11 @@ from ._design import InputReader, StudyInput, read_points, study_inputs
 from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
-from ._model import Model, check_version
+from ._model import Model
+from ._objects.arrays import NoArray
+from ._objects.logs import long_run
+from ._objects.pickles import check_version
+from ._objects.seeds import seed_number
 from ._progress import Listener, listener
 from ._records import Array
 from ._result import StudyResult
@@ -22,7 +26,7 @@ from ._toml import to_toml
 from ._warning import warn
 
 
-class Study:
+class Study(NoArray):
     """A checked study; `Study.load("study.toml")` reads one with its model."""
 
     def __init__(self, native: _loosepin.Study) -> None:
@@ -48,8 +52,11 @@ class Study:
 
     @classmethod
     def from_dict(cls, mapping: Mapping[str, Any], model: Model | None = None, name: str = "study") -> Study:
-        """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path."""
+        """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path,
+        its key `seed` also a `numpy.random.Generator`, a `SeedSequence`, or None for a seed from the operating system."""
         mapping = dict(mapping)
+        if "seed" in mapping:
+            mapping["seed"] = seed_number(mapping["seed"])
         if isinstance(mapping.get("model"), Model):
             model = mapping["model"]
         if model is not None:
@@ -102,14 +109,10 @@ class Study:
 
         Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
         """
-        told = listener(progress)
         place = None if folder is None else os.fspath(folder)
-        try:
+        with long_run(f"study {self.name!r}", listener(progress)) as told:
             made = None if client is None else run_provider(client, self._native, tuple(accuracy), budget)
             native = self._native.run(place, resume, force, threads, told, list(accuracy), budget, made)
-        finally:
-            if told is not None:
-                told.close()
         return StudyResult(native)
 
     def identify(
@@ -133,12 +136,8 @@ class Study:
 
         Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
         """
-        told = listener(progress, "values")
-        try:
+        with long_run(f"identification of study {self.name!r}", listener(progress, "values")) as told:
             return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told), Study)
-        finally:
-            if told is not None:
-                told.close()
 
     def plan_motion(
         self,
@@ -149,12 +148,8 @@ class Study:
         progress: bool | Listener = True,
     ) -> MotionPlan:
         """What features of the motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
-        told = listener(progress, "values")
-        try:
+        with long_run(f"plan of a motion of study {self.name!r}", listener(progress, "values")) as told:
             record, text = self._native.plan_motion(confidence, specimen, threads, told)
-        finally:
-            if told is not None:
-                told.close()
         return MotionPlan(text, record)
 
     @cached_property
@@ -226,17 +221,13 @@ class Study:
         names = list(outputs)
         asked = requests(statistics, len(names))
         limits = growth(accuracy, budget, asked, names)
-        told = listener(progress)
 
         def evaluate(run: dict[str, Array], rows: int) -> Array:
             return table(function(run), rows, names)
 
-        try:
+        with long_run(f"bounds of a function of study {self.name!r}", listener(progress)) as told:
             made = None if client is None else run_provider(client, self._native, (), None)
             record = self._native.bounds(evaluate, names, asked, limits, threads, told, made)
-        finally:
-            if told is not None:
-                told.close()
         return FunctionBounds(record, names)
 
     def __reduce__(self) -> tuple[Any, ...]:
