@@ -2,6 +2,7 @@
 
 import shutil
 import warnings
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -61,7 +62,7 @@ def every_object():
         "Samples": (result.samples, other.samples),
         "Bound": (result.bounds[0], result.bounds[1]),
         "BoundEnd": tuple(ends),
-        "Curve": (result.curves[0], other.curves[0]),
+        "Curve": (result.curves[0], replace(result.curves[0], nominal=result.curves[0].nominal + 1e-6)),
         "Surrogates": saved,
         "SurrogateOutput": (saved[0].outputs[0], saved[0].outputs[1]),
         "Simulation": tuple(simulations),
@@ -90,7 +91,7 @@ def of_files():
     """A model, a study of it with everything that a result can hold, and this result."""
     model = lp.Model.load(MODEL)
     head, mark, asks = STUDY.partition("[[ask]]")
-    study = lp.Study.from_text(head + SURROGATE + mark + asks, model)
+    study = lp.Study.from_text(head + SURROGATE + mark + asks.replace(', "contributors"', ""), model)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lp.LoosepinWarning)
         return model, study, study.run(progress=False)
