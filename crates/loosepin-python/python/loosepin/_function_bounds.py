@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _loosepin
 from ._extras import need
 from ._inputs import Input
+from ._objects.arguments import must_be, names_of, texts
 from ._objects.arrays import frozen, read_only
 from ._objects.records import Record
 from ._objects.scipy_laws import FrozenDistribution, from_scipy
@@ -180,7 +181,12 @@ def bounds(
     accuracy: the largest numerical error of the bounds, one number for all, or one for each output or statistic by name:
     {"y": 0.01, "y.mean": 0.002}. The samples grow until it is reached, or `budget` runs are made (100 times those without it if omitted).
     """
-    names = list(outputs)
+    must_be("a function", function=function)
+    names_of("inputs", inputs)
+    must_be("a str", reading=reading)
+    must_be("an int", outer=outer, inner=inner, replicates=replicates, mixture=mixture, extreme=extreme)
+    must_be("a number", confidence=confidence)
+    names = texts("outputs", outputs)
     asked = requests(statistics, len(names))
     stated = [(name, from_scipy(name, known)) for name, known in inputs.items()]
     ordered = sorted(stated, key=lambda item: _is_unknown(item[1]))
@@ -192,7 +198,7 @@ def bounds(
         return table(function(**{name: given[name] for name in keywords}), len(columns[0]) if columns else 0, names)
 
     random_names, unknown_names = _loosepin.input_names(ordered)
-    ranks = [(first, second, rank) for (first, second), rank in (correlation or {}).items()]
+    ranks = _ranks({} if correlation is None else correlation)
     runs: dict[str, Any] = {
         "outer": outer,
         "inner": inner,
@@ -216,6 +222,7 @@ def growth(
     outputs: list[str],
 ) -> dict[str, Any]:
     """How far the samples may grow: the largest numerical error of each statistic, and the largest number of runs."""
+    must_be("an int or None", budget=budget)
     if budget is not None and accuracy is None:
         raise ValueError("budget without accuracy; samples grow towards an accuracy only")
     if budget is not None and budget < 0:
@@ -229,7 +236,14 @@ def _errors_allowed(
     """The largest numerical error of each statistic, None if none is stated."""
     if accuracy is None:
         return [None] * len(asked)
-    stated = {name: accuracy for name in outputs} if isinstance(accuracy, (int, float)) else dict(accuracy)
+    if isinstance(accuracy, Mapping):
+        names_of("accuracy", accuracy)
+        stated = dict(accuracy)
+    else:
+        must_be("a number", accuracy=accuracy)
+        stated = dict.fromkeys(outputs, accuracy)
+    for name, most in stated.items():
+        must_be("a number", **{f"accuracy of '{name}'": most})
     for name, most in stated.items():
         if not 0 < most < float("inf"):
             raise ValueError(f"accuracy {most} of '{name}'; must be a number above 0")
@@ -241,6 +255,15 @@ def _errors_allowed(
     return [stated.get(own, stated.get(output)) for own, output in of_each]
 
 
+def _ranks(correlation: Mapping[tuple[str, str], float]) -> list[tuple[str, str, float]]:
+    must_be("a mapping", correlation=correlation)
+    for pair, rank in correlation.items():
+        if not isinstance(pair, tuple) or [type(name) for name in pair] != [str, str]:
+            raise TypeError(f"correlation: a pair is {pair!r}; must be two names of inputs, ('x', 'y')")
+        must_be("a number", **{f"correlation of {pair}": rank})
+    return [(first, second, float(rank)) for (first, second), rank in correlation.items()]
+
+
 def _is_unknown(known: Input) -> bool:
     from ._inputs import Evidence, Fuzzy, Interval, OneOf, Periodic
 
@@ -249,11 +272,17 @@ def _is_unknown(known: Input) -> bool:
 
 def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, str, float | None]]:
     """Each statistic of each output: number of the output, name, and the number that goes with it."""
+    if isinstance(statistics, (str, Mapping)) or not isinstance(statistics, Sequence):
+        raise TypeError(f"statistics is a {type(statistics).__name__}; must be a list such as ['mean', {{'quantile': 0.975}}]")
     asked: list[tuple[str, float | None]] = []
     for statistic in statistics:
         if isinstance(statistic, str):
             asked.append((statistic, None))
+        elif not isinstance(statistic, Mapping):
+            raise TypeError(f"statistics holds a {type(statistic).__name__}; must be a list such as ['mean', {{'quantile': 0.975}}]")
         elif len(statistic) == 1:
+            for name, parameter in statistic.items():
+                must_be("a number", **{f"statistic '{name}'": parameter})
             asked.extend((name, float(parameter)) for name, parameter in statistic.items())
         else:
             raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
@@ -262,7 +291,10 @@ def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, s
 
 def table(returned: Any, rows: int, outputs: list[str]) -> Array:
     """Return value of a function, as one row for each run and one column for each output."""
-    values = np.asarray(returned, dtype=np.float64)
+    given = np.asarray(returned)
+    if given.dtype.kind not in "biuf":
+        raise TypeError(f"function has returned {given.dtype} in place of numbers; must be an array of numbers, one for each run")
+    values = given.astype(np.float64, copy=False)
     if values.ndim == 1:
         values = values[:, np.newaxis]
     if values.shape != (rows, len(outputs)):

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from . import _loosepin
+from ._objects.arguments import must_be
 from ._objects.arrays import NoArray
 from ._objects.pickles import pickled
 from ._objects.records import Record
@@ -70,7 +71,7 @@ class Identification(NoArray, Generic[StudyT]):
 
     @cached_property
     def record(self) -> dict[str, Any]:
-        """Everything that `loosepin identify --json` prints."""
+        """Everything that was found, as plain values: the JSON of the command `loosepin identify`."""
         record: dict[str, Any] = json.loads(self._native.json())
         return record
 
@@ -104,13 +105,14 @@ class Identification(NoArray, Generic[StudyT]):
         return any(of_readings) or any(of_motion)
 
     def narrowed(self) -> StudyT:
-        """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit.
+        """The study with the narrower intervals: `narrowed().text` is its file. Raises LoosepinError for a misfit.
 
-        With `lengths=True` the text names a file of mechanisms, which `--write` of the command writes too; the study has it in memory."""
+        With `lengths=True` the text names a file of mechanisms, which the study has in memory."""
         return self._study(_loosepin.Study.from_texts(self._native.narrowed()))
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the page."""
+        must_be("a path", path=path)
         Path(path).write_text(self._native.page(), encoding="utf-8")
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -135,7 +137,7 @@ class Identification(NoArray, Generic[StudyT]):
 
 
 class MotionPlan(Record):
-    """Expected information in features of a motion, before anything is measured: the answer of `loosepin identify --plan`."""
+    """Expected information in features of a motion, before anything is measured: the answer of `Study.plan_motion`."""
 
     def __init__(self, text: str, record: str) -> None:
         """Use `Study.plan_motion`."""
@@ -144,7 +146,7 @@ class MotionPlan(Record):
 
     @cached_property
     def record(self) -> dict[str, Any]:
-        """Everything that `loosepin identify --plan --json` prints."""
+        """Everything that was found, as plain values."""
         record: dict[str, Any] = json.loads(self._record)
         return record
 

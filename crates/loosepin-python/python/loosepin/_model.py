@@ -20,6 +20,7 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._html import simulation_html
+from ._objects.arguments import must_be, settings
 from ._objects.arrays import NoArray, frozen
 from ._objects.pickles import check_version, pickled
 from ._objects.records import Record
@@ -72,6 +73,7 @@ class Model(NoArray):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
         """Reads a model file. Raises LoosepinError with everything that is wrong with it."""
+        must_be("a path", path=path)
         native = _loosepin.Model.load(os.fspath(path))
         warn(native.warnings)
         return cls(native)
@@ -79,6 +81,7 @@ class Model(NoArray):
     @classmethod
     def from_text(cls, text: str, name: str = "model") -> Model:
         """Reads a model from the text of a model file; messages call it `name`, and tables that it names are looked for beside it."""
+        must_be("a str", text=text, name=name)
         native = _loosepin.Model.from_text(text, name)
         warn(native.warnings)
         return cls(native)
@@ -86,6 +89,8 @@ class Model(NoArray):
     @classmethod
     def from_dict(cls, mapping: Mapping[str, Any], name: str = "model") -> Model:
         """Reads a model from a dict with the keys of a model file: values with units are texts, as in the file."""
+        must_be("a mapping", mapping=mapping)
+        must_be("a str", name=name)
         native = _loosepin.Model.from_text(to_toml(mapping), name)
         warn(native.warnings)
         return cls(native)
@@ -129,7 +134,9 @@ class Model(NoArray):
 
         A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
-        texts = [f"{path}={value if isinstance(value, str) else repr(float(value))}" for path, value in (set or {}).items()]
+        _check_run(turns, transient, samples, tolerance)
+        must_be("True or False", states=states, second_run=second_run)
+        texts = [] if set is None else settings("set", set)
         simulation = Simulation(self._native.simulate(turns, transient, samples, tolerance, states, second_run, texts))
         warn(simulation._native.warnings)
         failure = simulation._native.failure()
@@ -166,6 +173,8 @@ class Model(NoArray):
         measured from the same lengths without play. The runs are those of a study: the same engine, and so are threads, progress, failed
         runs, Ctrl-C and errors, see `Study.evaluate`.
         """
+        _check_run(turns, transient, samples, tolerance)
+        must_be("an int or None", threads=threads)
         numbers, laws = split_laws(self._native, inputs)
         questions = named(outputs)
         key = (tuple(numbers), tuple(laws.items()), questions_toml(self._native, questions), turns, transient, samples, tolerance)
@@ -211,6 +220,12 @@ class Model(NoArray):
         )
         head = "<tr><th>output</th><th>what</th><th>SI unit</th></tr>"
         return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
+
+
+def _check_run(turns: float | None, transient: float | None, samples: int | None, tolerance: str) -> None:
+    must_be("a number or None", turns=turns, transient=transient)
+    must_be("an int or None", samples=samples)
+    must_be("a str", tolerance=tolerance)
 
 
 def _unpickled(version: str, texts: Any) -> Model:
@@ -318,6 +333,7 @@ class Simulation(NoArray, Mapping[str, Array]):
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin simulate` writes: one file, readable without a network."""
+        must_be("a path", path=path)
         path = Path(path)
         path.write_text(self._native.page(), encoding="utf-8", newline="\n")
         return path

@@ -17,6 +17,7 @@ from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
 from ._html import study_html
+from ._objects.arguments import must_be
 from ._objects.arrays import NoArray, read_only
 from ._objects.pickles import pickled
 from ._objects.records import Record, are_same
@@ -99,6 +100,9 @@ class StudyResult(NoArray):
 
     def select(self, **properties: Any) -> list[Bound]:
         """The bounds with these properties: result.select(output="slider", of="total", statistic="mean", at="reduced")."""
+        for name in properties:
+            if name not in Bound.__annotations__:
+                raise TypeError(f"a bound has no property {name!r}; must be one of {', '.join(Bound.__annotations__)}")
         return [each for each in self.bounds if all(getattr(each, name) == properties[name] for name in properties)]
 
     @property
@@ -197,6 +201,7 @@ class StudyResult(NoArray):
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin study` writes: one file, readable without a network."""
+        must_be("a path", path=path)
         self._native.write_page(os.fspath(path))
         return Path(path)
 

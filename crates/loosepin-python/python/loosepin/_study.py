@@ -15,6 +15,7 @@ from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
+from ._objects.arguments import must_be, texts
 from ._objects.arrays import NoArray
 from ._objects.logs import long_run
 from ._objects.pickles import check_version
@@ -36,6 +37,7 @@ class Study(NoArray):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Study:
         """Reads a study file and the model that it names. Raises LoosepinError with everything that is wrong with either."""
+        must_be("a path", path=path)
         native = _loosepin.Study.load(os.fspath(path))
         warn(native.warnings)
         return cls(native)
@@ -46,6 +48,8 @@ class Study(NoArray):
 
         Messages call the text `name`; files that it names are looked for beside it.
         """
+        must_be("a str", text=text, name=name)
+        _check_model(model)
         native = _loosepin.Study.from_text(text, name, None if model is None else model._native)
         warn(native.warnings)
         return cls(native)
@@ -54,6 +58,9 @@ class Study(NoArray):
     def from_dict(cls, mapping: Mapping[str, Any], model: Model | None = None, name: str = "study") -> Study:
         """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path,
         its key `seed` also a `numpy.random.Generator`, a `SeedSequence`, or None for a seed from the operating system."""
+        must_be("a mapping", mapping=mapping)
+        must_be("a str", name=name)
+        _check_model(model)
         mapping = dict(mapping)
         if "seed" in mapping:
             mapping["seed"] = seed_number(mapping["seed"])
@@ -99,20 +106,25 @@ class Study(NoArray):
     ) -> StudyResult:
         """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
 
-        folder: where the files of `loosepin study --out` go, and where finished runs are kept within a second, so that nothing is
-        lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
+        folder: where the files of the results go, those of the command `loosepin study`, and where finished runs are kept within a
+        second, so that nothing is lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
         resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
         progress: True shows a line in a terminal or a notebook; a callable is told (finished, at most) runs.
-        accuracy, budget: as `--accuracy` and `--budget`, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
+        accuracy, budget: in addition to those of the study, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
         client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
         installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
 
         Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
         """
+        must_be("a path or None", folder=folder)
+        must_be("True or False", resume=resume, force=force)
+        must_be("an int or None", threads=threads)
+        must_be("a str or None", budget=budget)
+        accuracies = texts("accuracy", accuracy)
         place = None if folder is None else os.fspath(folder)
         with long_run(f"study {self.name!r}", listener(progress)) as told:
-            made = None if client is None else run_provider(client, self._native, tuple(accuracy), budget)
-            native = self._native.run(place, resume, force, threads, told, list(accuracy), budget, made)
+            made = None if client is None else run_provider(client, self._native, tuple(accuracies), budget)
+            native = self._native.run(place, resume, force, threads, told, accuracies, budget, made)
         return StudyResult(native)
 
     def identify(
@@ -136,6 +148,11 @@ class Study(NoArray):
 
         Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
         """
+        must_be("an int", points=points)
+        must_be("a number", confidence=confidence)
+        must_be("a str or None", specimen=specimen)
+        must_be("True or False", posterior=posterior, lengths=lengths)
+        must_be("an int or None", threads=threads)
         with long_run(f"identification of study {self.name!r}", listener(progress, "values")) as told:
             return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told), Study)
 
@@ -147,7 +164,10 @@ class Study(NoArray):
         threads: int | None = None,
         progress: bool | Listener = True,
     ) -> MotionPlan:
-        """What features of the motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
+        """What features of the motion would tell, before anything is measured."""
+        must_be("a number", confidence=confidence)
+        must_be("a str or None", specimen=specimen)
+        must_be("an int or None", threads=threads)
         with long_run(f"plan of a motion of study {self.name!r}", listener(progress, "values")) as told:
             record, text = self._native.plan_motion(confidence, specimen, threads, told)
         return MotionPlan(text, record)
@@ -185,6 +205,7 @@ class Study(NoArray):
         progress: as for `run`. Ctrl-C ends it after the runs under way; nothing is kept. Raises ValueError, TypeError or LoosepinError
         for an argument that is wrong, with its name.
         """
+        must_be("an int or None", threads=threads)
         names = [each.name for each in self.inputs]
         laws = {each.name: each.laws for each in self.inputs if each.laws is not None}
         table = InputReader(self._native.model, names, laws).read(inputs)
@@ -218,7 +239,9 @@ class Study(NoArray):
         not-a-number is a run that failed. statistics, accuracy, budget: as for `loosepin.bounds`. The numbers of samples are those that the
         study states, and grow where there is an accuracy; runs are made anew and not kept, by the workers of a Dask cluster where there is a `client`; the function is called here.
         """
-        names = list(outputs)
+        must_be("a function", function=function)
+        must_be("an int or None", threads=threads)
+        names = texts("outputs", outputs)
         asked = requests(statistics, len(names))
         limits = growth(accuracy, budget, asked, names)
 
@@ -246,6 +269,11 @@ class Study(NoArray):
 
     def __repr__(self) -> str:
         return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"
+
+
+def _check_model(model: Any) -> None:
+    if model is not None and not isinstance(model, Model):
+        raise TypeError(f"model is a {type(model).__name__}; must be a loosepin.Model or None")
 
 
 def _unpickled(version: str, texts: Any) -> Study:

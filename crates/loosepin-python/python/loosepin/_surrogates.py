@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _loosepin
+from ._objects.arguments import must_be, names_of
 from ._objects.arrays import NoArray, read_only
 from ._objects.errors import read_text
 from ._objects.pickles import pickled
@@ -46,11 +47,13 @@ class Surrogates(NoArray):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Surrogates:
         """Reads `surrogates.json`. Raises LoosepinError for a file that is not there, is not whole or is of another version."""
+        must_be("a path", path=path)
         return cls.from_text(read_text(path))
 
     @classmethod
     def from_text(cls, text: str) -> Surrogates:
         """Reads the text of `surrogates.json`."""
+        must_be("a str", text=text)
         return cls(_loosepin.Surrogates(text), text)
 
     @property
@@ -77,6 +80,8 @@ class Surrogates(NoArray):
         With numbers, both have one entry for each place; with arrays of the same length, a row for each of their entries. Raises
         LoosepinError outside the ranges that were learned: nothing is extrapolated.
         """
+        must_be("an int", output=output)
+        names_of("values", values)
         paths = list(values)
         given = np.broadcast_arrays(*(np.asarray(values[path], dtype=np.float64) for path in paths)) if paths else []
         shape = given[0].shape if given else ()
@@ -92,6 +97,7 @@ class Surrogates(NoArray):
         not go along; the metadata of the file hold the ranges and the held-out error. Raises LoosepinError for polynomials and Kriging,
         whose coefficients stand in `surrogates.json`.
         """
+        must_be("an int", output=output)
         return self._native.to_onnx(output)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -27,6 +27,8 @@ def seed_number(seed: Seed) -> int:
         return int(seed.generate_state(1, np.uint64)[0]) & _LARGEST_DRAWN
     if isinstance(seed, bool) or not isinstance(seed, Integral):
         raise TypeError(f"seed is a {type(seed).__name__}; must be an int, a numpy.random.Generator, a SeedSequence or None")
-    if not 0 <= seed <= _LARGEST:
-        raise ValueError(f"seed {seed}; must be between 0 and {_LARGEST}")
+    if seed < 0:
+        raise ValueError(f"seed {seed}; must be >= 0")
+    if seed > _LARGEST:
+        raise ValueError(f"seed {seed}; must be <= {_LARGEST}")
     return int(seed)
