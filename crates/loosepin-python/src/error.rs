@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyTuple, PyType};
 
-use crate::words_of_python::in_python;
+use crate::words_of_python::{in_python, sentence};
 
 pyo3::create_exception!(
     loosepin,
@@ -16,7 +16,7 @@ pyo3::create_exception!(
     PyException,
     "An input that cannot be used, or a result that cannot be had. Wrong texts and values raise `LoosepinValueError`, a file that is\n\
      not there raises `LoosepinFileNotFoundError`.\n\n\
-     `code` is the code of the first error, for example \"E0201\" (`loosepin explain E0201` says more); `diagnostics` holds\n\
+     `code` is the code of the first error, for example \"E0201\"; `diagnostics` holds\n\
      everything that is wrong, one `Diagnostic` each."
 );
 
@@ -65,6 +65,12 @@ impl Diagnostic {
     fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, Fields) {
         let Self { code, severity, message, hint, file, line, column, text } = self.clone();
         (py.get_type::<Self>(), (code, severity, message, hint, file, line, column, text))
+    }
+
+    /// What the code means, in a few sentences with an example; empty for a code of another version.
+    #[getter]
+    fn explanation(&self) -> String {
+        self.code.parse::<Code>().map_or_else(|_| String::new(), |code| sentence(code.entry().explanation))
     }
 
     fn __str__(&self) -> &str {

@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{Diagnostic, Label, Place, Source};
 
 /// What a sentence says to users of the command, and what it says to those of Python. The longer ones first.
-const SENTENCES: [(&str, &str); 13] = [
+const SENTENCES: [(&str, &str); 14] = [
     ("; --resume --most-failed SHARE goes on with the runs that are kept", ""),
     (
         "--resume --most-failed SHARE goes on with the runs that are kept",
@@ -24,6 +24,7 @@ const SENTENCES: [(&str, &str); 13] = [
     ("--specimen NAME", "specimen=\"NAME\""),
     ("use --plan to see", "call plan_motion to see"),
     ("each of --threads", "each of the threads"),
+    ("loosepin schema model lists them", "the reference of model files lists them"),
     ("run loosepin identify", "call identify"),
     ("`loosepin simulate`", "Model.simulate"),
 ];
@@ -51,14 +52,25 @@ fn place(place: &Place) -> Place {
     }
 }
 
-fn sentence(text: &str) -> String {
+/// A sentence as Python tells it.
+pub fn sentence(text: &str) -> String {
     // A command that repeats a run is of no use in Python; the reason of the run stands in the message.
     let text = text.split_once("` repeats one; ").map_or(text, |(_, rest)| rest);
     let mut told = text.to_owned();
     for (of_command, of_python) in SENTENCES {
         told = told.replace(of_command, of_python);
     }
-    with_arguments(&told)
+    with_arguments(&without_explain(told))
+}
+
+/// What `loosepin explain CODE` prints is an attribute of the diagnostic.
+fn without_explain(mut text: String) -> String {
+    const COMMAND: &str = "`loosepin explain ";
+    while let Some(at) = text.find(COMMAND) {
+        let end = text[at + COMMAND.len()..].find('`').map_or(text.len(), |length| at + COMMAND.len() + length + 1);
+        text.replace_range(at..end, "the explanation of this diagnostic");
+    }
+    text
 }
 
 /// `--resume` as `resume=True`, `--most-failed` as `most_failed`. What is quoted is of the user and stays.

@@ -150,7 +150,7 @@ def _panels(drawn: Sequence[str], ax: Axes) -> tuple[matplotlib.figure.Figure, l
 def _given(drawn: Sequence[str], ax: Any) -> tuple[matplotlib.figure.Figure, list[Any]]:
     axes = list(ax.flat) if hasattr(ax, "flat") else list(ax) if isinstance(ax, Sequence) else [ax]
     for axis in axes:
-        if not hasattr(axis, "get_figure"):
+        if not hasattr(axis, "set_xlabel"):
             raise TypeError(f"ax is a {type(axis).__name__}; must be axes of matplotlib, or a list of them")
     if len(axes) != len(drawn):
         raise ValueError(f"ax: {len(axes)} axes; must be {len(drawn)}, for {', '.join(drawn)}")

@@ -1,7 +1,8 @@
 """Uncertain inputs: distributions, intervals, lists and other descriptions.
 
 A parameter of a distribution may be an `Interval` or another epistemic input: the distribution is then a probability box.
-Two inputs of the same kind with the same numbers are equal, and have the same hash. Lists and arrays are kept as tuples.
+A distribution has the methods `cdf(x)` and `ppf(q)`, with the meaning of SciPy: a float for a number, an array for an array. Two inputs of
+the same kind with the same numbers are equal, and have the same hash. Lists and arrays are kept as tuples.
 """
 
 from __future__ import annotations
