@@ -39,8 +39,9 @@ impl Identification {
     /// The answer with these parts, by which it was pickled: its JSON, and the texts of its study. Nothing is run again.
     #[staticmethod]
     fn from_parts(json: &str, texts: Texts) -> PyResult<Self> {
-        let answer = record::Identification::from_json(json)
-            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled identification".to_owned(), source }))?;
+        let answer = record::Identification::from_json(json).map_err(|source| {
+            raise_problem(&FilesError::Layout { what: "a pickled identification".to_owned(), source })
+        })?;
         Ok(Self { answer, study: study::Study::from_texts(&study_texts(texts)).map_err(raise)? })
     }
 

@@ -46,7 +46,8 @@ impl StudyResult {
         let result = study::result::StudyResult::from_json(summary)
             .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled result".to_owned(), source }))?;
         let surrogates = surrogates.map(SavedSurrogates::from_json).transpose();
-        let samples = samples.into_iter().map(|(name, unit, values)| Py::new(py, Column::of_values(name, unit, values)));
+        let samples =
+            samples.into_iter().map(|(name, unit, values)| Py::new(py, Column::of_values(name, unit, values)));
         Ok(Self {
             result,
             surrogates: surrogates.map_err(|error| raise_problem(&error))?,

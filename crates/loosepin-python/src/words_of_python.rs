@@ -78,9 +78,11 @@ fn with_arguments(text: &str) -> String {
     let mut told = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find("--") {
-        let is_word = rest[..at].chars().next_back().or(told.chars().next_back()).is_none_or(|before| " (`".contains(before));
+        let is_word =
+            rest[..at].chars().next_back().or(told.chars().next_back()).is_none_or(|before| " (`".contains(before));
         let behind = &rest[at + 2..];
-        let length = behind.find(|letter: char| !(letter.is_ascii_lowercase() || letter == '-')).unwrap_or(behind.len());
+        let length =
+            behind.find(|letter: char| !(letter.is_ascii_lowercase() || letter == '-')).unwrap_or(behind.len());
         told.push_str(&rest[..at]);
         if is_word && behind.starts_with(|letter: char| letter.is_ascii_lowercase()) {
             let option = &behind[..length];
