@@ -17,8 +17,17 @@ pyo3::create_exception!(
     "An input that cannot be used, or a result that cannot be had. Wrong texts and values raise `LoosepinValueError`, a file that is\n\
      not there raises `LoosepinFileNotFoundError`.\n\n\
      `code` is the code of the first error, for example \"E0201\"; `diagnostics` holds\n\
-     everything that is wrong, one `Diagnostic` each."
+     everything that is wrong, one `Diagnostic` each. `simulation` is the run that came to its end and counts as failed, otherwise None."
 );
+
+/// The class, whose attributes are there in any case, also where somebody else has made the exception.
+pub fn with_defaults(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
+    let class = py.get_type::<LoosepinError>();
+    class.setattr("code", py.None())?;
+    class.setattr("diagnostics", PyTuple::empty(py))?;
+    class.setattr("simulation", py.None())?;
+    Ok(class)
+}
 
 /// One thing that is wrong: what, where, and the way out.
 #[pyclass(frozen, get_all, eq, hash, module = "loosepin")]

@@ -28,7 +28,7 @@ use pyo3::prelude::*;
 #[pymodule(name = "_loosepin")]
 fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", loosepin::VERSION)?;
-    module.add("LoosepinError", module.py().get_type::<error::LoosepinError>())?;
+    module.add("LoosepinError", error::with_defaults(module.py())?)?;
     module.add_class::<error::Diagnostic>()?;
     module.add_class::<column::Column>()?;
     module.add_class::<model::Model>()?;

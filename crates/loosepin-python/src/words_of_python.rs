@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{Diagnostic, Label, Place, Source};
 
 /// What a sentence says to users of the command, and what it says to those of Python. The longer ones first.
-const SENTENCES: [(&str, &str); 14] = [
+const SENTENCES: [(&str, &str); 17] = [
     ("; --resume --most-failed SHARE goes on with the runs that are kept", ""),
     (
         "--resume --most-failed SHARE goes on with the runs that are kept",
@@ -16,6 +16,15 @@ const SENTENCES: [(&str, &str); 14] = [
     (
         "threads are given on the command line, since results do not depend on them: --threads",
         "threads are an argument of each call, since results do not depend on them",
+    ),
+    ("Give another folder, or omit --out: then a new folder is created.", "Give another folder."),
+    (
+        "--resume --most-failed 0.3 continues with them. The command in the message repeats one failed run.",
+        "a larger most_failed under [sampling] allows more of them.",
+    ),
+    (
+        "`--set joint.gudgeon.radial_clearance=0.3mm`. Quote it for the shell if the value contains spaces.",
+        "set={\"joint.gudgeon.radial_clearance\": \"0.3 mm\"}.",
     ),
     (", or in the folder given with --out", ", or in the folder that the study was given"),
     (" with --out", ""),

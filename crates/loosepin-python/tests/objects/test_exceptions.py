@@ -103,3 +103,10 @@ def test_they_cross_a_process(tmp_path):
     with ProcessPoolExecutor(1) as workers, pytest.raises(FileNotFoundError) as refused:
         workers.submit(missing_model, tmp_path).result()
     assert refused.value.filename == str(tmp_path / MISSING) and refused.value.code == "E0101"
+
+
+def test_an_exception_that_somebody_else_made_has_all_attributes():
+    for kind in (lp.LoosepinError, lp.LoosepinValueError, lp.LoosepinFileNotFoundError):
+        error = kind("no more")
+        assert (str(error), error.code, error.diagnostics, error.simulation) == ("no more", None, (), None)
+        assert type(pickle.loads(pickle.dumps(error))) is kind

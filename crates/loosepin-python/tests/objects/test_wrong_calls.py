@@ -161,6 +161,16 @@ def test_wrong_evaluations_have_no_options(wrong):
     assert not OPTION.search(str(refused.value))
 
 
+@pytest.mark.parametrize("code", ["E0101", "E0303", "E0407", "E0804", "E0806", "E0815", "E0820", "E0824", "E0901", "E0907", "E0909", "E0910", "E0913"])
+def test_explanations_are_those_of_python(code):
+    text = lp.Diagnostic(code, "error", "x", None, None, None, None, "x").explanation
+    assert text.endswith(".") and not OPTION.search(text)
+
+
+def test_an_unknown_code_has_no_explanation():
+    assert lp.Diagnostic("E9999", "error", "x", None, None, None, None, "x").explanation == ""
+
+
 def test_hints_of_folders_are_those_of_python(tmp_path, desk, result):
     (tmp_path / "other").mkdir()
     (tmp_path / "other/notes.txt").write_text("mine", encoding="utf-8")
