@@ -10,16 +10,17 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "crates/loosepin-python/python/loosepin"
 # The order of the page; modules that are not here come behind, in the order of their names.
-ORDER = ("_model", "_study", "_result", "_records", "_evaluation", "_design", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_warning")
+ORDER = ("_model", "_study", "_result", "_records", "_evaluation", "_design", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_objects.errors", "_warning")
 # Docstrings of modules that would not do as headings.
-HEADINGS = {"_loosepin": "Errors", "_warning": "Warnings"}
+HEADINGS = {"_loosepin": "Errors", "_objects.errors": "Errors that are also exceptions of Python", "_warning": "Warnings"}
 WIDEST_SIGNATURE = 100
 
 Definition = ast.ClassDef | ast.FunctionDef
 
 
 def parsed(module: str) -> ast.Module:
-    path = next(path for path in (PACKAGE / f"{module}.py", PACKAGE / f"{module}.pyi") if path.exists())
+    name = module.replace(".", "/")
+    path = next(path for path in (PACKAGE / f"{name}.py", PACKAGE / f"{name}.pyi") if path.exists())
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
@@ -94,7 +95,7 @@ def described(node: ast.ClassDef) -> list[str]:
     """The paragraphs of a class."""
     bases = [ast.unparse(base) for base in node.bases]
     lines = [f"### {node.name}", ""]
-    if any("Exception" in base or "Warning" in base for base in bases):
+    if any(base.endswith(("Error", "Exception", "Warning")) for base in bases):
         lines += [f"An exception, kind of `{', '.join(bases)}`.", ""]
     lines += [docstring(node), ""]
     listed = fields(node.body)

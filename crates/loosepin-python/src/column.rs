@@ -22,6 +22,11 @@ impl Column {
         Self { name: name.to_owned(), unit: unit.to_owned(), values }
     }
 
+    /// A column of values that Python has.
+    pub fn of_values(name: String, unit: String, values: Py<PyAny>) -> Self {
+        Self { name, unit, values }
+    }
+
     /// A column of a table of runs; the values are handed over, not copied.
     pub fn of_run_column(py: Python<'_>, column: RunColumn) -> PyResult<Self> {
         let values = match column.data {

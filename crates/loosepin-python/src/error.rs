@@ -1,18 +1,33 @@
 //! Errors of inputs, as exceptions.
 
-use loosepin::diagnostics::{self, Diagnostics, Severity};
+use std::io;
+
+use loosepin::diagnostics::{self, Code, Diagnostics, RefusedFile, Severity};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyTuple, PyType};
+
+use crate::words_of_python::{in_python, sentence};
 
 pyo3::create_exception!(
     loosepin,
     LoosepinError,
     PyException,
-    "An input that cannot be used, or a result that cannot be had; the text is that of the command line.\n\n\
-     `code` is the code of the first error, for example \"E0201\" (`loosepin explain E0201` says more); `diagnostics` holds\n\
-     everything that is wrong, one `Diagnostic` each."
+    "An input that cannot be used, or a result that cannot be had. Wrong texts and values raise `LoosepinValueError`, a file that is\n\
+     not there raises `LoosepinFileNotFoundError`.\n\n\
+     `code` is the code of the first error, for example \"E0201\"; `diagnostics` holds\n\
+     everything that is wrong, one `Diagnostic` each. `simulation` is the run that came to its end and counts as failed, otherwise None."
 );
+
+/// The class, whose attributes are there in any case, also where somebody else has made the exception.
+pub fn with_defaults(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
+    let class = py.get_type::<LoosepinError>();
+    class.setattr("code", py.None())?;
+    class.setattr("diagnostics", PyTuple::empty(py))?;
+    class.setattr("simulation", py.None())?;
+    Ok(class)
+}
 
 /// One thing that is wrong: what, where, and the way out.
 #[pyclass(frozen, get_all, eq, hash, module = "loosepin")]
@@ -32,7 +47,7 @@ pub struct Diagnostic {
     line: Option<usize>,
     /// Column in it, counted from 1 in characters.
     column: Option<usize>,
-    /// All of it, as the command line prints it.
+    /// All of it, on a line or a few.
     text: String,
 }
 
@@ -61,6 +76,12 @@ impl Diagnostic {
         (py.get_type::<Self>(), (code, severity, message, hint, file, line, column, text))
     }
 
+    /// What the code means, in a few sentences with an example; empty for a code of another version.
+    #[getter]
+    fn explanation(&self) -> String {
+        self.code.parse::<Code>().map_or_else(|_| String::new(), |code| sentence(code.entry().explanation))
+    }
+
     fn __str__(&self) -> &str {
         &self.text
     }
@@ -73,6 +94,7 @@ impl Diagnostic {
 impl Diagnostic {
     /// The diagnostic as Python sees it.
     pub fn new(diagnostic: &diagnostics::Diagnostic) -> Self {
+        let diagnostic = in_python(diagnostic);
         let place = diagnostic.place.as_ref();
         let (line, column) = place.map(diagnostics::Place::line_and_column).unzip();
         Self {
@@ -88,23 +110,70 @@ impl Diagnostic {
     }
 }
 
+/// The Python module of the classes that are also exceptions of Python.
+const CLASSES: &str = "loosepin._objects.errors";
+
+/// What an exception is besides a `LoosepinError`.
+enum Kind<'d> {
+    /// Nothing else: a run, a folder or the machine failed, or a result cannot be had.
+    Other,
+    /// A `ValueError`: something is wrong with a text or a value that was given.
+    Value,
+    /// A `FileNotFoundError`.
+    FileNotFound(&'d RefusedFile),
+}
+
+/// The one place that decides what an exception for `first` is: by its code, and by what the operating system said of a file.
+fn kind(first: &diagnostics::Diagnostic) -> Kind<'_> {
+    if let Some(file) = first.refused_file.as_ref().filter(|file| file.reason == io::ErrorKind::NotFound) {
+        return Kind::FileNotFound(file);
+    }
+    match first.code {
+        Code::FileNotReadable => Kind::Other,
+        Code::DriveStandsStill
+        | Code::ToleranceTooLarge
+        | Code::ImplausibleNumber
+        | Code::WrongKindOfFile
+        | Code::NoSurrogateAnswer
+        | Code::MeasuredTable
+        | Code::MeasuredOutside
+        | Code::NotADrawing
+        | Code::DrawingNotAMechanism => Kind::Value,
+        // Files and their values, questions and mechanisms; runs begin behind these codes.
+        code if code <= Code::NoDynamics => Kind::Value,
+        _ => Kind::Other,
+    }
+}
+
+/// The exception with the text and of the kind of `first`.
+fn exception(py: Python<'_>, text: String, first: Option<&diagnostics::Diagnostic>) -> PyResult<PyErr> {
+    static VALUE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    static FILE_NOT_FOUND: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    Ok(match first.map_or(Kind::Other, kind) {
+        Kind::Other => LoosepinError::new_err(text),
+        Kind::Value => PyErr::from_type(VALUE.import(py, CLASSES, "LoosepinValueError")?.clone(), text),
+        Kind::FileNotFound(file) => {
+            let class = FILE_NOT_FOUND.import(py, CLASSES, "LoosepinFileNotFoundError")?;
+            let arguments = (text, file.path.as_str(), file.os_code);
+            PyErr::from_value(class.call1(arguments)?)
+        }
+    })
+}
+
 /// The exception for `diagnostics`.
 pub fn raise(diagnostics: impl Into<Diagnostics>) -> PyErr {
     let diagnostics = diagnostics.into();
     Python::attach(|py| {
-        let error = LoosepinError::new_err(diagnostics.to_string());
         let sorted = diagnostics.sorted();
-        let first = sorted.iter().find(|diagnostic| diagnostic.severity == Severity::Error).or(sorted.first());
-        let of_each = || {
+        let first = sorted.iter().find(|diagnostic| diagnostic.severity == Severity::Error).or(sorted.first()).copied();
+        let text = sorted.iter().map(|diagnostic| in_python(diagnostic)).collect::<Diagnostics>().to_string();
+        let of_each = |error: &PyErr| {
             let list = sorted.iter().map(|diagnostic| Bound::new(py, Diagnostic::new(diagnostic)));
             let value = error.value(py);
             value.setattr("code", first.map(|diagnostic| diagnostic.code.as_str()))?;
             value.setattr("diagnostics", PyTuple::new(py, list.collect::<PyResult<Vec<_>>>()?)?)
         };
-        match of_each() {
-            Ok(()) => error,
-            Err(other) => other,
-        }
+        exception(py, text, first).and_then(|error| of_each(&error).map(|()| error)).unwrap_or_else(|other| other)
     })
 }
 

@@ -4,15 +4,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin::identify::{MotionValues, Options, SpecimenStudy, identify, plan_motion, record};
 use loosepin::report::{identification_page, identification_text, motion_plan_text};
-use loosepin::result::json::to_json;
+use loosepin::result::json::{Stored, to_json};
+use loosepin::study::files::FilesError;
 use loosepin::study::{self, Progress};
 use loosepin::units::DisplayUnits;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::Path;
 
-use crate::error::raise;
-use crate::run_rows::Texts;
+use crate::error::{raise, raise_problem};
+use crate::run_rows::{Texts, study_texts};
 use crate::waiting::{RunCounts, wait_for};
 
 /// The answer of an identification.
@@ -27,6 +28,21 @@ impl Identification {
     /// The answer as JSON.
     fn json(&self) -> PyResult<String> {
         to_json(&self.answer).map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The texts of the study that was identified.
+    fn study_texts(&self) -> Texts {
+        let study::StudyTexts { study, model, model_path, tables } = self.study.texts();
+        (study, model, model_path, tables)
+    }
+
+    /// The answer with these parts, by which it was pickled: its JSON, and the texts of its study. Nothing is run again.
+    #[staticmethod]
+    fn from_parts(json: &str, texts: Texts) -> PyResult<Self> {
+        let answer = record::Identification::from_json(json).map_err(|source| {
+            raise_problem(&FilesError::Layout { what: "a pickled identification".to_owned(), source })
+        })?;
+        Ok(Self { answer, study: study::Study::from_texts(&study_texts(texts)).map_err(raise)? })
     }
 
     /// The tables of the terminal.

@@ -104,9 +104,28 @@ impl Inputs {
     }
 }
 
+/// A law whose parameters are all numbers; it is called by its class.
+///
+/// # Errors
+/// A parameter that is unknown: the law is then a box, and has no single distribution function.
+pub fn certain_law(law: &Bound<'_, PyAny>) -> PyResult<RandomVariable> {
+    let name = law.get_type().name()?.to_string();
+    for parameter in Parameter::ALL {
+        let Ok(stated) = law.getattr(parameter.key()) else { continue };
+        if epistemic(&name, &stated)?.is_some() {
+            return Err(PyValueError::new_err(format!(
+                "{} of {name} is unknown (epistemic), so it has no single distribution function; must be a number",
+                parameter.key()
+            )));
+        }
+    }
+    let refused = refuse(&name, Code::BadDistribution);
+    RandomVariable::try_new(distribution(&name, law)?).map_err(|error| refused(&error))
+}
+
 /// Description of an epistemic input; `None` if the object is none.
 fn epistemic(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Option<EpistemicVariable>> {
-    let number = |key: &str| input.getattr(key)?.extract::<f64>();
+    let number = |key: &str| number(name, key, &input.getattr(key)?);
     let interval = |lower, upper| {
         let refused = refuse(name, Code::IntervalTurnedRound);
         Interval::try_new(lower, upper).map_err(|error| refused(&error))
@@ -116,24 +135,43 @@ fn epistemic(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Option<EpistemicV
         "Periodic" => EpistemicVariable::Periodic(interval(number("lower")?, number("upper")?)?),
         "OneOf" => {
             let refused = refuse(name, Code::BadList);
-            let members: Vec<f64> = input.getattr("values")?.extract()?;
+            let members: Vec<f64> = stated_as(name, "values", "a list of numbers", &input.getattr("values")?)?;
             Members::try_new(members).map_err(|error| refused(&error))?.into()
         }
         "Evidence" => {
             let refused = refuse(name, Code::BadEvidence);
-            let stated: Vec<(f64, f64, f64)> = input.getattr("elements")?.extract()?;
+            let due = "a list of (lower, upper, mass)";
+            let stated: Vec<(f64, f64, f64)> = stated_as(name, "elements", due, &input.getattr("elements")?)?;
             let element = |(lower, upper, mass)| Ok(FocalElement { interval: interval(lower, upper)?, mass });
             let elements = stated.into_iter().map(element).collect::<PyResult<Vec<_>>>()?;
             Evidence::try_new(elements).map_err(|error| refused(&error))?.into()
         }
         "Fuzzy" => {
             let refused = refuse(name, Code::BadEvidence);
-            let corners: [f64; 4] = input.getattr("corners")?.extract()?;
+            let corners: [f64; 4] = stated_as(name, "corners", "four numbers", &input.getattr("corners")?)?;
             FuzzyNumber::trapezoidal(corners, &USUAL_CUTS).map_err(|error| refused(&error))?.into()
         }
         _ => return Ok(None),
     };
     Ok(Some(variable))
+}
+
+/// A parameter that must be a number.
+fn number(name: &str, key: &str, stated: &Bound<'_, PyAny>) -> PyResult<f64> {
+    stated_as(name, key, "a number", stated)
+}
+
+/// A parameter of the input `name`, or an exception that says what it is and what is `due`.
+fn stated_as<'py, T: FromPyObjectOwned<'py>>(
+    name: &str,
+    key: &str,
+    due: &str,
+    stated: &Bound<'py, PyAny>,
+) -> PyResult<T> {
+    stated.extract().or_else(|_| {
+        let class = stated.get_type().name()?;
+        Err(PyTypeError::new_err(format!("input '{name}': {key} is a {class}; must be {due}")))
+    })
 }
 
 /// A distribution, with uncertain parameters in the middle of their ranges.
@@ -142,10 +180,10 @@ fn distribution(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Distribution> 
         let stated = input.getattr(key)?;
         match epistemic(name, &stated)? {
             Some(known) => Ok(known.middle()),
-            None => stated.extract::<f64>(),
+            None => number(name, key, &stated),
         }
     };
-    let list = |key: &str| input.getattr(key)?.extract::<Vec<f64>>();
+    let list = |key: &str| stated_as::<Vec<f64>>(name, key, "a list of numbers", &input.getattr(key)?);
     let class = input.get_type().name()?;
     Ok(match class.to_string_lossy().as_ref() {
         "Normal" => Distribution::Normal { mean: n("mean")?, standard_deviation: n("standard_deviation")? },

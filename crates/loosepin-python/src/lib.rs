@@ -9,6 +9,7 @@ mod further_outputs;
 mod growing_samples;
 mod identification;
 mod inputs;
+mod laws;
 mod model;
 mod python_run_provider;
 mod result;
@@ -19,6 +20,7 @@ mod study;
 mod study_inputs;
 mod surrogates;
 mod waiting;
+mod words_of_python;
 
 use pyo3::prelude::*;
 
@@ -26,7 +28,7 @@ use pyo3::prelude::*;
 #[pymodule(name = "_loosepin")]
 fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", loosepin::VERSION)?;
-    module.add("LoosepinError", module.py().get_type::<error::LoosepinError>())?;
+    module.add("LoosepinError", error::with_defaults(module.py())?)?;
     module.add_class::<error::Diagnostic>()?;
     module.add_class::<column::Column>()?;
     module.add_class::<model::Model>()?;
@@ -38,5 +40,7 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
+    module.add_function(wrap_pyfunction!(laws::law_cdf, module)?)?;
+    module.add_function(wrap_pyfunction!(laws::law_ppf, module)?)?;
     module.add_function(wrap_pyfunction!(function_bounds::evaluate, module)?)
 }

@@ -33,6 +33,28 @@ impl StudyResult {
 
 #[pymethods]
 impl StudyResult {
+    /// The result with these parts, by which it was pickled: `summary.json`, name, unit and values of each column of the runs, and
+    /// `surrogates.json`. Nothing is run again.
+    #[staticmethod]
+    #[pyo3(signature = (summary, samples, surrogates))]
+    fn from_parts(
+        py: Python<'_>,
+        summary: &str,
+        samples: Vec<(String, String, Py<PyAny>)>,
+        surrogates: Option<&str>,
+    ) -> PyResult<Self> {
+        let result = study::result::StudyResult::from_json(summary)
+            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled result".to_owned(), source }))?;
+        let surrogates = surrogates.map(SavedSurrogates::from_json).transpose();
+        let samples =
+            samples.into_iter().map(|(name, unit, values)| Py::new(py, Column::of_values(name, unit, values)));
+        Ok(Self {
+            result,
+            surrogates: surrogates.map_err(|error| raise_problem(&error))?,
+            samples: samples.collect::<PyResult<Vec<_>>>()?,
+        })
+    }
+
     /// Name of the study.
     #[getter]
     fn name(&self) -> &str {

@@ -3,8 +3,8 @@
 use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
 use loosepin::result::json::Stored;
-use loosepin::simulate::record::OutputHistory;
-use loosepin::simulate::{self, history_columns, history_csv, impacts_csv};
+use loosepin::simulate::record::{OutputHistory, SimulationRecord};
+use loosepin::simulate::{self, BodyStates, history_columns, history_csv, impacts_csv};
 use loosepin::study::files::FilesError;
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
@@ -12,9 +12,18 @@ use pyo3::prelude::*;
 use crate::column::Column;
 use crate::error::{Diagnostic, raise, raise_problem};
 
+/// Everything that tables and pages are made of.
+struct RecordedRun {
+    record: SimulationRecord,
+    states: Option<BodyStates>,
+}
+
+/// What a run is pickled by: its record as JSON, and the names and rows of the states of its bodies.
+type Parts = (String, Option<(Vec<String>, Vec<Vec<f64>>)>);
+
 /// A finished run.
 #[pyclass(frozen, module = "loosepin._loosepin")]
-pub struct Simulation(simulate::Simulation, Option<Diagnostics>, Vec<diagnostics::Diagnostic>);
+pub struct Simulation(RecordedRun, Option<Diagnostics>, Vec<diagnostics::Diagnostic>);
 
 impl Simulation {
     /// The run for Python, the reason why it counts as failed although it reached its end, and warnings about the requests.
@@ -23,12 +32,29 @@ impl Simulation {
         failure: Option<Diagnostics>,
         warnings: Vec<diagnostics::Diagnostic>,
     ) -> Self {
-        Self(simulation, failure, warnings)
+        let simulate::Simulation { record, states, .. } = simulation;
+        Self(RecordedRun { record, states }, failure, warnings)
     }
 }
 
 #[pymethods]
 impl Simulation {
+    /// What [`Simulation::from_parts`] makes the same run of.
+    fn parts(&self) -> PyResult<Parts> {
+        let states = self.0.states.as_ref().map(|states| (states.bodies.clone(), states.rows.clone()));
+        Ok((self.summary_json()?, states))
+    }
+
+    /// The run with these parts; nothing is run again.
+    #[staticmethod]
+    fn from_parts(parts: Parts) -> PyResult<Self> {
+        let (json, states) = parts;
+        let record = SimulationRecord::from_json(&json)
+            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled simulation".to_owned(), source }))?;
+        let states = states.map(|(bodies, rows)| BodyStates { bodies, rows });
+        Ok(Self(RecordedRun { record, states }, None, Vec::new()))
+    }
+
     /// Name of the model.
     #[getter]
     fn model(&self) -> &str {
@@ -48,7 +74,7 @@ impl Simulation {
 
     /// The columns of `history.csv`, with its names.
     fn history(&self, py: Python<'_>) -> Vec<Column> {
-        let columns = history_columns(&self.0);
+        let columns = history_columns(&self.0.record, self.0.states.as_ref());
         columns
             .iter()
             .map(|column| Column::of_numbers(py, &column.name, column.unit, column.values_si.to_vec()))
@@ -78,7 +104,7 @@ impl Simulation {
 
     /// The text of `history.csv`.
     fn history_csv(&self) -> String {
-        history_csv(&self.0)
+        history_csv(&self.0.record, self.0.states.as_ref())
     }
 
     /// The text of `impacts.csv`.

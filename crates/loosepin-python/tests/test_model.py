@@ -74,6 +74,6 @@ def test_figures_and_notebook(simulation, model):
     assert "x of slider.pin" in model._repr_html_()
 
 
-def test_arrays_are_the_users_own(simulation):
+def test_arrays_are_plain(simulation):
     values = simulation["slider_velocity"]
-    assert values.dtype == np.float64 and values.flags.writeable and values.flags.c_contiguous
+    assert type(values) is np.ndarray and values.dtype == np.float64 and not values.flags.writeable and values.flags.c_contiguous

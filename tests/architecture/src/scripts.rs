@@ -17,23 +17,33 @@ pub fn imports(sources: &[Source]) -> BTreeMap<String, BTreeSet<String>> {
     sources.iter().map(of).collect()
 }
 
-/// For each import the files that it may mean. One package without folders.
+/// For each import the files that it may mean.
 fn python(source: &Source) -> Vec<Vec<String>> {
+    let folder = source.path.rsplit_once('/').map_or("", |(folder, _)| folder);
     let mut found = Vec::new();
     for line in source.text.lines().map(str::trim) {
         let Some((module, names)) = line.strip_prefix("from .").and_then(|rest| rest.split_once("import ")) else {
             continue;
         };
-        match module.trim() {
-            "" => found.extend(names.split(',').filter_map(|name| name.split_whitespace().next()).map(module_files)),
-            module => found.push(module_files(module)),
-        }
+        // The first dot is the folder of the file, each further one a folder up.
+        let inside = module.trim().trim_start_matches('.');
+        let up = "../".repeat(module.trim().len() - inside.len());
+        let module = joined(folder, &format!("{up}{}", inside.replace('.', "/")));
+        let names = names.split(',').filter_map(|name| name.split_whitespace().next());
+        found.extend(names.map(|name| module_files(inside, &module, name)));
     }
     found
 }
 
-fn module_files(name: &str) -> Vec<String> {
-    vec![format!("{name}.py"), format!("{name}.pyi")]
+/// The files that `name`, imported from `module`, may be or be in.
+fn module_files(inside: &str, module: &str, name: &str) -> Vec<String> {
+    let (module, own) = (module.trim_end_matches('/'), format!("{module}/{name}"));
+    let own = own.trim_start_matches('/').replace("//", "/");
+    let mut files = vec![format!("{own}.py"), format!("{own}.pyi")];
+    if !inside.is_empty() {
+        files.extend([format!("{module}.py"), format!("{module}.pyi"), format!("{module}/__init__.py")]);
+    }
+    files
 }
 
 fn typescript(source: &Source) -> Vec<Vec<String>> {

@@ -363,6 +363,9 @@ fn imports_of_other_languages_are_followed() {
         source("_a.py", "from . import _b, _native\nif TYPE_CHECKING:\n    from ._c import C\n"),
         source("_b.py", "import os\nfrom collections import abc\n"),
         source("_c.py", "def f():\n    from ._a import A\n"),
+        source("_inner/arrays.py", "from .._b import x\nfrom .seeds import y\nfrom .. import _c\n"),
+        source("_inner/seeds.py", ""),
+        source("_d.py", "from ._inner.arrays import z\nfrom ._inner import seeds\n"),
         source(
             "App.svelte",
             "<script>import Part from './parts/Part.svelte';\nimport type { Word } from \"./words\";</script>",
@@ -372,6 +375,8 @@ fn imports_of_other_languages_are_followed() {
     ]);
     let to = |path: &str| edges[path].iter().map(String::as_str).collect::<Vec<_>>();
     assert_eq!(to("_a.py"), ["_b.py", "_c.py"]);
+    assert_eq!(to("_inner/arrays.py"), ["_b.py", "_c.py", "_inner/seeds.py"]);
+    assert_eq!(to("_d.py"), ["_inner/arrays.py", "_inner/seeds.py"]);
     assert!(to("_b.py").is_empty() && to("words.ts").is_empty());
     assert_eq!(to("App.svelte"), ["parts/Part.svelte", "words.ts"]);
     assert_eq!(to("parts/Part.svelte"), ["words.ts"]);

@@ -34,7 +34,8 @@ from ._inputs import (
 )
 from ._loosepin import Diagnostic, LoosepinError, __version__
 from ._model import Model, Output, Parameter, Simulation
-from ._records import Bound, BoundEnd, Curve
+from ._objects.errors import LoosepinFileNotFoundError, LoosepinValueError
+from ._records import Bound, BoundEnd, Curve, Extreme, ExtremePoint
 from ._result import Samples, StudyResult
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
@@ -57,6 +58,8 @@ __all__ = [
     "Evaluation",
     "Evidence",
     "Exponential",
+    "Extreme",
+    "ExtremePoint",
     "FunctionBounds",
     "Fuzzy",
     "Gamma",
@@ -65,6 +68,8 @@ __all__ = [
     "Interval",
     "Lognormal",
     "LoosepinError",
+    "LoosepinFileNotFoundError",
+    "LoosepinValueError",
     "LoosepinWarning",
     "Model",
     "MotionPlan",

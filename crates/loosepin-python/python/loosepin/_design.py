@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from . import _loosepin
+from ._objects.records import Record
 from ._records import Array
 
 
-@dataclass(frozen=True)
-class StudyInput:
+@dataclass(frozen=True, eq=False)
+class StudyInput(Record):
     """An input of a study: one column of a design."""
 
     name: str

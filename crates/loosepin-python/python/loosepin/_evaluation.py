@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from . import _loosepin
 from ._extras import need
 from ._html import evaluation_html
+from ._objects.arrays import frozen, read_only, read_only_copy
+from ._objects.logs import LOGGER, long_run
+from ._objects.records import Record
 from ._progress import Listener, listener
 from ._records import Array
 from ._warning import LoosepinWarning
@@ -23,11 +26,11 @@ Recorded = tuple[str, str, list[float] | None, list[int]]
 """Name, SI unit, angles of a curve in rad, and columns of a row."""
 
 
-class Evaluation(Mapping[str, Array]):
+class Evaluation(Record, Mapping[str, Array]):
     """Runs at chosen inputs: `evaluation["slider total maximum_absolute"]` holds a number for each run, SI.
 
     A number of a run is an array of the shape (runs,), a curve one of the shape (runs, poses), whose angles are in `pose_rad`.
-    Not-a-number stands where a run failed.
+    Not-a-number stands where a run failed. All arrays are read-only.
     """
 
     def __init__(
@@ -49,7 +52,7 @@ class Evaluation(Mapping[str, Array]):
         """Angles of the drive at the columns of each curve, rad."""
         self.reasons: tuple[str | None, ...] = tuple(reasons)
         """Why each run failed, in words; None for a finished one."""
-        self.failed: NDArray[np.bool_] = np.array([reason is not None for reason in self.reasons], dtype=bool)
+        self.failed: NDArray[np.bool_] = read_only(np.array([reason is not None for reason in self.reasons], dtype=bool))
         """Whether each run failed."""
         self.counters: dict[str, NDArray[Any]] = dict(counters)
         """What else was counted of each run, with the names of `runs.parquet`: `steps`, `evaluations`, `energy_residual`, and for each
@@ -79,7 +82,7 @@ class Evaluation(Mapping[str, Array]):
             else:
                 columns[name] = values
         columns["reason"] = [reason or "" for reason in self.reasons]
-        frame: pandas.DataFrame = pandas_.DataFrame(columns, copy=False)
+        frame: pandas.DataFrame = pandas_.DataFrame(columns)
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
@@ -101,8 +104,11 @@ class Evaluation(Mapping[str, Array]):
                 coordinates.setdefault(dimension, (dimension, poses, {"units": "rad"}))
                 dimensions = ("run", dimension)
             variables[name] = (dimensions, values, {"units": self.units[name]})
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates)
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates).copy(deep=True)
         return dataset
+
+    def _hash_key(self) -> Hashable:
+        return len(self.failed), *self, *self.inputs
 
     def __repr__(self) -> str:
         return f"<loosepin.Evaluation: {self._counts()}, inputs {', '.join(self.inputs)}; outputs {', '.join(self)}>"
@@ -126,25 +132,22 @@ def evaluated(
 ) -> Evaluation:
     """Runs at a table of inputs, whose names and units come before it; `recorded` is what of each row is given, by name."""
     names, input_units, table = inputs
-    told = listener(progress)
-    try:
+    with long_run(f"evaluation of {len(table)} runs", listener(progress)) as told:
         rows, reasons, counters, coarse = native.evaluate(table, threads, told)
-    finally:
-        if told is not None:
-            told.close()
     if coarse is not None:
+        LOGGER.warning("%s", coarse)
         warn(LoosepinWarning(coarse))
     outputs = {
-        name: np.ascontiguousarray(rows[:, columns] if poses is not None else rows[:, columns[0]])
+        name: read_only_copy(rows[:, columns] if poses is not None else rows[:, columns[0]])
         for name, (_, _, poses, columns) in recorded.items()
     }
     units = dict(input_units) | {column.name: column.unit for column in counters}
     units |= {name: unit for name, (_, unit, _, _) in recorded.items()}
     return Evaluation(
-        {name: np.ascontiguousarray(table[:, place]) for place, name in enumerate(names)},
+        {name: read_only_copy(table[:, place]) for place, name in enumerate(names)},
         outputs,
         units,
-        {name: np.array(poses) for name, (_, _, poses, _) in recorded.items() if poses is not None},
+        {name: read_only(np.array(poses)) for name, (_, _, poses, _) in recorded.items() if poses is not None},
         reasons,
-        {column.name: column.values for column in counters},
+        {column.name: frozen(column.values) for column in counters},
     )

@@ -14,6 +14,9 @@ from ._records import Array, Curve
 if TYPE_CHECKING:
     import matplotlib.figure
 
+Axes = Any
+"""Axes of matplotlib, a list of them, or None."""
+
 RANDOM = "#1f6f8b"
 """Colour of random scatter."""
 UNKNOWN = "#d98324"
@@ -43,9 +46,11 @@ class Line:
     has_legend: bool
 
 
-def simulation_figure(drive_angle_rad: Array, lines: Sequence[Line], display_units: dict[str, Any]) -> matplotlib.figure.Figure:
+def simulation_figure(
+    drive_angle_rad: Array, lines: Sequence[Line], display_units: dict[str, Any], ax: Axes = None
+) -> matplotlib.figure.Figure:
     """Outputs, or their deviations, over the angle of the drive."""
-    figure, axes = _panels(len(lines))
+    figure, axes = _panels([line.label for line in lines], ax)
     angle = np.degrees(drive_angle_rad)
     for axis, line in zip(axes, lines):
         unit, factor = shown(line.unit, display_units)
@@ -61,7 +66,13 @@ def simulation_figure(drive_angle_rad: Array, lines: Sequence[Line], display_uni
 
 
 def study_figure(
-    name: str, curves: Sequence[Curve], summary: Mapping[str, Any], kind: str | None, output: str | None, of: str | None
+    name: str,
+    curves: Sequence[Curve],
+    summary: Mapping[str, Any],
+    kind: str | None,
+    output: str | None,
+    of: str | None,
+    ax: Axes = None,
 ) -> matplotlib.figure.Figure:
     """One of the standard figures of a study; the first kind that there is, where none is named."""
     drawn: dict[str, Callable[[Any, Any, dict[str, Any]], None]] = {"curves": _curves, "box": _boxes, "contributors": _contributors}
@@ -78,7 +89,8 @@ def study_figure(
     items = [item for item in (curves if kind == "curves" else summary[holds[kind]]) if is_wanted(item)]
     if not items:
         raise ValueError(f"the study {name!r} has no {kind} of output={output!r}, of={of!r}\nhint: an [[ask]] of the study makes them")
-    figure, axes = _panels(len(items))
+    drawn_items = [f"{item['output']} {item['of']}" if isinstance(item, dict) else f"{item.output} {item.of}" for item in items]
+    figure, axes = _panels(drawn_items, ax)
     for axis, item in zip(axes, items):
         drawn[kind](axis, item, summary["display_units"])
     return figure
@@ -121,14 +133,28 @@ def _contributors(axis: Any, record: dict[str, Any], _units: dict[str, Any]) -> 
     axis.set_title(f"{record['output']}, {record['of']} {at}: held fixed (blue), known (orange)", fontsize="medium")
 
 
-def _panels(count: int) -> tuple[matplotlib.figure.Figure, list[Any]]:
+def _panels(drawn: Sequence[str], ax: Axes) -> tuple[matplotlib.figure.Figure, list[Any]]:
+    """Axes for each of `drawn`: those that were given, which stay open, or those of a new figure."""
+    count = len(drawn)
     if count == 0:
         raise ValueError("there is nothing to draw")
+    if ax is not None:
+        return _given(drawn, ax)
     pyplot = need("matplotlib.pyplot", "plot()")
     figure, axes = pyplot.subplots(count, 1, figsize=(8, 1 + 3 * count), squeeze=False, layout="constrained")
-    # A notebook shows the figure that is returned; one that stays open would be shown twice.
+    # A notebook shows the figure that is returned; one that pyplot knows as well would be shown twice.
     pyplot.close(figure)
     return figure, list(axes[:, 0])
+
+
+def _given(drawn: Sequence[str], ax: Any) -> tuple[matplotlib.figure.Figure, list[Any]]:
+    axes = list(ax.flat) if hasattr(ax, "flat") else list(ax) if isinstance(ax, Sequence) else [ax]
+    for axis in axes:
+        if not hasattr(axis, "set_xlabel"):
+            raise TypeError(f"ax is a {type(axis).__name__}; must be axes of matplotlib, or a list of them")
+    if len(axes) != len(drawn):
+        raise ValueError(f"ax: {len(axes)} axes; must be {len(drawn)}, for {', '.join(drawn)}")
+    return axes[0].get_figure(), axes
 
 
 def _in(unit: str) -> str:

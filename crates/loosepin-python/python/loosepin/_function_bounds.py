@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,11 @@ from numpy.typing import NDArray
 from . import _loosepin
 from ._extras import need
 from ._inputs import Input
+from ._objects.arguments import must_be, names_of, texts
+from ._objects.arrays import frozen, read_only
+from ._objects.records import Record
+from ._objects.scipy_laws import FrozenDistribution, from_scipy
+from ._objects.seeds import Seed, seed_number
 from ._records import Array, Bound, BoundEnd
 
 if TYPE_CHECKING:
@@ -21,8 +26,8 @@ Statistic = str | Mapping[str, float]
 """A statistic as study files write it, for example "mean", "cdf", {"quantile": 0.975} or {"probability_above": 0.4}."""
 
 
-@dataclass(frozen=True)
-class Band:
+@dataclass(frozen=True, eq=False)
+class Band(Record):
     """The central 95 % band of an output by one treatment, and the share of it that really stays inside."""
 
     output: str
@@ -38,7 +43,7 @@ class Band:
 
 
 @dataclass(frozen=True, eq=False)
-class Box:
+class Box(Record):
     """Bounds of a distribution function."""
 
     output: str
@@ -51,8 +56,8 @@ class Box:
     """The largest one."""
 
 
-@dataclass(frozen=True)
-class AccuracyStep:
+@dataclass(frozen=True, eq=False)
+class AccuracyStep(Record):
     """The samples at one step towards an accuracy."""
 
     runs: int
@@ -65,8 +70,8 @@ class AccuracyStep:
     """The largest numerical error over the one that was asked for; 1 or less where all are reached."""
 
 
-@dataclass(frozen=True)
-class AccuracyReached:
+@dataclass(frozen=True, eq=False)
+class AccuracyReached(Record):
     """How an accuracy was approached."""
 
     stop: str
@@ -75,18 +80,20 @@ class AccuracyReached:
     """One for each size of the samples."""
 
 
-class FunctionBounds:
-    """Result of `bounds`: `result.bounds` holds one `Bound` for each statistic of each output."""
+class FunctionBounds(Record):
+    """Result of `bounds`: `result.bounds` holds one `Bound` for each statistic of each output. All arrays are read-only."""
 
-    def __init__(self, record: dict[str, Any], outputs: Sequence[str]) -> None:
+    def __init__(self, record: dict[str, Any], outputs: Sequence[str], seed: int | None = None) -> None:
         """Use `bounds`."""
+        self.seed: int | None = seed
+        """Seed of the random samples: `bounds(..., seed=result.seed)` makes the same ones. None for `Study.bounds`, whose study has it."""
         self.bounds: tuple[Bound, ...] = _bounds(record["bounds"], outputs)
         """Bounds of each statistic over everything that is not known."""
         self.cuts: tuple[tuple[float, tuple[Bound, ...]], ...] = tuple(
             (alpha, _bounds(each, outputs)) for alpha, each in record["cuts"]
         )
         """Bounds at each degree of possibility, where an input is fuzzy."""
-        self.boxes: tuple[Box, ...] = tuple(Box(outputs[each[0]], *each[1:]) for each in record["boxes"])
+        self.boxes: tuple[Box, ...] = tuple(Box(outputs[each[0]], *frozen(each[1:])) for each in record["boxes"])
         """One for each "cdf" that was asked for."""
         self.bands: tuple[Band, ...] = tuple(
             Band(outputs[column], treatment, lower, upper, (least, most))
@@ -102,11 +109,11 @@ class FunctionBounds:
             None if reached is None else AccuracyReached(reached[0], tuple(AccuracyStep(*step) for step in reached[1]))
         )
         """Where an accuracy was asked for: whether it was reached, and how."""
-        self.inputs: dict[str, Array] = {column.name: column.values for column in record["inputs"]}
+        self.inputs: dict[str, Array] = {column.name: frozen(column.values) for column in record["inputs"]}
         """Every value of each input that the function was given."""
-        self.outputs: dict[str, Array] = {column.name: column.values for column in record["outputs"]}
+        self.outputs: dict[str, Array] = {column.name: frozen(column.values) for column in record["outputs"]}
         """Every value that it returned."""
-        self.purpose: NDArray[np.str_] = np.array(record["purpose"])
+        self.purpose: NDArray[np.str_] = read_only(np.array(record["purpose"]))
         """Purpose of each run: "mixed", "probability_only" or "interval_only"."""
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -128,6 +135,9 @@ class FunctionBounds:
         frame: pandas.DataFrame = pandas_.DataFrame(rows)
         return frame
 
+    def _hash_key(self) -> Hashable:
+        return self.runs, *self.bounds
+
     def __str__(self) -> str:
         return "\n".join(str(bound) for bound in self.bounds)
 
@@ -137,7 +147,7 @@ class FunctionBounds:
 
 def bounds(
     function: Callable[..., Any],
-    inputs: Mapping[str, Input],
+    inputs: Mapping[str, Input | FrozenDistribution],
     statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
     *,
     outputs: Sequence[str] = ("y",),
@@ -148,7 +158,7 @@ def bounds(
     replicates: int = 8,
     mixture: int = 1024,
     extreme: int = 128,
-    seed: int = 1,
+    seed: Seed = 1,
     confidence: float = 0.99,
     accuracy: float | Mapping[str, float] | None = None,
     budget: int | None = None,
@@ -160,17 +170,26 @@ def bounds(
     function: is called with one NumPy array for each input, by its name as a keyword, each with one entry for each run; it returns
     an array with one entry for each run, or one row for each run and one column for each of `outputs`. Not-a-number is a run
     that failed: it widens the bounds. What the function raises comes out unchanged.
-    inputs: what is known of each, a distribution such as `Normal` or a kind of ignorance such as `Interval`.
+    inputs: what is known of each, a distribution such as `Normal` or a kind of ignorance such as `Interval`. A frozen distribution of
+    SciPy, scipy.stats.norm(3, 1), is taken as its counterpart; one without a counterpart is refused, none is approximated.
     correlation: rank correlations of random inputs, {("x", "y"): 0.6}.
     reading: meaning of an interval: "fixed" (one value, unknown), "unknown-distribution" or "random-set".
     outer, inner: values of what is not known, and samples of the random inputs for each; `outer * inner + mixture + extreme` runs at
     most. replicates: independent parts of the samples, which must divide `inner` and `mixture`. confidence: of sampling errors.
+    seed: a whole number, a `numpy.random.Generator` (its next number is the seed), a `SeedSequence`, or None for a seed from the
+    operating system; `result.seed` tells it.
     accuracy: the largest numerical error of the bounds, one number for all, or one for each output or statistic by name:
     {"y": 0.01, "y.mean": 0.002}. The samples grow until it is reached, or `budget` runs are made (100 times those without it if omitted).
     """
-    names = list(outputs)
+    must_be("a function", function=function)
+    names_of("inputs", inputs)
+    must_be("a str", reading=reading)
+    must_be("an int", outer=outer, inner=inner, replicates=replicates, mixture=mixture, extreme=extreme)
+    must_be("a number", confidence=confidence)
+    names = texts("outputs", outputs)
     asked = requests(statistics, len(names))
-    ordered = sorted(inputs.items(), key=lambda item: _is_unknown(item[1]))
+    stated = [(name, from_scipy(name, known)) for name, known in inputs.items()]
+    ordered = sorted(stated, key=lambda item: _is_unknown(item[1]))
     keywords = [name for name, _ in ordered]
 
     def evaluate(columns: list[Array]) -> Array:
@@ -179,21 +198,21 @@ def bounds(
         return table(function(**{name: given[name] for name in keywords}), len(columns[0]) if columns else 0, names)
 
     random_names, unknown_names = _loosepin.input_names(ordered)
-    ranks = [(first, second, rank) for (first, second), rank in (correlation or {}).items()]
-    runs = {
+    ranks = _ranks({} if correlation is None else correlation)
+    runs: dict[str, Any] = {
         "outer": outer,
         "inner": inner,
         "replicates": replicates,
         "mixture": mixture,
         "extreme": extreme,
-        "seed": seed,
+        "seed": seed_number(seed),
         "confidence": confidence,
     }
     for name, number in runs.items():
         if number < 0:
             raise ValueError(f"{name} {number}; must be >= 0")
     limits = growth(accuracy, budget, asked, names)
-    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names)
+    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names, runs["seed"])
 
 
 def growth(
@@ -203,6 +222,7 @@ def growth(
     outputs: list[str],
 ) -> dict[str, Any]:
     """How far the samples may grow: the largest numerical error of each statistic, and the largest number of runs."""
+    must_be("an int or None", budget=budget)
     if budget is not None and accuracy is None:
         raise ValueError("budget without accuracy; samples grow towards an accuracy only")
     if budget is not None and budget < 0:
@@ -216,7 +236,14 @@ def _errors_allowed(
     """The largest numerical error of each statistic, None if none is stated."""
     if accuracy is None:
         return [None] * len(asked)
-    stated = {name: accuracy for name in outputs} if isinstance(accuracy, (int, float)) else dict(accuracy)
+    if isinstance(accuracy, Mapping):
+        names_of("accuracy", accuracy)
+        stated = dict(accuracy)
+    else:
+        must_be("a number", accuracy=accuracy)
+        stated = dict.fromkeys(outputs, accuracy)
+    for name, most in stated.items():
+        must_be("a number", **{f"accuracy of '{name}'": most})
     for name, most in stated.items():
         if not 0 < most < float("inf"):
             raise ValueError(f"accuracy {most} of '{name}'; must be a number above 0")
@@ -228,6 +255,15 @@ def _errors_allowed(
     return [stated.get(own, stated.get(output)) for own, output in of_each]
 
 
+def _ranks(correlation: Mapping[tuple[str, str], float]) -> list[tuple[str, str, float]]:
+    must_be("a mapping", correlation=correlation)
+    for pair, rank in correlation.items():
+        if not isinstance(pair, tuple) or [type(name) for name in pair] != [str, str]:
+            raise TypeError(f"correlation: a pair is {pair!r}; must be two names of inputs, ('x', 'y')")
+        must_be("a number", **{f"correlation of {pair}": rank})
+    return [(first, second, float(rank)) for (first, second), rank in correlation.items()]
+
+
 def _is_unknown(known: Input) -> bool:
     from ._inputs import Evidence, Fuzzy, Interval, OneOf, Periodic
 
@@ -236,11 +272,17 @@ def _is_unknown(known: Input) -> bool:
 
 def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, str, float | None]]:
     """Each statistic of each output: number of the output, name, and the number that goes with it."""
+    if isinstance(statistics, (str, Mapping)) or not isinstance(statistics, Sequence):
+        raise TypeError(f"statistics is a {type(statistics).__name__}; must be a list such as ['mean', {{'quantile': 0.975}}]")
     asked: list[tuple[str, float | None]] = []
     for statistic in statistics:
         if isinstance(statistic, str):
             asked.append((statistic, None))
+        elif not isinstance(statistic, Mapping):
+            raise TypeError(f"statistics holds a {type(statistic).__name__}; must be a list such as ['mean', {{'quantile': 0.975}}]")
         elif len(statistic) == 1:
+            for name, parameter in statistic.items():
+                must_be("a number", **{f"statistic '{name}'": parameter})
             asked.extend((name, float(parameter)) for name, parameter in statistic.items())
         else:
             raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
@@ -249,7 +291,10 @@ def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, s
 
 def table(returned: Any, rows: int, outputs: list[str]) -> Array:
     """Return value of a function, as one row for each run and one column for each output."""
-    values = np.asarray(returned, dtype=np.float64)
+    given = np.asarray(returned)
+    if given.dtype.kind not in "biuf":
+        raise TypeError(f"function has returned {given.dtype} in place of numbers; must be an array of numbers, one for each run")
+    values = given.astype(np.float64, copy=False)
     if values.ndim == 1:
         values = values[:, np.newaxis]
     if values.shape != (rows, len(outputs)):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ._figures import INK, RANDOM, UNKNOWN, shown
-from ._records import Array, Curve
+from ._records import Array, Curve, Extreme
 
 _STYLE = """<style>
 .loosepin { max-width: 60em; } .loosepin table { border-collapse: collapse; margin: 0.6em 0; }
@@ -25,17 +25,20 @@ def study_html(name: str, excerpt: str, curves: Sequence[Curve], display_units: 
     return f'<div class="loosepin">{_STYLE}<h3>{escape(name)}</h3>{excerpt}{figures}</div>'
 
 
-def simulation_html(title: str, counts: str, outputs: Iterable[tuple[str, str, Array, Array | None]], picture: str, display_units: dict[str, Any]) -> str:
-    """The mechanism, and the least and largest value of each output of a run: its name, SI unit, values and deviations."""
+def simulation_html(title: str, counts: str, extremes: Sequence[Extreme], picture: str, display_units: dict[str, Any]) -> str:
+    """The mechanism, and the least and largest value of each output of a run over time, and of its deviation."""
+    furthest = {each.output: max(abs(each.minimum.value), abs(each.maximum.value)) for each in extremes if each.of != "value"}
     rows = []
-    for name, si_unit, values, deviation in outputs:
-        unit, factor = shown(si_unit, display_units)
-        cells = [float(np.min(values)) * factor, float(np.max(values)) * factor]
-        if deviation is not None:
-            cells.append(float(np.max(np.abs(deviation))) * factor)
+    for each in extremes:
+        if each.of != "value":
+            continue
+        unit, factor = shown(each.unit, display_units)
+        cells = [each.minimum.value * factor, each.maximum.value * factor]
+        if each.output in furthest:
+            cells.append(furthest[each.output] * factor)
         numbers = "".join(f'<td class="number">{cell:.6g} {escape(unit if unit != "1" else "")}</td>' for cell in cells)
-        rows.append(f"<tr><td>{escape(name)}</td>{numbers}</tr>")
-    head = "<tr><th>output, at the rows</th><th>least</th><th>largest</th><th>furthest from the ideal motion</th></tr>"
+        rows.append(f"<tr><td>{escape(each.output)}</td>{numbers}</tr>")
+    head = "<tr><th>output, over time</th><th>least</th><th>largest</th><th>furthest from the ideal motion</th></tr>"
     heading = f"<h3>{escape(title)}</h3><p>{counts}</p>"
     return f'<div class="loosepin">{_STYLE}{heading}<table>{head}{"".join(rows)}</table>{picture}</div>'
 

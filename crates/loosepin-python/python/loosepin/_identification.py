@@ -11,12 +11,16 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from . import _loosepin
+from ._objects.arguments import must_be
+from ._objects.arrays import NoArray
+from ._objects.pickles import pickled
+from ._objects.records import Record
 
 StudyT = TypeVar("StudyT")
 
 
-@dataclass(frozen=True)
-class Unknown:
+@dataclass(frozen=True, eq=False)
+class Unknown(Record):
     """An input of the study before and after an identification, SI."""
 
     path: str
@@ -38,8 +42,8 @@ class Unknown:
         return self.after[0] > self.before[0] or self.after[1] < self.before[1]
 
 
-@dataclass(frozen=True)
-class Posterior:
+@dataclass(frozen=True, eq=False)
+class Posterior(Record):
     """Posterior distribution of an unknown of a motion: prior uniform over the interval of the study."""
 
     path: str
@@ -57,7 +61,7 @@ class Posterior:
     """The mechanism that was measured, where the file says."""
 
 
-class Identification(Generic[StudyT]):
+class Identification(NoArray, Generic[StudyT]):
     """The answer of `Study.identify`: that of the command `loosepin identify`."""
 
     def __init__(self, native: _loosepin.Identification, study: Callable[[_loosepin.Study], StudyT]) -> None:
@@ -67,7 +71,7 @@ class Identification(Generic[StudyT]):
 
     @cached_property
     def record(self) -> dict[str, Any]:
-        """Everything that `loosepin identify --json` prints."""
+        """Everything that was found, as plain values: the JSON of the command `loosepin identify`."""
         record: dict[str, Any] = json.loads(self._native.json())
         return record
 
@@ -101,21 +105,39 @@ class Identification(Generic[StudyT]):
         return any(of_readings) or any(of_motion)
 
     def narrowed(self) -> StudyT:
-        """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit.
+        """The study with the narrower intervals: `narrowed().text` is its file. Raises LoosepinError for a misfit.
 
-        With `lengths=True` the text names a file of mechanisms, which `--write` of the command writes too; the study has it in memory."""
+        With `lengths=True` the text names a file of mechanisms, which the study has in memory."""
         return self._study(_loosepin.Study.from_texts(self._native.narrowed()))
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the page."""
+        must_be("a path", path=path)
         Path(path).write_text(self._native.page(), encoding="utf-8")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return pickled("Identification", _restored, *self._content(), self._study)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same answer for the same study."""
+        return isinstance(other, Identification) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash(self._native.json())
+
+    def _content(self) -> tuple[str, Any]:
+        return self._native.json(), self._native.study_texts()
 
     def __str__(self) -> str:
         return self._native.text()
 
+    def __repr__(self) -> str:
+        found = ", ".join(unknown.path for unknown in self.unknowns)
+        return f"<loosepin.Identification of {self.record['study']!r}: {found or 'no unknowns'}{', a misfit' if self.is_misfit else ''}>"
 
-class MotionPlan:
-    """Expected information in features of a motion, before anything is measured: the answer of `loosepin identify --plan`."""
+
+class MotionPlan(Record):
+    """Expected information in features of a motion, before anything is measured: the answer of `Study.plan_motion`."""
 
     def __init__(self, text: str, record: str) -> None:
         """Use `Study.plan_motion`."""
@@ -124,7 +146,7 @@ class MotionPlan:
 
     @cached_property
     def record(self) -> dict[str, Any]:
-        """Everything that `loosepin identify --plan --json` prints."""
+        """Everything that was found, as plain values."""
         record: dict[str, Any] = json.loads(self._record)
         return record
 
@@ -135,6 +157,13 @@ class MotionPlan:
 
     def __str__(self) -> str:
         return self._text
+
+    def __repr__(self) -> str:
+        return f"<loosepin.MotionPlan: {len(self.features)} features>"
+
+
+def _restored(json: str, texts: Any, study: Callable[[_loosepin.Study], StudyT]) -> Identification[StudyT]:
+    return Identification(_loosepin.Identification.from_parts(json, texts), study)
 
 
 def _unknown(record: dict[str, Any], specimen: str | None) -> Unknown:

@@ -1,6 +1,8 @@
 """Uncertain inputs: distributions, intervals, lists and other descriptions.
 
 A parameter of a distribution may be an `Interval` or another epistemic input: the distribution is then a probability box.
+A distribution has the methods `cdf(x)` and `ppf(q)`, with the meaning of SciPy: a float for a number, an array for an array. Two inputs of
+the same kind with the same numbers are equal, and have the same hash. Lists and arrays are kept as tuples.
 """
 
 from __future__ import annotations
@@ -8,9 +10,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ._objects.laws import Law, fixed
+from ._objects.records import Record
+
+
+class _Fixed:
+    """A dataclass whose lists become tuples."""
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            object.__setattr__(self, name, fixed(value))
+
 
 @dataclass(frozen=True)
-class Interval:
+class Interval(Record):
     """An unknown number between two ends."""
 
     lower: float
@@ -18,7 +31,7 @@ class Interval:
 
 
 @dataclass(frozen=True)
-class Periodic:
+class Periodic(Record):
     """An unknown number between two ends that are the same place, for example an angle from 0 to 2 pi."""
 
     lower: float
@@ -26,21 +39,21 @@ class Periodic:
 
 
 @dataclass(frozen=True)
-class OneOf:
+class OneOf(Record, _Fixed):
     """An unknown number, one of a few."""
 
     values: Sequence[float]
 
 
 @dataclass(frozen=True)
-class Evidence:
+class Evidence(Record, _Fixed):
     """Intervals with masses that sum to 1 (Dempster-Shafer): elements = [(lower, upper, mass), ...]."""
 
     elements: Sequence[tuple[float, float, float]]
 
 
 @dataclass(frozen=True)
-class Fuzzy:
+class Fuzzy(Record, _Fixed):
     """A trapezoidal fuzzy number: possible between the outer corners, entirely so between the inner ones."""
 
     corners: tuple[float, float, float, float]
@@ -53,7 +66,7 @@ Parameter = float | Unknown
 
 
 @dataclass(frozen=True)
-class Normal:
+class Normal(Law):
     """Normal distribution."""
 
     mean: Parameter
@@ -61,7 +74,7 @@ class Normal:
 
 
 @dataclass(frozen=True)
-class TruncatedNormal:
+class TruncatedNormal(Law):
     """Normal distribution, mean and standard deviation before it was cut at both ends."""
 
     mean: Parameter
@@ -71,7 +84,7 @@ class TruncatedNormal:
 
 
 @dataclass(frozen=True)
-class Uniform:
+class Uniform(Law):
     """Every value between the ends as likely as any other."""
 
     lower: Parameter
@@ -79,7 +92,7 @@ class Uniform:
 
 
 @dataclass(frozen=True)
-class Lognormal:
+class Lognormal(Law):
     """Lognormal distribution; mean and standard deviation are those of the variable itself, not of its logarithm."""
 
     mean: Parameter
@@ -87,7 +100,7 @@ class Lognormal:
 
 
 @dataclass(frozen=True)
-class Triangular:
+class Triangular(Law):
     """Density that rises from the lower end to the mode and falls to the upper end."""
 
     lower: Parameter
@@ -96,7 +109,7 @@ class Triangular:
 
 
 @dataclass(frozen=True)
-class Beta:
+class Beta(Law):
     """Beta distribution between two ends."""
 
     alpha: Parameter
@@ -106,7 +119,7 @@ class Beta:
 
 
 @dataclass(frozen=True)
-class Weibull:
+class Weibull(Law):
     """Weibull distribution above a lower end."""
 
     shape: Parameter
@@ -115,7 +128,7 @@ class Weibull:
 
 
 @dataclass(frozen=True)
-class Gamma:
+class Gamma(Law):
     """Gamma distribution above a lower end."""
 
     shape: Parameter
@@ -124,7 +137,7 @@ class Gamma:
 
 
 @dataclass(frozen=True)
-class Gumbel:
+class Gumbel(Law):
     """Gumbel distribution of largest values."""
 
     mode: Parameter
@@ -132,7 +145,7 @@ class Gumbel:
 
 
 @dataclass(frozen=True)
-class Exponential:
+class Exponential(Law):
     """Exponential distribution above a lower end; the mean is that of the variable itself."""
 
     mean: Parameter
@@ -140,7 +153,7 @@ class Exponential:
 
 
 @dataclass(frozen=True)
-class Discrete:
+class Discrete(Law, _Fixed):
     """One of a few values, with known probabilities."""
 
     values: Sequence[float]
@@ -148,8 +161,8 @@ class Discrete:
 
 
 @dataclass(frozen=True)
-class Empirical:
-    """A measured sample, with straight lines between its values."""
+class Empirical(Law, _Fixed):
+    """A measured sample: each of its values with the same probability, and no other."""
 
     values: Sequence[float]
 

@@ -20,9 +20,13 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._html import simulation_html
+from ._objects.arguments import must_be, settings
+from ._objects.arrays import NoArray, frozen
+from ._objects.pickles import check_version, pickled
+from ._objects.records import Record
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
-from ._records import Array
+from ._records import Array, Extreme, extreme
 from ._toml import to_toml
 from ._warning import warn
 
@@ -35,8 +39,8 @@ if TYPE_CHECKING:
 _EVALUATORS = 4
 
 
-@dataclass(frozen=True)
-class Output:
+@dataclass(frozen=True, eq=False)
+class Output(Record):
     """An output of a model: a number that every run gives at each time."""
 
     name: str
@@ -47,8 +51,8 @@ class Output:
     """SI unit of its values."""
 
 
-@dataclass(frozen=True)
-class Parameter:
+@dataclass(frozen=True, eq=False)
+class Parameter(Record):
     """A number of a model that `simulate` and `evaluate` can set."""
 
     name: str
@@ -59,7 +63,7 @@ class Parameter:
     """Its value in the model, SI."""
 
 
-class Model:
+class Model(NoArray):
     """A checked mechanism with its nominal values; `Model.load("model.toml")` reads one."""
 
     def __init__(self, native: _loosepin.Model) -> None:
@@ -69,6 +73,7 @@ class Model:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
         """Reads a model file. Raises LoosepinError with everything that is wrong with it."""
+        must_be("a path", path=path)
         native = _loosepin.Model.load(os.fspath(path))
         warn(native.warnings)
         return cls(native)
@@ -76,6 +81,7 @@ class Model:
     @classmethod
     def from_text(cls, text: str, name: str = "model") -> Model:
         """Reads a model from the text of a model file; messages call it `name`, and tables that it names are looked for beside it."""
+        must_be("a str", text=text, name=name)
         native = _loosepin.Model.from_text(text, name)
         warn(native.warnings)
         return cls(native)
@@ -83,6 +89,8 @@ class Model:
     @classmethod
     def from_dict(cls, mapping: Mapping[str, Any], name: str = "model") -> Model:
         """Reads a model from a dict with the keys of a model file: values with units are texts, as in the file."""
+        must_be("a mapping", mapping=mapping)
+        must_be("a str", name=name)
         native = _loosepin.Model.from_text(to_toml(mapping), name)
         warn(native.warnings)
         return cls(native)
@@ -126,7 +134,9 @@ class Model:
 
         A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
-        texts = [f"{path}={value if isinstance(value, str) else repr(float(value))}" for path, value in (set or {}).items()]
+        _check_run(turns, transient, samples, tolerance)
+        must_be("True or False", states=states, second_run=second_run)
+        texts = [] if set is None else settings("set", set)
         simulation = Simulation(self._native.simulate(turns, transient, samples, tolerance, states, second_run, texts))
         warn(simulation._native.warnings)
         failure = simulation._native.failure()
@@ -163,6 +173,8 @@ class Model:
         measured from the same lengths without play. The runs are those of a study: the same engine, and so are threads, progress, failed
         runs, Ctrl-C and errors, see `Study.evaluate`.
         """
+        _check_run(turns, transient, samples, tolerance)
+        must_be("an int or None", threads=threads)
         numbers, laws = split_laws(self._native, inputs)
         questions = named(outputs)
         key = (tuple(numbers), tuple(laws.items()), questions_toml(self._native, questions), turns, transient, samples, tolerance)
@@ -210,28 +222,31 @@ class Model:
         return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
 
 
+def _check_run(turns: float | None, transient: float | None, samples: int | None, tolerance: str) -> None:
+    must_be("a number or None", turns=turns, transient=transient)
+    must_be("an int or None", samples=samples)
+    must_be("a str", tolerance=tolerance)
+
+
 def _unpickled(version: str, texts: Any) -> Model:
     """The model that was pickled by its texts: that of its file, and the tables that it names."""
     check_version("model", version)
     return Model(_loosepin.Model.from_texts(texts))
 
 
-def check_version(what: str, version: str) -> None:
-    """Refuses what another version of the package pickled."""
-    if version != _loosepin.__version__:
-        raise ValueError(f"a {what} of loosepin {version}; this is loosepin {_loosepin.__version__}")
-
-
-class Simulation(Mapping[str, Array]):
+class Simulation(NoArray, Mapping[str, Array]):
     """One run: `simulation["slider"]` holds the values of an output at `simulation.time_s`, SI.
 
-    All arrays have one entry for each row of `history.csv`.
+    All arrays have one entry for each row of `history.csv`, and are read-only.
     """
 
     def __init__(self, native: _loosepin.Simulation) -> None:
         """Use `Model.simulate`."""
         self._native = native
         history = native.history()
+        ideal, deviation = native.ideal_and_deviation()
+        for column in (*history, *ideal, *deviation):
+            frozen(column.values)
         self.history: dict[str, Array] = {column.name: column.values for column in history}
         """The columns of `history.csv` by name, units in the names: `time_s`, the angle of the drive, outputs, states."""
         self.time_s: Array = history[0].values
@@ -242,11 +257,13 @@ class Simulation(Mapping[str, Array]):
         self._values: dict[str, Array] = {
             name: column.values for (name, _), column in zip(outputs, history[2:])
         }
-        ideal, deviation = native.ideal_and_deviation()
         self.ideal: dict[str, Array] = {column.name: column.values for column in ideal}
-        """Each output without play, in its SI unit."""
+        """Each output of the mechanism with the same values, those of `set` included, but without play; in its SI unit."""
         self.deviation: dict[str, Array] = {column.name: column.values for column in deviation}
-        """Each output minus what it would be without play, in its SI unit."""
+        """Each output minus `ideal`, in its SI unit: of the same lengths without play, values of `set` included.
+
+        This is what `Model.evaluate` and a study call "clearance"; without `set` it is "total" as well. The summary calls it "total".
+        """
         self.units: dict[str, str] = dict(outputs)
         """SI unit of each output."""
 
@@ -271,10 +288,19 @@ class Simulation(Mapping[str, Array]):
         impacts: list[dict[str, Any]] = self.summary["impacts"]
         return impacts
 
+    @cached_property
+    def extremes(self) -> tuple[Extreme, ...]:
+        """The smallest and the largest value of each output, then of each deviation, over the recorded time, with their times.
+
+        They are found on the motion itself, between the rows as well: np.max(simulation["slider"]) is the largest value at the rows, and
+        misses a peak between two of them.
+        """
+        return tuple(extreme(record) for record in self.summary["extremes"])
+
     def to_pandas(self) -> pandas.DataFrame:
         """The history as a DataFrame with the columns of `history.csv`."""
         pandas_ = need("pandas", "to_pandas()")
-        frame: pandas.DataFrame = pandas_.DataFrame(self.history, copy=False)
+        frame: pandas.DataFrame = pandas_.DataFrame(self.history)
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
@@ -288,13 +314,17 @@ class Simulation(Mapping[str, Array]):
             "time_s": ("time_s", self.time_s, {"units": "s"}),
             "drive_angle_rad": ("time_s", self.drive_angle_rad, {"units": "rad"}),
         }
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self._native.model})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self._native.model}).copy(deep=True)
         return dataset
 
-    def plot(self, *outputs: str, deviation: bool = False) -> matplotlib.figure.Figure:
-        """Draws outputs over the angle of the drive (all of them where none is named), or their deviations from the ideal motion."""
+    def plot(self, *outputs: str, deviation: bool = False, ax: Any = None) -> matplotlib.figure.Figure:
+        """Draws outputs over the angle of the drive (all of them where none is named), or their deviations from the ideal motion.
+
+        ax: axes of matplotlib to draw into, one for each output; a new figure if omitted. Returns the figure. It is not shown, and
+        figures of the caller stay open. Raises KeyError for an output that the run does not have.
+        """
         lines = [self._line(name, deviation) for name in outputs or self if not deviation or name in self.deviation]
-        return simulation_figure(self.drive_angle_rad, lines, self.summary["display_units"])
+        return simulation_figure(self.drive_angle_rad, lines, self.summary["display_units"], ax)
 
     def _line(self, name: str, is_deviation: bool) -> Line:
         if is_deviation:
@@ -303,9 +333,20 @@ class Simulation(Mapping[str, Array]):
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin simulate` writes: one file, readable without a network."""
+        must_be("a path", path=path)
         path = Path(path)
         path.write_text(self._native.page(), encoding="utf-8", newline="\n")
         return path
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return pickled("Simulation", _restored, self._native.parts())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same numbers: histories, impacts and summary."""
+        return isinstance(other, Simulation) and self._native.parts() == other._native.parts()
+
+    def __hash__(self) -> int:
+        return hash((self._native.model, len(self.time_s), tuple(self)))
 
     def __str__(self) -> str:
         return self._native.text()
@@ -315,5 +356,8 @@ class Simulation(Mapping[str, Array]):
 
     def _repr_html_(self) -> str:
         counts = f"{len(self.time_s)} rows, {len(self.impacts)} impacts"
-        outputs = ((name, self.units[name], values, self.deviation.get(name)) for name, values in self.items())
-        return simulation_html(self._native.model, counts, outputs, self._native.picture(), self.summary["display_units"])
+        return simulation_html(self._native.model, counts, self.extremes, self._native.picture(), self.summary["display_units"])
+
+
+def _restored(parts: Any) -> Simulation:
+    return Simulation(_loosepin.Simulation.from_parts(parts))

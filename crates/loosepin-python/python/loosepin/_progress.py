@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 Listener = Callable[[int, int], object]
 """Called with the number of finished runs and the largest number of runs."""
 
@@ -18,6 +20,8 @@ def listener(progress: bool | Listener, counted: str = "runs") -> _Line | _Calla
     """Listener for the progress of `Study.run`, or of other work that is `counted` otherwise."""
     if callable(progress):
         return _Callable(progress)
+    if not isinstance(progress, (bool, np.bool_)) and progress is not None:
+        raise TypeError(f"progress is a {type(progress).__name__}; must be True, False or a function")
     if not progress:
         return None
     show = _notebook_line() or _terminal_line()

@@ -8,11 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._objects.arrays import read_only
+from ._objects.records import Record
+
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class BoundEnd:
+@dataclass(frozen=True, eq=False)
+class BoundEnd(Record):
     """One end of a bound, in the unit of the bound."""
 
     value: float
@@ -29,8 +32,8 @@ class BoundEnd:
     """The values of the unknown inputs that attain it, by path: numbers in SI, laws by name."""
 
 
-@dataclass(frozen=True)
-class Bound:
+@dataclass(frozen=True, eq=False)
+class Bound(Record):
     """The least and the greatest value of a statistic over all unknown inputs."""
 
     output: str
@@ -78,8 +81,8 @@ class Bound:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
-    """A deviation over the cycle; all arrays have one entry for each pose, SI."""
+class Curve(Record):
+    """A deviation over the cycle; all arrays have one entry for each pose, SI, and are read-only."""
 
     output: str
     """Name of the output."""
@@ -99,6 +102,46 @@ class Curve:
     """The band of the random scatter alone, with unknown inputs in the middle of their ranges."""
     mixed: tuple[Array, Array]
     """The band for all values of the unknown inputs, numerical error included."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExtremePoint(Record):
+    """A smallest or largest value of a run, and when it was."""
+
+    value: float
+    """The value, in the unit of the extreme."""
+    time_s: float
+    """Time since the start of the run."""
+    drive_angle_rad: float
+    """Angle of the drive, continuous over turns."""
+
+
+@dataclass(frozen=True, eq=False)
+class Extreme(Record):
+    """The smallest and the largest value of an output, or of its deviation, over the recorded time.
+
+    They are located on the motion between the rows as well, so they lie outside of the values at the rows, or on them.
+    """
+
+    output: str
+    """Name of the output."""
+    of: str
+    """"value", or "total" for the deviation (`Simulation.deviation` says from which motion)."""
+    unit: str
+    """SI unit of the values."""
+    minimum: ExtremePoint
+    """The smallest value."""
+    maximum: ExtremePoint
+    """The largest value."""
+
+
+def extreme(record: dict[str, Any]) -> Extreme:
+    """An extreme of the `summary.json` of a run."""
+
+    def point(end: dict[str, Any]) -> ExtremePoint:
+        return ExtremePoint(float(end["value_si"]), float(end["time_s"]), float(end["drive_angle_rad"]))
+
+    return Extreme(record["name"], record["of"], record["unit"], point(record["minimum"]), point(record["maximum"]))
 
 
 def bound(record: dict[str, Any]) -> Bound:
@@ -139,7 +182,7 @@ def curve(record: dict[str, Any]) -> Curve:
     """A curve of `summary.json`."""
 
     def numbers(values: list[Any]) -> Array:
-        return np.array([float(value) for value in values])
+        return read_only(np.array([float(value) for value in values]))
 
     def band(ends: dict[str, Any]) -> tuple[Array, Array]:
         return numbers(ends["lower_si"]), numbers(ends["upper_si"])

@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,10 @@ from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
 from ._html import study_html
+from ._objects.arguments import must_be
+from ._objects.arrays import NoArray, read_only
+from ._objects.pickles import pickled
+from ._objects.records import Record, are_same
 from ._records import Array, Bound, Curve, bound, curve
 from ._surrogates import Surrogates
 
@@ -32,13 +36,14 @@ _WORDS = {
 """Columns of `bounds.csv` that hold no numbers."""
 
 
-class Samples(Mapping[str, Any]):
-    """Every run of a study: a NumPy array for each column of `runs.parquet`, by name."""
+class Samples(Record, Mapping[str, Any]):
+    """Every run of a study: a NumPy array for each column of `runs.parquet`, by name; all are read-only."""
 
     def __init__(self, native: _loosepin.StudyResult, inputs: list[str]) -> None:
         """Use `StudyResult.samples`."""
-        self._columns = {column.name: np.asarray(column.values) for column in native.samples()}
-        self.units: dict[str, str] = {column.name: column.unit for column in native.samples()}
+        columns = native.samples()
+        self._columns: dict[str, Any] = {column.name: read_only(np.asarray(column.values)) for column in columns}
+        self.units: dict[str, str] = {column.name: column.unit for column in columns}
         """SI unit of each column; "1" for counts and words."""
         names = list(self._columns)
         self.inputs: dict[str, Any] = {name: self._columns[name] for name in inputs if name in self._columns}
@@ -59,15 +64,18 @@ class Samples(Mapping[str, Any]):
     def to_pandas(self) -> pandas.DataFrame:
         """The runs as a DataFrame, one a row."""
         pandas_ = need("pandas", "to_pandas()")
-        frame: pandas.DataFrame = pandas_.DataFrame(self._columns, copy=False)
+        frame: pandas.DataFrame = pandas_.DataFrame(self._columns)
         return frame
+
+    def _hash_key(self) -> Hashable:
+        return tuple(self)
 
     def __repr__(self) -> str:
         rows = len(next(iter(self._columns.values()), ()))
         return f"<loosepin.Samples: {rows} runs, inputs {', '.join(self.inputs)}; outputs {', '.join(self.outputs)}>"
 
 
-class StudyResult:
+class StudyResult(NoArray):
     """A finished study: `print(result)` shows the tables of the terminal, `result.bounds` holds every bound."""
 
     def __init__(self, native: _loosepin.StudyResult) -> None:
@@ -92,6 +100,9 @@ class StudyResult:
 
     def select(self, **properties: Any) -> list[Bound]:
         """The bounds with these properties: result.select(output="slider", of="total", statistic="mean", at="reduced")."""
+        for name in properties:
+            if name not in Bound.__annotations__:
+                raise TypeError(f"a bound has no property {name!r}; must be one of {', '.join(Bound.__annotations__)}")
         return [each for each in self.bounds if all(getattr(each, name) == properties[name] for name in properties)]
 
     @property
@@ -161,7 +172,7 @@ class StudyResult:
         coordinates: dict[str, Any] = {"end": ["lower", "upper"]}
         if self.curves:
             coordinates["pose_rad"] = ("pose_rad", self.curves[0].pose_rad, {"units": "rad"})
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"study": self.name})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"study": self.name}).copy(deep=True)
         return dataset
 
     def _bounds_over_poses(self) -> Iterator[tuple[str, str, Array]]:
@@ -176,19 +187,37 @@ class StudyResult:
         for name, bounds in statistics.items():
             yield name, bounds[0].unit, np.array([each.widened for each in bounds])
 
-    def plot(self, kind: str | None = None, *, output: str | None = None, of: str | None = None) -> matplotlib.figure.Figure:
+    def plot(
+        self, kind: str | None = None, *, output: str | None = None, of: str | None = None, ax: Any = None
+    ) -> matplotlib.figure.Figure:
         """Draws a standard figure with matplotlib.
 
         kind: "curves" (the band of each deviation over the cycle with its bounds), "box" (bounds of distribution functions) or
         "contributors" (sources of the width of a band: random scatter in one colour, unknown inputs in another); by default
-        the first of these that there is. output, of: one output or deviation alone.
+        the first of these that there is. output, of: one output or deviation alone. ax: axes of matplotlib to draw into, one for
+        each; a new figure if omitted. Returns the figure. It is not shown, and figures of the caller stay open.
         """
-        return study_figure(self.name, self.curves, self.summary, kind, output, of)
+        return study_figure(self.name, self.curves, self.summary, kind, output, of, ax)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin study` writes: one file, readable without a network."""
+        must_be("a path", path=path)
         self._native.write_page(os.fspath(path))
         return Path(path)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return pickled("StudyResult", _restored, *self._content())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same numbers: bounds, runs and surrogates."""
+        return isinstance(other, StudyResult) and are_same(self._content(), other._content())
+
+    def __hash__(self) -> int:
+        return hash(self._native.summary_json())
+
+    def _content(self) -> tuple[str, list[tuple[str, str, Any]], str | None]:
+        samples = [(column.name, column.unit, column.values) for column in self._native.samples()]
+        return self._native.summary_json(), samples, self._native.surrogates_json()
 
     def __str__(self) -> str:
         return self._native.text()
@@ -199,3 +228,7 @@ class StudyResult:
 
     def _repr_html_(self) -> str:
         return study_html(self.name, self._native.excerpt(), self.curves, self.summary["display_units"])
+
+
+def _restored(summary: str, samples: list[tuple[str, str, Any]], surrogates: str | None) -> StudyResult:
+    return StudyResult(_loosepin.StudyResult.from_parts(summary, samples, surrogates))

@@ -14,7 +14,12 @@ from ._design import InputReader, StudyInput, read_points, study_inputs
 from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
-from ._model import Model, check_version
+from ._model import Model
+from ._objects.arguments import must_be, texts
+from ._objects.arrays import NoArray
+from ._objects.logs import long_run
+from ._objects.pickles import check_version
+from ._objects.seeds import seed_number
 from ._progress import Listener, listener
 from ._records import Array
 from ._result import StudyResult
@@ -22,7 +27,7 @@ from ._toml import to_toml
 from ._warning import warn
 
 
-class Study:
+class Study(NoArray):
     """A checked study; `Study.load("study.toml")` reads one with its model."""
 
     def __init__(self, native: _loosepin.Study) -> None:
@@ -32,6 +37,7 @@ class Study:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Study:
         """Reads a study file and the model that it names. Raises LoosepinError with everything that is wrong with either."""
+        must_be("a path", path=path)
         native = _loosepin.Study.load(os.fspath(path))
         warn(native.warnings)
         return cls(native)
@@ -42,14 +48,22 @@ class Study:
 
         Messages call the text `name`; files that it names are looked for beside it.
         """
+        must_be("a str", text=text, name=name)
+        _check_model(model)
         native = _loosepin.Study.from_text(text, name, None if model is None else model._native)
         warn(native.warnings)
         return cls(native)
 
     @classmethod
     def from_dict(cls, mapping: Mapping[str, Any], model: Model | None = None, name: str = "study") -> Study:
-        """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path."""
+        """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path,
+        its key `seed` also a `numpy.random.Generator`, a `SeedSequence`, or None for a seed from the operating system."""
+        must_be("a mapping", mapping=mapping)
+        must_be("a str", name=name)
+        _check_model(model)
         mapping = dict(mapping)
+        if "seed" in mapping:
+            mapping["seed"] = seed_number(mapping["seed"])
         if isinstance(mapping.get("model"), Model):
             model = mapping["model"]
         if model is not None:
@@ -92,24 +106,25 @@ class Study:
     ) -> StudyResult:
         """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
 
-        folder: where the files of `loosepin study --out` go, and where finished runs are kept within a second, so that nothing is
-        lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
+        folder: where the files of the results go, those of the command `loosepin study`, and where finished runs are kept within a
+        second, so that nothing is lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
         resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
         progress: True shows a line in a terminal or a notebook; a callable is told (finished, at most) runs.
-        accuracy, budget: as `--accuracy` and `--budget`, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
+        accuracy, budget: in addition to those of the study, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
         client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
         installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
 
         Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
         """
-        told = listener(progress)
+        must_be("a path or None", folder=folder)
+        must_be("True or False", resume=resume, force=force)
+        must_be("an int or None", threads=threads)
+        must_be("a str or None", budget=budget)
+        accuracies = texts("accuracy", accuracy)
         place = None if folder is None else os.fspath(folder)
-        try:
-            made = None if client is None else run_provider(client, self._native, tuple(accuracy), budget)
-            native = self._native.run(place, resume, force, threads, told, list(accuracy), budget, made)
-        finally:
-            if told is not None:
-                told.close()
+        with long_run(f"study {self.name!r}", listener(progress)) as told:
+            made = None if client is None else run_provider(client, self._native, tuple(accuracies), budget)
+            native = self._native.run(place, resume, force, threads, told, accuracies, budget, made)
         return StudyResult(native)
 
     def identify(
@@ -133,12 +148,13 @@ class Study:
 
         Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
         """
-        told = listener(progress, "values")
-        try:
+        must_be("an int", points=points)
+        must_be("a number", confidence=confidence)
+        must_be("a str or None", specimen=specimen)
+        must_be("True or False", posterior=posterior, lengths=lengths)
+        must_be("an int or None", threads=threads)
+        with long_run(f"identification of study {self.name!r}", listener(progress, "values")) as told:
             return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told), Study)
-        finally:
-            if told is not None:
-                told.close()
 
     def plan_motion(
         self,
@@ -148,13 +164,12 @@ class Study:
         threads: int | None = None,
         progress: bool | Listener = True,
     ) -> MotionPlan:
-        """What features of the motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
-        told = listener(progress, "values")
-        try:
+        """What features of the motion would tell, before anything is measured."""
+        must_be("a number", confidence=confidence)
+        must_be("a str or None", specimen=specimen)
+        must_be("an int or None", threads=threads)
+        with long_run(f"plan of a motion of study {self.name!r}", listener(progress, "values")) as told:
             record, text = self._native.plan_motion(confidence, specimen, threads, told)
-        finally:
-            if told is not None:
-                told.close()
         return MotionPlan(text, record)
 
     @cached_property
@@ -190,6 +205,7 @@ class Study:
         progress: as for `run`. Ctrl-C ends it after the runs under way; nothing is kept. Raises ValueError, TypeError or LoosepinError
         for an argument that is wrong, with its name.
         """
+        must_be("an int or None", threads=threads)
         names = [each.name for each in self.inputs]
         laws = {each.name: each.laws for each in self.inputs if each.laws is not None}
         table = InputReader(self._native.model, names, laws).read(inputs)
@@ -223,20 +239,18 @@ class Study:
         not-a-number is a run that failed. statistics, accuracy, budget: as for `loosepin.bounds`. The numbers of samples are those that the
         study states, and grow where there is an accuracy; runs are made anew and not kept, by the workers of a Dask cluster where there is a `client`; the function is called here.
         """
-        names = list(outputs)
+        must_be("a function", function=function)
+        must_be("an int or None", threads=threads)
+        names = texts("outputs", outputs)
         asked = requests(statistics, len(names))
         limits = growth(accuracy, budget, asked, names)
-        told = listener(progress)
 
         def evaluate(run: dict[str, Array], rows: int) -> Array:
             return table(function(run), rows, names)
 
-        try:
+        with long_run(f"bounds of a function of study {self.name!r}", listener(progress)) as told:
             made = None if client is None else run_provider(client, self._native, (), None)
             record = self._native.bounds(evaluate, names, asked, limits, threads, told, made)
-        finally:
-            if told is not None:
-                told.close()
         return FunctionBounds(record, names)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -255,6 +269,11 @@ class Study:
 
     def __repr__(self) -> str:
         return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"
+
+
+def _check_model(model: Any) -> None:
+    if model is not None and not isinstance(model, Model):
+        raise TypeError(f"model is a {type(model).__name__}; must be a loosepin.Model or None")
 
 
 def _unpickled(version: str, texts: Any) -> Study:

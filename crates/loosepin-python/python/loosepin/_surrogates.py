@@ -5,16 +5,21 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from . import _loosepin
+from ._objects.arguments import must_be, names_of
+from ._objects.arrays import NoArray, read_only
+from ._objects.errors import read_text
+from ._objects.pickles import pickled
+from ._objects.records import Record
 from ._records import Array
 
 
-@dataclass(frozen=True)
-class SurrogateOutput:
+@dataclass(frozen=True, eq=False)
+class SurrogateOutput(Record):
     """A number or curve that surrogates predict."""
 
     output: str
@@ -31,22 +36,25 @@ class SurrogateOutput:
     """The members of lists that it holds for, by path."""
 
 
-class Surrogates:
+class Surrogates(NoArray):
     """All surrogates of a study; `Surrogates.load("surrogates.json")` reads it."""
 
-    def __init__(self, native: _loosepin.Surrogates) -> None:
+    def __init__(self, native: _loosepin.Surrogates, text: str) -> None:
         """Use `load` or `from_text`."""
         self._native = native
+        self._text = text
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Surrogates:
-        """Reads `surrogates.json`. Raises LoosepinError for a file that is not whole or of another version."""
-        return cls.from_text(Path(path).read_text(encoding="utf-8"))
+        """Reads `surrogates.json`. Raises LoosepinError for a file that is not there, is not whole or is of another version."""
+        must_be("a path", path=path)
+        return cls.from_text(read_text(path))
 
     @classmethod
     def from_text(cls, text: str) -> Surrogates:
         """Reads the text of `surrogates.json`."""
-        return cls(_loosepin.Surrogates(text))
+        must_be("a str", text=text)
+        return cls(_loosepin.Surrogates(text), text)
 
     @property
     def study(self) -> str:
@@ -62,7 +70,7 @@ class Surrogates:
     def outputs(self) -> tuple[SurrogateOutput, ...]:
         """Outputs that can be predicted; `predict` takes the index in this list."""
         return tuple(
-            SurrogateOutput(output, of, unit, tuple(places), np.array(poses), members)
+            SurrogateOutput(output, of, unit, tuple(places), read_only(np.array(poses)), members)
             for output, of, unit, places, poses, members in self._native.outputs()
         )
 
@@ -72,6 +80,8 @@ class Surrogates:
         With numbers, both have one entry for each place; with arrays of the same length, a row for each of their entries. Raises
         LoosepinError outside the ranges that were learned: nothing is extrapolated.
         """
+        must_be("an int", output=output)
+        names_of("values", values)
         paths = list(values)
         given = np.broadcast_arrays(*(np.asarray(values[path], dtype=np.float64) for path in paths)) if paths else []
         shape = given[0].shape if given else ()
@@ -87,7 +97,18 @@ class Surrogates:
         not go along; the metadata of the file hold the ranges and the held-out error. Raises LoosepinError for polynomials and Kriging,
         whose coefficients stand in `surrogates.json`.
         """
+        must_be("an int", output=output)
         return self._native.to_onnx(output)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return pickled("Surrogates", Surrogates.from_text, self._text)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both were read from the same text."""
+        return isinstance(other, Surrogates) and self._text == other._text
+
+    def __hash__(self) -> int:
+        return hash(self._text)
 
     def __repr__(self) -> str:
         return f"<loosepin.Surrogates of {self.study!r}: {len(self.outputs)} outputs of {', '.join(self.inputs)}>"

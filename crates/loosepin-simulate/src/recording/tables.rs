@@ -1,6 +1,6 @@
 //! The CSV files of a run, SI.
 
-use crate::recording::history::Simulation;
+use crate::recording::history::BodyStates;
 use loosepin_result::simulation::{ContactForceHistory, OutputHistory, SimulationRecord, Spectrum};
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -18,8 +18,7 @@ pub struct HistoryColumn<'s> {
 
 /// The columns of `history.csv`: the time, the angle of the drive, the outputs in file order, then for each output that has an ideal
 /// value this value and the deviation from it, then the states of all bodies where they were recorded.
-pub fn history_columns(simulation: &Simulation) -> Vec<HistoryColumn<'_>> {
-    let record = &simulation.record;
+pub fn history_columns<'s>(record: &'s SimulationRecord, states: Option<&'s BodyStates>) -> Vec<HistoryColumn<'s>> {
     let mut columns = Vec::new();
     add(&mut columns, "time_s".to_owned(), "s", &record.time_s);
     add(&mut columns, format!("{}_rad", record.settings.drive), "rad", &record.drive_angle_rad);
@@ -36,7 +35,7 @@ pub fn history_columns(simulation: &Simulation) -> Vec<HistoryColumn<'_>> {
             }
         }
     }
-    if let Some(states) = &simulation.states {
+    if let Some(states) = states {
         let parts = [
             [("x_m", "m"), ("y_m", "m"), ("angle_rad", "rad")],
             [("vx_m_s", "m/s"), ("vy_m_s", "m/s"), ("omega_rad_s", "rad/s")],
@@ -61,12 +60,12 @@ fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str
 }
 
 /// `history.csv`: the [`history_columns`], one row a sample.
-pub fn history_csv(simulation: &Simulation) -> String {
-    let columns = history_columns(simulation);
+pub fn history_csv(record: &SimulationRecord, states: Option<&BodyStates>) -> String {
+    let columns = history_columns(record, states);
     let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
     let mut text = names.join(",");
     text.push('\n');
-    for row in 0..simulation.record.time_s.len() {
+    for row in 0..record.time_s.len() {
         for (index, column) in columns.iter().enumerate() {
             let _ = write!(text, "{}{:?}", if index > 0 { "," } else { "" }, column.values_si[row]);
         }

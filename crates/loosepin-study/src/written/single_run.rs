@@ -114,7 +114,7 @@ pub fn run_into(
         }
     }
     let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(report);
-    write(HISTORY_FILE, &history_csv(&simulation))?;
+    write(HISTORY_FILE, &history_csv(&simulation.record, simulation.states.as_ref()))?;
     write(IMPACTS_FILE, &impacts_csv(&simulation.record))?;
     if let Some(spectrum) = spectrum_csv(&simulation.record) {
         write(SPECTRUM_FILE, &spectrum)?;

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::fmt::{self, Display};
+use std::io;
 
 use serde::Serialize;
 
@@ -46,6 +47,17 @@ pub struct Label {
     pub text: String,
 }
 
+/// A file that the operating system refused to open or read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RefusedFile {
+    /// Its path as it was given.
+    pub path: String,
+    /// Why.
+    pub reason: io::ErrorKind,
+    /// The number that the operating system gave, if it gave one.
+    pub os_code: Option<i32>,
+}
+
 /// One diagnostic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
@@ -61,6 +73,8 @@ pub struct Diagnostic {
     pub place: Option<Place>,
     /// Other places that matter.
     pub labels: Vec<Label>,
+    /// The file that cannot be read, if that is the error: the text of the message says the same in words.
+    pub refused_file: Option<RefusedFile>,
 }
 
 impl Diagnostic {
@@ -73,6 +87,7 @@ impl Diagnostic {
             hint: problem.hint().map(|hint| visible(&hint).into_owned()),
             place,
             labels: Vec::new(),
+            refused_file: None,
         }
     }
 

@@ -13,7 +13,7 @@ mod suggestion;
 mod visible;
 
 pub use code::{CODES, Code, CodeEntry};
-pub use diagnostic::{Diagnostic, Diagnostics, Label, Problem, Severity};
+pub use diagnostic::{Diagnostic, Diagnostics, Label, Problem, RefusedFile, Severity};
 pub use problems::problems;
 pub use render::Colour;
 pub use source::{Place, Source, Span};

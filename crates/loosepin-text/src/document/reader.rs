@@ -14,7 +14,7 @@ use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
 use super::suggested_file::{file_of_like_name, files_inside};
 use super::synonyms::by_synonym;
 use crate::diagnostics::{
-    Diagnostic, Diagnostics, Place, Problem, Source, Span, first_control_character, nearest_name,
+    Diagnostic, Diagnostics, Place, Problem, RefusedFile, Source, Span, first_control_character, nearest_name,
 };
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
@@ -35,7 +35,10 @@ pub fn not_readable(path: &Path, error: &std::io::Error) -> Diagnostics {
         std::io::ErrorKind::IsADirectory => files_inside(path),
         _ => None,
     };
-    Diagnostics::one(&DocumentProblem::NotReadable { file: path.display().to_string(), reason, hint }, None)
+    let file = path.display().to_string();
+    let refused_file = RefusedFile { path: file.clone(), reason: error.kind(), os_code: error.raw_os_error() };
+    let diagnostic = Diagnostic::error(&DocumentProblem::NotReadable { file, reason, hint }, None);
+    Diagnostic { refused_file: Some(refused_file), ..diagnostic }.into()
 }
 
 /// Reads a file as UTF-8 text.

@@ -1,0 +1,69 @@
+"""Types of arguments: what is wrong is said by the name of the argument, before anything is done with it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+
+def _is_truth(value: Any) -> bool:
+    return isinstance(value, (bool, np.bool_))
+
+
+def _is_single(value: Any, method: str) -> bool:
+    return hasattr(value, method) and getattr(value, "ndim", 0) == 0 and not _is_truth(value)
+
+
+_KINDS: dict[str, Callable[[Any], bool]] = {
+    "a str": lambda value: isinstance(value, str),
+    "a number": lambda value: _is_single(value, "__float__"),
+    "an int": lambda value: _is_single(value, "__index__"),
+    "True or False": _is_truth,
+    "a path": lambda value: isinstance(value, (str, os.PathLike)),
+    "a function": callable,
+    "a mapping": lambda value: hasattr(value, "items"),
+}
+
+
+def must_be(due: str, **arguments: Any) -> None:
+    """Raises TypeError for the first of the arguments that is not `due`: one of "a str", "a number", "an int", "True or False",
+    "a path", "a function" and "a mapping", or of these with " or None".
+    """
+    kind = due.removesuffix(" or None")
+    for name, value in arguments.items():
+        if not (_KINDS[kind](value) or (value is None and due != kind)):
+            raise TypeError(f"{name} is {_what(value)}; must be {due}")
+
+
+def texts(name: str, value: Sequence[str]) -> list[str]:
+    """The texts of a list or tuple."""
+    if isinstance(value, str) or not isinstance(value, Sequence):
+        raise TypeError(f"{name} is {_what(value)}; must be a list of str")
+    for each in value:
+        if not isinstance(each, str):
+            raise TypeError(f"{name} holds {_what(each)}; must be a list of str")
+    return list(value)
+
+
+def names_of(name: str, value: Mapping[Any, Any]) -> None:
+    """Checks that the keys of a mapping are texts."""
+    must_be("a mapping", **{name: value})
+    for key in value:
+        if not isinstance(key, str):
+            raise TypeError(f"{name}: a name is {key!r}; must be a str")
+
+
+def settings(name: str, value: Mapping[str, str | float]) -> list[str]:
+    """Values of a model by their path, as texts path=value."""
+    names_of(name, value)
+    for path, stated in value.items():
+        if not (isinstance(stated, str) or _KINDS["a number"](stated)):
+            raise TypeError(f"{name}: '{path}' is {_what(stated)}; must be a str with a unit or a number")
+    return [f"{path}={stated if isinstance(stated, str) else repr(float(stated))}" for path, stated in value.items()]
+
+
+def _what(value: Any) -> str:
+    return "None" if value is None else f"a {type(value).__name__}"
