@@ -1,6 +1,8 @@
 //! The native part of the Python package `loosepin`: wrappers of the library's public API, no logic of its own. What people
 //! use is `python/loosepin`; `_loosepin.pyi` describes what is here.
 
+mod arguments;
+mod check;
 mod column;
 mod error;
 mod evaluator;
@@ -10,14 +12,17 @@ mod growing_samples;
 mod identification;
 mod inputs;
 mod model;
+mod motion;
 mod python_run_provider;
 mod result;
 mod results_folder;
 mod run_rows;
 mod simulation;
+mod single_run;
 mod study;
 mod study_inputs;
 mod surrogates;
+mod sweep;
 mod waiting;
 
 use pyo3::prelude::*;
@@ -37,6 +42,9 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<result::StudyResult>()?;
     module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;
+    module.add_class::<motion::Motion>()?;
+    module.add_class::<sweep::Sweep>()?;
+    module.add_class::<check::Check>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
     module.add_function(wrap_pyfunction!(function_bounds::evaluate, module)?)
 }

@@ -14,12 +14,13 @@ from ._design import InputReader, StudyInput, read_points, study_inputs
 from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
-from ._model import Model, check_version
+from ._model import Model, check_version, settings
 from ._progress import Listener, listener
 from ._records import Array
 from ._result import StudyResult
 from ._toml import to_toml
 from ._warning import warn
+from ._without_runs import Check, Motion
 
 
 class Study:
@@ -111,6 +112,21 @@ class Study:
             if told is not None:
                 told.close()
         return StudyResult(native)
+
+    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+        """The ideal motion, the quasi-static effect of play and of the random inputs on it, and what of `[[require]]` and `[allow]` can be
+        judged without dynamics: the answer of `loosepin motion`.
+
+        Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`.
+        """
+        return Motion(self._native.motion(settings(set)))
+
+    def check(self) -> Check:
+        """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.
+
+        Raises LoosepinError with what keeps it from running.
+        """
+        return Check(self._native.check())
 
     def identify(
         self,
