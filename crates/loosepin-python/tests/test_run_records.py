@@ -2,6 +2,10 @@
 
 import csv
 import json
+import os
+import signal
+import threading
+import time
 
 import loosepin as lp
 import numpy as np
@@ -88,6 +92,17 @@ def test_identity_lyapunov_exponent_is_that_of_the_command(model, tmp_path):
     assert len(found.growth) == 20
     # The exponent is the mean growth over the duration of a turn.
     np.testing.assert_allclose(found.growth.mean() / found.turn_s, found.exponent_1_s, rtol=1e-13)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
+def test_ctrl_c_ends_a_long_measurement_of_the_exponent(model):
+    timer = threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT))
+    timer.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        model.simulate(turns=0.1, transient=0, tolerance="1e-6 m", second_run=False, lyapunov=1_000_000)
+    # s; signals are looked at ten times a second.
+    assert 0.4 < time.monotonic() - began < 5
 
 
 def test_nothing_is_measured_that_nobody_asked_for(run):

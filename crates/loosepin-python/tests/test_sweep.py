@@ -1,6 +1,7 @@
 """A sweep from Python is that of the command."""
 
 import csv
+import time
 
 import loosepin as lp
 import numpy as np
@@ -8,6 +9,8 @@ import pytest
 from conftest import MODEL, command
 
 CLEARANCE = "joint.gudgeon.radial_clearance"
+# s; the runs under way, of seconds, are given up.
+AT_ONCE_S = 5
 FEW = {"points": 5, "transient": 1, "turns": 4, "tolerance": "1e-7 m", "progress": False}
 
 
@@ -102,8 +105,10 @@ def test_progress_is_told_and_what_a_listener_raises_ends_the_sweep(model):
         raise KeyboardInterrupt
 
     long = {"points": 2000, "transient": 200, "turns": 64, "progress": interrupt}
+    began = time.monotonic()
     with pytest.raises(KeyboardInterrupt, match="interrupted after .* of 2000 runs; nothing is kept"):
         model.sweep(CLEARANCE, between=("0.1 mm", "0.3 mm"), **long)
+    assert time.monotonic() - began < AT_ONCE_S
 
 
 def test_figure_and_notebook(sweep):

@@ -121,6 +121,7 @@ def distribution_figure(
     outputs: Sequence[tuple[str, tuple[Array, Array, Array] | None, Sequence[Bound]]], ax: matplotlib.axes.Axes | None
 ) -> matplotlib.figure.Figure:
     """Bounds of distribution functions: name of an output, values with both ends of its function, and bounds of other statistics."""
+    figure: Any
     figure, axes = _panels(len(outputs)) if ax is None else (ax.get_figure(), [ax])
     for axis, (name, box, bounds) in zip(axes, outputs):
         drawn = [_distribution_mark(axis, each) for each in bounds]
@@ -130,7 +131,8 @@ def distribution_figure(
         elif not any(drawn):
             raise ValueError(f"no bound of '{name}' is drawn\nhint: ask for \"cdf\", \"mean\", a quantile or a probability")
         axis.set(xlabel=name, ylabel="probability to stay below", ylim=(0, 1))
-    return figure
+    whole: matplotlib.figure.Figure = figure
+    return whole
 
 
 def _distribution_mark(axis: Any, bound: Bound) -> bool:

@@ -23,7 +23,7 @@ from ._html import simulation_html
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array
-from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves
+from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
 from ._sweep import Sweep, swept
 from ._toml import to_toml
 from ._warning import warn
@@ -371,7 +371,7 @@ class Simulation(Mapping[str, Array]):
 
         Empty where no drive turns at constant speed, or less than a turn was recorded.
         """
-        return {of: Spectrum(of, unit, *arrays, *numbers) for of, unit, arrays, numbers in self._native.spectra()}
+        return spectra(self._native.spectra())
 
     @cached_property
     def lyapunov(self) -> Lyapunov | None:

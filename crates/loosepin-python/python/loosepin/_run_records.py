@@ -127,6 +127,14 @@ def body_states(history: Mapping[str, Array], outputs: int) -> dict[str, BodySta
     return {body: BodyStates(**parts) for body, parts in columns.items()}
 
 
+def spectra(native: Iterable[tuple[str, str, list[Array], list[float]]]) -> dict[str, Spectrum]:
+    """The columns of `spectrum.csv` by what they are of."""
+    found = {}
+    for of, unit, (order, frequency_hz, amplitude), (mean, rms, peak) in native:
+        found[of] = Spectrum(of, unit, order, frequency_hz, amplitude, mean, rms, peak)
+    return found
+
+
 def lyapunov(record: dict[str, Any] | None) -> Lyapunov | None:
     """The exponent of `summary.json`."""
     if record is None:

@@ -141,7 +141,7 @@ def _joint(record: dict[str, Any], life: dict[str, Any] | None) -> JointWear:
 
 def _surface(record: dict[str, Any]) -> SurfaceWear:
     depth_m = numbers(record["depth_m"])
-    edges_rad = np.arange(len(depth_m) + 1) * (2 * np.pi / len(depth_m))
+    edges_rad: Array = np.arange(len(depth_m) + 1, dtype=np.float64) * (2 * np.pi / len(depth_m))
     return SurfaceWear(
         coefficient_m2_n=float(record["coefficient_m2_n"]),
         volume_m3=float(record["volume_m3"]),
