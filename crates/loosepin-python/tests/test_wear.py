@@ -61,6 +61,10 @@ def test_analytic_worn_volume_is_that_of_archard(wear):
     width_m = 2 * np.pi * 10e-3 / 72
     volume_m3 = gudgeon.surfaces["bearing"].depth_m.sum() * width_m * 20e-3
     np.testing.assert_allclose(volume_m3, gudgeon.surfaces["bearing"].volume_m3, rtol=1e-3)
+    dataset = wear.to_xarray()
+    np.testing.assert_array_equal(dataset["gudgeon.journal.depth_m"], gudgeon.surfaces["journal"].depth_m)
+    np.testing.assert_array_equal(dataset["gudgeon.from_rad"], gudgeon.surfaces["journal"].from_rad)
+    assert "4000 cycles" in wear._repr_html_()
     assert wear.life is None and gudgeon.life == {} and len(wear.life_cycles) == 0
 
 
@@ -77,6 +81,9 @@ def test_identity_a_worn_shape_has_a_life(folder):
     np.testing.assert_array_equal(wear.life_cycles, life["cycles"])
     bearing = wear["gudgeon"].life["bearing"]
     np.testing.assert_array_equal(bearing.depth_m, life["joints"][0]["surfaces"][0]["depth_m"])
+    depth = wear.to_xarray()["gudgeon.bearing.life_depth_m"]
+    assert depth.dims == ("cycles", "gudgeon.from_rad")
+    np.testing.assert_array_equal(depth, bearing.depth_m)
     assert bearing.depth_m.shape == (len(wear.life_cycles), 72) and bearing.volume_m3[0] == 0 < bearing.volume_m3[-1]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
@@ -16,6 +17,7 @@ from ._records import Array, numbers
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 
 class _Run(Protocol):
@@ -104,6 +106,29 @@ class Wear(Mapping[str, JointWear], Generic[RunT]):
     def __len__(self) -> int:
         return len(self._joints)
 
+    @property
+    def summary(self) -> dict[str, Any]:
+        """That of the run, as in `summary.json`; SI."""
+        return self.simulation.summary
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The depths as a Dataset: `gudgeon.bearing.depth_m` over the sectors, whose beginnings are the coordinate `gudgeon.from_rad`.
+
+        Where the worn shape acts back, `gudgeon.bearing.life_depth_m` also has the dimension `cycles`.
+        """
+        xarray_ = need("xarray", "to_xarray()")
+        variables: dict[str, Any] = {}
+        coordinates: dict[str, Any] = {"cycles": self.life_cycles} if self.life else {}
+        for name, joint in self.items():
+            sector = f"{name}.from_rad"
+            for word, surface in joint.surfaces.items():
+                coordinates[sector] = (sector, surface.from_rad, {"units": "rad"})
+                variables[f"{name}.{word}.depth_m"] = (sector, surface.depth_m, {"units": "m"})
+            for word, life in joint.life.items():
+                variables[f"{name}.{word}.life_depth_m"] = (("cycles", sector), life.depth_m, {"units": "m"})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self._native.model})
+        return dataset
+
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with the columns of `wear.csv`: joint, surface, sector, from_rad, to_rad, depth_m."""
         pandas_ = need("pandas", "to_pandas()")
@@ -122,6 +147,9 @@ class Wear(Mapping[str, JointWear], Generic[RunT]):
 
     def __str__(self) -> str:
         return self._native.wear_text()
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
 
     def __repr__(self) -> str:
         return f"<loosepin.Wear of {self._native.model!r}, joints {', '.join(self)}; print() shows it>"
