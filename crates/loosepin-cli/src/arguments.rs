@@ -7,7 +7,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use loosepin::diagnostics::Code;
 use loosepin::model::Rule;
+use loosepin::simulate::EXPONENT_TURNS;
 use loosepin::store::Shard;
+use loosepin::sweep::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS};
 use loosepin::templates::{TEMPLATES, Template, find_template};
 
 /// Accuracy of mechanisms with tolerances and joint play
@@ -156,7 +158,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), allow_negative_numbers = true)]
     pub samples: Option<u32>,
     /// Measure the largest Lyapunov exponent over N turns, 20 to 1000000
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(EXPONENT_TURNS), allow_negative_numbers = true)]
     pub lyapunov: Option<u32>,
     /// Error tolerance of positions, with its unit. The error of one step is limited to 0.5 % of it; impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
@@ -303,16 +305,16 @@ pub struct SweepArguments {
     #[arg(long, value_name = "PATH=FROM..TO")]
     pub over: String,
     /// Number of values, both ends included, 2 to 100000
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(SWEEP_POINTS))]
     pub points: u32,
     /// Change another quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
     /// Turns of start-up, not examined, at most 1000000
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(SWEEP_TRANSIENT_TURNS))]
     pub transient: u32,
     /// Turns to examine, 2 to 100000
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(SWEEP_TURNS))]
     pub turns: u32,
     /// Error tolerance of positions, with its unit. The error of one step is limited to 0.5 % of it; impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-8 m", allow_hyphen_values = true)]

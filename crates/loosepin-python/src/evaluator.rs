@@ -9,10 +9,11 @@ use numpy::{IntoPyArray, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 
+use crate::arguments::count_threads;
 use crate::column::Column;
 use crate::error::{of_argument, raise};
 use crate::model::Model;
-use crate::study::{Study, count_threads};
+use crate::study::Study;
 use crate::waiting::{RunCounts, wait_for};
 
 /// Name of the text that outputs are read from, which nobody wrote.

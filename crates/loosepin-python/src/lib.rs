@@ -1,6 +1,8 @@
 //! The native part of the Python package `loosepin`: wrappers of the library's public API, no logic of its own. What people
 //! use is `python/loosepin`; `_loosepin.pyi` describes what is here.
 
+mod arguments;
+mod check;
 mod column;
 mod error;
 mod evaluator;
@@ -11,14 +13,17 @@ mod identification;
 mod inputs;
 mod laws;
 mod model;
+mod motion;
 mod python_run_provider;
 mod result;
 mod results_folder;
 mod run_rows;
 mod simulation;
+mod single_run;
 mod study;
 mod study_inputs;
 mod surrogates;
+mod sweep;
 mod waiting;
 mod words_of_python;
 
@@ -39,6 +44,9 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<result::StudyResult>()?;
     module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;
+    module.add_class::<motion::Motion>()?;
+    module.add_class::<sweep::Sweep>()?;
+    module.add_class::<check::Check>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_cdf, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_ppf, module)?)?;

@@ -2,22 +2,25 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
-use loosepin::accuracy::check_quasi_static;
-use loosepin::diagnostics::{self, Diagnostics};
+use loosepin::diagnostics;
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, measured_argument};
+use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, SettingError};
 use loosepin::simulate::record::Override;
-use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, simulate_until};
-use loosepin::study::{InputFile, NamedPlace, NamedQuestion, NamedText, model_from_texts, model_texts};
-use loosepin::units::{Dimension, SiUnit};
+use loosepin::simulate::{Plan, Settings, columns};
+use loosepin::study::{InputFile, NamedPlace, NamedQuestion, NamedText, exact_value, model_from_texts, model_texts};
+use loosepin::sweep::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS, SweepRequest, SweptValues};
+use loosepin::units::SiUnit;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::arguments::{count, count_threads, integrator_named, lyapunov_turns, tolerance_m};
+use crate::check::Check;
 use crate::error::{Diagnostic, of_argument, raise, raise_problem};
+use crate::motion::Motion;
 use crate::simulation::Simulation;
-use crate::waiting::wait_for;
+use crate::single_run;
+use crate::sweep::Sweep;
 
 /// Rows for each turn, at most; as for the command.
 const MAX_SAMPLES: i64 = 1_000_000;
@@ -33,6 +36,11 @@ type ModelTexts = (NamedText, Vec<NamedText>);
 pub struct Model(pub Arc<model::Model>);
 
 impl Model {
+    /// The model as a file whose kind is known.
+    fn file(&self) -> InputFile {
+        InputFile::Model(Box::new(self.0.as_ref().clone()))
+    }
+
     /// The turns that are run, those of the model where nothing else is said.
     pub fn cycle(&self, turns: Option<f64>, transient: Option<f64>, samples: Option<i64>) -> PyResult<Cycle> {
         for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
@@ -148,9 +156,9 @@ impl Model {
         Ok((output, component, of, place))
     }
 
-    /// Runs it once. `set` holds texts `path=value`; what is left out is as the file has it.
+    /// Runs it once. `set` holds texts `path=value`, `measured` paths of tables; what is left out is as the file has it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set))]
+    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set, integrator, lyapunov, measured))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -161,41 +169,79 @@ impl Model {
         states: bool,
         second_run: bool,
         set: Vec<String>,
+        integrator: &str,
+        lyapunov: Option<i64>,
+        measured: Vec<PathBuf>,
     ) -> PyResult<Simulation> {
-        let cycle = self.cycle(turns, transient, samples)?;
-        let set_values = self.0.set_values(&set).map_err(raise)?;
-        let tolerance_m =
-            measured_argument("tolerance", tolerance, Dimension::LENGTH, Rule::Positive).map_err(raise)?;
-        let smallest = SmallestClearance::of(&set_values.model, &set_values.values);
-        let coarse = match smallest.map(|smallest| smallest.check(tolerance_m)) {
-            Some(Err(error)) => return Err(raise_problem(&error)),
-            Some(Ok(warning)) => warning,
-            None => None,
-        };
         let plan = Plan {
-            cycle,
-            settings: Settings { tolerance_m, ..Settings::for_simulation() },
+            cycle: self.cycle(turns, transient, samples)?,
+            settings: Settings {
+                tolerance_m: tolerance_m(tolerance)?,
+                integrator: integrator_named(integrator)?,
+                ..Settings::for_simulation()
+            },
             with_states: states,
-            lyapunov_turns: None,
+            lyapunov_turns: lyapunov_turns(lyapunov)?,
             second_run,
             overrides: Override::from_settings(&set),
         };
-        let stop = AtomicBool::new(false);
-        let work = || {
-            let mechanism = Mechanism::new(&set_values.model, &set_values.values)
-                .map_err(|error| Diagnostics::from(error.diagnostic(&set_values.model)))?;
-            let mut simulation = simulate_until(&mechanism, &set_values.values, &plan, &stop)
-                .map_err(|failure| Diagnostics::from(failure.diagnostic(&mechanism.model)))?;
-            check_quasi_static(&mechanism, &set_values.values, &mut simulation.record)
-                .map_err(|error| Diagnostics::from(error.diagnostic(&mechanism.model)))?;
-            let failure = simulation.failure.as_ref().map(|failure| failure.diagnostic(&mechanism.model).into());
-            let warnings = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None)).collect();
-            Ok(Simulation::new(simulation, failure, warnings))
+        single_run::simulate(py, &self.0, &set, &plan, &measured)
+    }
+
+    /// Refuses a model in which no joint wears, or that lacks what a run needs.
+    fn demand_wear(&self) -> PyResult<()> {
+        self.0.demand_dynamics().and_then(|()| self.0.demand_wear()).map_err(raise)
+    }
+
+    /// Its motion without dynamics, with the settings `set`.
+    fn motion(&self, py: Python<'_>, set: Vec<String>) -> PyResult<Motion> {
+        Motion::of_file(py, self.file(), set)
+    }
+
+    /// What is known of it before it runs.
+    fn check(&self, py: Python<'_>) -> PyResult<Check> {
+        Check::of_file(py, self.file())
+    }
+
+    /// A value of the quantity `over`, SI, as a text with its unit that reads back to the same bits.
+    fn text_of_value(&self, over: &str, value_si: f64) -> PyResult<String> {
+        let id = self.0.find(over).map_err(|error| {
+            raise(of_argument("over", diagnostics::Diagnostic::error(&SettingError::from(error), None)))
+        })?;
+        Ok(exact_value(value_si, &SiUnit::of_dimension(self.0.quantities[id].dimension)))
+    }
+
+    /// Runs for many values of the quantity `over`: `points` equally spaced ones from and to the texts `between`, or `values` in SI. Also
+    /// warnings about the request.
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+    #[pyo3(signature = (over, between, values, points, transient, turns, tolerance, set, threads, progress))]
+    fn sweep(
+        &self,
+        py: Python<'_>,
+        over: &str,
+        between: Option<[String; 2]>,
+        values: Vec<f64>,
+        points: i64,
+        transient: i64,
+        turns: i64,
+        tolerance: &str,
+        set: Vec<String>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Sweep, Vec<Diagnostic>)> {
+        let points = count("points", points, SWEEP_POINTS)? as usize;
+        let written = between.map(|[from, to]| format!("{over}={from}..{to}"));
+        let request = SweepRequest {
+            values: match &written {
+                Some(over) => SweptValues::Between { over, points },
+                None => SweptValues::Listed { path: over, values_si: &values },
+            },
+            set: &set,
+            transient_turns: count("transient", transient, SWEEP_TRANSIENT_TURNS)?,
+            recorded_turns: count("turns", turns, SWEEP_TURNS)?,
+            tolerance,
         };
-        let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
-        match raised {
-            Some(error) => Err(error),
-            None => outcome.map_err(|diagnostics: Diagnostics| raise(diagnostics)),
-        }
+        let by = (tolerance_m(tolerance)?, count_threads(threads)?);
+        Sweep::of_model(py, &self.0, &request, by, progress.as_ref())
     }
 }

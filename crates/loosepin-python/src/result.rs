@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use loosepin::diagnostics::Diagnostics;
 use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
 use loosepin::result::json::Stored;
-use loosepin::results::write_whole;
+use loosepin::results::{FinishedResult, write_whole};
 use loosepin::study::files::{FilesError, bounds_csv, surrogates_json};
-use loosepin::study::{self, SavedSurrogates, StudyRun};
+use loosepin::study::{self, SavedSurrogates, StudyRun, read_study};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -53,6 +53,16 @@ impl StudyResult {
             surrogates: surrogates.map_err(|error| raise_problem(&error))?,
             samples: samples.collect::<PyResult<Vec<_>>>()?,
         })
+    }
+
+    /// Reads the finished study in a folder of results.
+    #[staticmethod]
+    fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
+        let read = py.detach(|| {
+            let finished = FinishedResult::open_without_page(&folder);
+            finished.map_err(|error| Diagnostics::one(&error, None)).and_then(|finished| read_study(&finished))
+        });
+        Self::new(py, read.map_err(raise)?)
     }
 
     /// Name of the study.

@@ -5,12 +5,11 @@ use std::time::SystemTime;
 
 use loosepin::diagnostics::{Diagnostics, Problem};
 use loosepin::report::study_page;
-use loosepin::results::{Claim, Destination, InputsHash, ResultKind, ResultsFolder};
+use loosepin::results::{Claim, Destination, InputsHash, ResultKind};
 use loosepin::store::{ExistingRuns, RunStore};
 use loosepin::study::RunsTable;
-use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::{
-    ClaimOutcome, RunOptions, SavedSurrogates, Study, StudyError, StudyOutcome, StudyRun, begin_in_folder, conclude,
+    ClaimOutcome, RunOptions, Study, StudyError, StudyOutcome, StudyRun, begin_in_folder, conclude, read_study,
     run_study, store_identity,
 };
 
@@ -66,7 +65,7 @@ pub fn run_in_folder(
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         ClaimOutcome::Open(folder, store) => (folder, store),
-        ClaimOutcome::Finished(folder) => return Ok(StudyEnd::Finished(read(&folder)?.into())),
+        ClaimOutcome::Finished(folder) => return Ok(StudyEnd::Finished(read_study(&folder.finished())?.into())),
     };
     let started = SystemTime::now();
     let outcome = run_study(study, &claim.inputs.to_string(), &RunOptions { store: Some(&store), ..*options });
@@ -79,19 +78,6 @@ pub fn run_in_folder(
             )))
         }
     }
-}
-
-/// The finished result that is in `folder`.
-fn read(folder: &ResultsFolder) -> Result<StudyRun, Diagnostics> {
-    let result = read_summary(folder).map_err(report)?;
-    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(report)?).map_err(report)?;
-    let surrogates = if folder.has(SURROGATES_FILE) {
-        let text = folder.read_text(SURROGATES_FILE).map_err(report)?;
-        Some(SavedSurrogates::from_json(&text).map_err(report)?)
-    } else {
-        None
-    };
-    Ok(StudyRun { result, runs, surrogates })
 }
 
 fn interrupted(finished: &RunsTable, most_runs: usize) -> String {

@@ -1,11 +1,14 @@
 //! One run, recorded.
 
 use loosepin::diagnostics::{self, Diagnostics};
-use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
+use loosepin::report::{mechanism_picture, simulation_page, simulation_text, wear_text};
 use loosepin::result::json::Stored;
 use loosepin::simulate::record::{OutputHistory, SimulationRecord};
-use loosepin::simulate::{self, BodyStates, history_columns, history_csv, impacts_csv};
+use loosepin::simulate::{
+    self, BodyStates, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns,
+};
 use loosepin::study::files::FilesError;
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
@@ -20,6 +23,12 @@ struct RecordedRun {
 
 /// What a run is pickled by: its record as JSON, and the names and rows of the states of its bodies.
 type Parts = (String, Option<(Vec<String>, Vec<Vec<f64>>)>);
+
+/// Joint, radial clearance, x and y.
+type Orbit<'py> = (String, f64, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// Output or contact force and its SI unit; orders, their frequencies in Hz, amplitudes; mean, root mean square, peak.
+type OneSpectrum<'py> = (String, String, [Bound<'py, PyArray1<f64>>; 3], [f64; 3]);
 
 /// A finished run.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -97,6 +106,35 @@ impl Simulation {
         [columns(|output| &output.ideal_si), columns(|output| &output.deviation_si)]
     }
 
+    /// Joint, radial clearance in m, and x and y of the pin in the frame of its bearing, of each pin with play.
+    fn orbits<'py>(&self, py: Python<'py>) -> Vec<Orbit<'py>> {
+        let array = |values: &Vec<f64>| values.clone().into_pyarray(py);
+        let orbits = self.0.record.orbits.iter();
+        orbits
+            .map(|orbit| (orbit.joint.clone(), orbit.radial_clearance_m, array(&orbit.x_m), array(&orbit.y_m)))
+            .collect()
+    }
+
+    /// Normal force of each contact, N.
+    fn contact_forces<'py>(&self, py: Python<'py>) -> Vec<(&str, Bound<'py, PyArray1<f64>>)> {
+        let forces = self.0.record.contact_forces.iter();
+        forces.map(|force| (force.joint.as_str(), force.force_n.clone().into_pyarray(py))).collect()
+    }
+
+    /// The columns of `spectrum.csv`.
+    fn spectra<'py>(&self, py: Python<'py>) -> Vec<OneSpectrum<'py>> {
+        let speed_rad_s = self.0.record.settings.drive_speed_rad_s.unwrap_or(f64::NAN);
+        let columns = spectrum_columns(&self.0.record).into_iter();
+        columns
+            .map(|SpectrumColumn { of, unit, spectrum, .. }| {
+                let frequency_hz = spectrum.frequencies_hz(speed_rad_s);
+                let arrays = [spectrum.orders, frequency_hz, spectrum.amplitudes_si];
+                let numbers = [spectrum.mean_si, spectrum.rms_si, spectrum.peak_si];
+                (of, unit.to_owned(), arrays.map(|values| values.into_pyarray(py)), numbers)
+            })
+            .collect()
+    }
+
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
         self.0.record.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
@@ -115,6 +153,11 @@ impl Simulation {
     /// The tables of the terminal.
     fn text(&self) -> String {
         simulation_text(&self.0.record)
+    }
+
+    /// The tables of the terminal on the wear of its joints.
+    fn wear_text(&self) -> String {
+        wear_text(&self.0.record)
     }
 
     /// The text of `report.html`.

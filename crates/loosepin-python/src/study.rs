@@ -9,11 +9,14 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments::count_threads;
+use crate::check::Check;
 use crate::error::{Diagnostic, raise};
 use crate::further_outputs::{self, FunctionRequests, RunBackend};
 use crate::growing_samples::Accuracy;
 use crate::identification::{self, Identification, identified, planned};
 use crate::model::Model;
+use crate::motion::Motion;
 use crate::python_run_provider::PythonRunProvider;
 use crate::result::StudyResult;
 use crate::results_folder::{ExistingFolderOptions, StudyEnd, run_in_folder, run_in_memory};
@@ -24,8 +27,6 @@ use crate::waiting::{RunCounts, wait_for};
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
 type Recorded = (String, String, Option<Vec<f64>>);
 
-/// Threads, at most; as for the command.
-const MAX_THREADS: i64 = 1024;
 /// Values at which a motion is tested: as for the command.
 const MIN_POINTS: i64 = 1;
 const MAX_POINTS: i64 = 1_000_000;
@@ -129,6 +130,16 @@ impl Study {
         }
     }
 
+    /// Its motion without dynamics, with the settings `set`.
+    fn motion(&self, py: Python<'_>, set: Vec<String>) -> PyResult<Motion> {
+        Motion::of_file(py, InputFile::Study(Box::new(self.0.clone())), set)
+    }
+
+    /// What is known of it before it runs.
+    fn check(&self, py: Python<'_>) -> PyResult<Check> {
+        Check::of_file(py, InputFile::Study(Box::new(self.0.clone())))
+    }
+
     /// The texts that it was read from, by which [`Study::from_texts`] has it again.
     fn texts(&self) -> Texts {
         let study::StudyTexts { study, model, model_path, tables } = self.0.texts();
@@ -224,13 +235,4 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
         with_posterior: false,
         with_lengths: false,
     })
-}
-
-/// As many threads as asked for, otherwise as many as the machine has.
-pub fn count_threads(asked: Option<i64>) -> PyResult<usize> {
-    match asked {
-        Some(threads) if (1..=MAX_THREADS).contains(&threads) => Ok(threads as usize),
-        Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MAX_THREADS}"))),
-        None => Ok(loosepin::study::default_threads()),
-    }
 }

@@ -52,8 +52,10 @@ pub use recording::history::{
     BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
 };
 pub use recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
-pub use recording::tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
-pub use repeats::lyapunov::{ExponentPlan, largest_exponent};
+pub use recording::tables::{
+    HistoryColumn, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns, spectrum_csv,
+};
+pub use repeats::lyapunov::{EXPONENT_TURNS, ExponentPlan, largest_exponent};
 pub use repeats::period::{period_turns, section, section_sizes};
 pub use repeats::trust::{PositionHistory, SecondRun, compare_positions, measure_trust};
 pub use repeats::turns::Turns;

@@ -8,8 +8,8 @@ use loosepin::model::{Model, Rule, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
 use loosepin::results::ResultKind;
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
-use loosepin::simulate::{Integrator, Plan, Settings, SmallestClearance, columns};
-use loosepin::study::{run_inputs, run_into};
+use loosepin::simulate::{Integrator, Plan, Settings, SmallestClearance};
+use loosepin::study::{check_measured, run_inputs, run_into};
 use loosepin::units::Dimension;
 
 use super::inputs::{check_tolerance, read_model};
@@ -37,11 +37,7 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
     );
     // Compiled first, so that no folder is created for a model that cannot run.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(&model))?;
-    let outputs = columns(&mechanism.model);
-    let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
-    for table in &measured {
-        table.check(&outputs)?;
-    }
+    check_measured(&mechanism, &measured)?;
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<R>(folder);

@@ -99,7 +99,7 @@ impl StoredResult for StudyResult {
     const TEXT: fn(&Self) -> String = study_text;
 
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
-        read_summary(folder).map_err(|error| Failure::of(&error))
+        read_summary(&folder.finished()).map_err(|error| Failure::of(&error))
     }
 
     fn done(&self) -> Done {

@@ -1,15 +1,13 @@
 //! `loosepin sweep`.
 
-use loosepin::mechanism::Mechanism;
-use loosepin::model::{Model, Rule, SetValues, SettingError, measured_argument};
+use loosepin::model::{Model, Rule, measured_argument};
 use loosepin::report::{sweep_page, sweep_text};
-use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
-use loosepin::simulate::record::Override;
-use loosepin::simulate::{Settings, input_files};
 use loosepin::study::Progress;
 use loosepin::sweep::record::SweepRecord;
-use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
+use loosepin::sweep::{
+    SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, SweepRequest, SweptValues, sections_csv, sweep, sweep_csv,
+};
 use loosepin::units::Dimension;
 
 use super::inputs::{add_model, check_tolerance, read_model};
@@ -25,12 +23,12 @@ use crate::progress::Bar;
 pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
-    let plan = plan(arguments, &model, &set)?;
+    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    let request = request(arguments);
+    let plan = request.plan(&model, &set, tolerance_m)?;
     check_tolerance(plan.settings.tolerance_m, plan.smallest_clearance(&set))?;
     let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
-    // Compiled at the middle of the range: a clearance that begins at zero then has play, as for most values.
-    let middle = middle_values(&model, &set, &plan)?;
-    let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.diagnostic(&model))?;
+    let mechanism = plan.compile(&set)?;
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<SweepRecord>(folder);
@@ -48,7 +46,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     }
     run_and_write(folder, |folder| {
         let mut record = outcome.map_err(|error| Failure::of(&error))?;
-        record.repeat = repeat(&model, arguments);
+        record.repeat = request.repeat(&model);
         folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
         folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
         write_and_print(&record, folder)
@@ -60,42 +58,14 @@ impl StoredResult for SweepRecord {
     const TEXT: fn(&Self) -> String = sweep_text;
 }
 
-fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<SweepPlan, Failure> {
-    let range = model.parse_setting_range(&arguments.over)?;
-    if set.settings.iter().any(|setting| setting.id == range.id) {
-        let path = model.quantities[range.id].path.clone();
-        return Err(Failure::of(&SettingError::Twice { path }));
-    }
-    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
-    Ok(SweepPlan {
-        range,
-        points: arguments.points as usize,
+fn request(arguments: &SweepArguments) -> SweepRequest<'_> {
+    SweepRequest {
+        values: SweptValues::Between { over: &arguments.over, points: arguments.points as usize },
+        set: &arguments.set,
         transient_turns: arguments.transient,
         recorded_turns: arguments.turns,
-        settings: Settings { tolerance_m, ..Settings::for_study() },
-        overrides: Override::from_settings(&arguments.set),
-    })
-}
-
-/// The values of the model with the swept quantity in the middle of its range.
-fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<SetValues, Failure> {
-    let mut settings: Vec<_> = set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
-    settings.push((plan.range.id, 0.5 * (plan.range.from_si + plan.range.to_si)));
-    let values = model.quantities.evaluate(&settings).map_err(|error| Failure::of(&error))?;
-    Ok(SetValues { model: set.model.clone(), settings: set.settings.clone(), values })
-}
-
-/// The command that makes the sweep again.
-fn repeat(model: &Model, arguments: &SweepArguments) -> Repeat {
-    let mut stated: Vec<String> = Vec::new();
-    for [name, value] in arguments.set.iter().map(|set| ["--set", set]).chain([["--over", &arguments.over]]) {
-        stated.extend([name.to_owned(), value.to_owned()]);
+        tolerance: &arguments.tolerance,
     }
-    stated.extend(["--points".to_owned(), arguments.points.to_string()]);
-    stated.extend(["--transient".to_owned(), arguments.transient.to_string()]);
-    stated.extend(["--turns".to_owned(), arguments.turns.to_string()]);
-    stated.extend(["--tolerance".to_owned(), arguments.tolerance.clone()]);
-    Repeat::new("sweep", &stated, input_files(model))
 }
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {

@@ -1,7 +1,5 @@
 //! `loosepin wear`.
 
-use loosepin::diagnostics::{Diagnostic, Diagnostics};
-use loosepin::model::ModelProblem;
 use loosepin::report::{simulation_page, wear_text};
 use loosepin::result::json::Stored;
 use loosepin::simulate::record::SimulationRecord;
@@ -15,13 +13,7 @@ use crate::ending::{Done, Ending};
 /// Simulates a cycle or reads the stored simulation, and shows the wear of its joints.
 pub fn run(arguments: &WearArguments) -> Ending {
     let WearArguments { model, set, turns, transient, tolerance, output } = arguments.clone();
-    let read = read_model(&model)?;
-    if read.wear.is_none() {
-        let place = read.joints.first().and_then(|joint| read.place(&format!("joint.{}", joint.name)));
-        let mut diagnostics = Diagnostics::new();
-        diagnostics.push(Diagnostic::error(&ModelProblem::NoJointWears, place));
-        return Err(diagnostics.into());
-    }
+    read_model(&model)?.demand_wear()?;
     let simulation = SimulateArguments {
         model,
         set,

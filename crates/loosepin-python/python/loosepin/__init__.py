@@ -37,9 +37,13 @@ from ._model import Model, Output, Parameter, Simulation
 from ._objects.errors import LoosepinFileNotFoundError, LoosepinValueError
 from ._records import Bound, BoundEnd, Curve, Extreme, ExtremePoint
 from ._result import Samples, StudyResult
+from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
+from ._sweep import Sweep, SweptJoint
 from ._warning import LoosepinWarning
+from ._wear import JointWear, SurfaceLife, SurfaceWear, Wear
+from ._without_runs import Check, CheckSection, Motion, OutputMotion
 
 __all__ = [
     "__version__",
@@ -47,12 +51,15 @@ __all__ = [
     "AccuracyStep",
     "Band",
     "Beta",
+    "BodyStates",
     "Bound",
     "BoundEnd",
     "bounds",
     "Box",
-    "Diagnostic",
+    "Check",
+    "CheckSection",
     "Curve",
+    "Diagnostic",
     "Discrete",
     "Empirical",
     "Evaluation",
@@ -66,29 +73,41 @@ __all__ = [
     "Gumbel",
     "Identification",
     "Interval",
+    "JointWear",
     "Lognormal",
     "LoosepinError",
     "LoosepinFileNotFoundError",
     "LoosepinValueError",
     "LoosepinWarning",
+    "Lyapunov",
+    "MeasuredCurve",
     "Model",
+    "Motion",
     "MotionPlan",
     "Normal",
     "OneOf",
+    "Orbit",
     "Output",
+    "OutputMotion",
     "Parameter",
     "Periodic",
     "Posterior",
     "Samples",
     "Simulation",
+    "Spectrum",
     "Study",
     "StudyInput",
     "StudyResult",
+    "SurfaceLife",
+    "SurfaceWear",
     "SurrogateOutput",
     "Surrogates",
+    "Sweep",
+    "SweptJoint",
     "Triangular",
     "TruncatedNormal",
     "Uniform",
     "Unknown",
+    "Wear",
     "Weibull",
 ]

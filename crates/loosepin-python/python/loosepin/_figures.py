@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._extras import need
-from ._records import Array, Curve
+from ._records import Array, Bound, Curve
 
 if TYPE_CHECKING:
+    import matplotlib.axes
     import matplotlib.figure
 
 Axes = Any
@@ -94,6 +95,72 @@ def study_figure(
     for axis, item in zip(axes, items):
         drawn[kind](axis, item, summary["display_units"])
     return figure
+
+
+def motion_figure(
+    drive_angle_rad: Array, outputs: Sequence[tuple[str, str, tuple[Array, Array], tuple[Array, Array]]], display_units: dict[str, Any]
+) -> matplotlib.figure.Figure:
+    """Deviations of outputs by play over the cycle: name, SI unit, the ends that were found, those that are proven."""
+    figure, axes = _panels(len(outputs))
+    angle = np.degrees(drive_angle_rad)
+    for axis, (name, symbol, found, proven) in zip(axes, outputs):
+        unit, factor = shown(symbol, display_units)
+        axis.fill_between(angle, *(end * factor for end in found), color=UNKNOWN, alpha=0.35, lw=0, label="all positions of the pins")
+        for end, label in zip(proven, ("proven limit", None)):
+            axis.plot(angle, end * factor, color=INK, lw=0.8, ls=":", label=label)
+        axis.set_ylabel(f"{name}, deviation by play{_in(unit)}")
+        axis.legend(frameon=False, fontsize="small")
+    axes[-1].set_xlabel("angle of the drive [deg]")
+    return figure
+
+
+def sweep_figure(
+    over: tuple[str, str, Array], outputs: Sequence[tuple[str, str, Array]], display_units: dict[str, Any]
+) -> matplotlib.figure.Figure:
+    """Deviations of outputs once a turn, with the shape (values, turns), over a quantity: each has name, SI unit and values."""
+    figure, axes = _panels(len(outputs))
+    path, symbol, values_si = over
+    unit, factor = shown(symbol, display_units)
+    for axis, (name, output_symbol, sections_si) in zip(axes, outputs):
+        output_unit, output_factor = shown(output_symbol, display_units)
+        axis.plot(values_si * factor, sections_si * output_factor, ls="", marker=".", ms=1.5, color=RANDOM)
+        axis.set_ylabel(f"{name}, deviation once a turn{_in(output_unit)}")
+    axes[-1].set_xlabel(f"{path}{_in(unit)}")
+    return figure
+
+
+def distribution_figure(
+    outputs: Sequence[tuple[str, tuple[Array, Array, Array] | None, Sequence[Bound]]], ax: matplotlib.axes.Axes | None
+) -> matplotlib.figure.Figure:
+    """Bounds of distribution functions: name of an output, values with both ends of its function, and bounds of other statistics."""
+    figure: Any
+    figure, axes = _panels(len(outputs)) if ax is None else (ax.get_figure(), [ax])
+    for axis, (name, box, bounds) in zip(axes, outputs):
+        drawn = [_distribution_mark(axis, each) for each in bounds]
+        if box is not None:
+            values, lower, upper = box
+            axis.fill_between(values, lower, upper, color=UNKNOWN, alpha=0.35, lw=0)
+        elif not any(drawn):
+            raise ValueError(f"no bound of '{name}' is drawn\nhint: ask for \"cdf\", \"mean\", a quantile or a probability")
+        axis.set(xlabel=name, ylabel="probability to stay below", ylim=(0, 1))
+    whole: matplotlib.figure.Figure = figure
+    return whole
+
+
+def _distribution_mark(axis: Any, bound: Bound) -> bool:
+    """Draws a bound into the picture of a distribution function; False for a statistic that has no place there."""
+    lower, upper = bound.widened
+    if bound.statistic == "mean":
+        axis.axvspan(lower, upper, color=RANDOM, alpha=0.3, lw=0)
+    elif bound.statistic == "quantile":
+        axis.plot([lower, upper], [bound.parameter, bound.parameter], color=INK, marker="|")
+    elif bound.statistic == "probability_below":
+        axis.plot([bound.parameter, bound.parameter], [lower, upper], color=INK, marker="_")
+    elif bound.statistic == "probability_above":
+        axis.plot([bound.parameter, bound.parameter], [1 - upper, 1 - lower], color=INK, marker="_")
+    else:
+        return False
+    return True
 
 
 def _curves(axis: Any, curve: Curve, units: dict[str, Any]) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _loosepin
 from ._extras import need
+from ._figures import distribution_figure
 from ._inputs import Input
 from ._objects.arguments import must_be, names_of, texts
 from ._objects.arrays import frozen, read_only
@@ -20,7 +21,10 @@ from ._objects.seeds import Seed, seed_number
 from ._records import Array, Bound, BoundEnd
 
 if TYPE_CHECKING:
+    import matplotlib.axes
+    import matplotlib.figure
     import pandas
+    import xarray
 
 Statistic = str | Mapping[str, float]
 """A statistic as study files write it, for example "mean", "cdf", {"quantile": 0.975} or {"probability_above": 0.4}."""
@@ -115,6 +119,42 @@ class FunctionBounds(Record):
         """Every value that it returned."""
         self.purpose: NDArray[np.str_] = read_only(np.array(record["purpose"]))
         """Purpose of each run: "mixed", "probability_only" or "interval_only"."""
+
+    def select(self, **properties: Any) -> list[Bound]:
+        """The bounds with these properties: found.select(output="y", statistic="quantile", parameter=0.975)."""
+        return [each for each in self.bounds if all(getattr(each, name) == properties[name] for name in properties)]
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with a variable for each bound, over the dimension `end`: `y_mean`, `y_quantile_0.975`; numerical error included.
+
+        A distribution function `y_cdf` has the dimensions (y, end), the values of the output `y` being a coordinate.
+        """
+        xarray_ = need("xarray", "to_xarray()")
+        variables: dict[str, Any] = {}
+        coordinates: dict[str, Any] = {"end": ["lower", "upper"]}
+        for bound in self.bounds:
+            parameter = "" if bound.parameter is None else f"_{bound.parameter:.6g}"
+            attributes = {"guarantee": bound.guarantee}
+            variables[f"{bound.output}_{bound.statistic}{parameter}"] = ("end", np.array(bound.widened), attributes)
+        for box in self.boxes:
+            coordinates[box.output] = (box.output, box.values)
+            variables[f"{box.output}_cdf"] = ((box.output, "end"), np.stack([box.lower, box.upper], axis=1))
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates)
+        return dataset
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None, *, output: str | None = None) -> matplotlib.figure.Figure:
+        """Draws the bounds of each output as bounds of its distribution function, numerical error included.
+
+        "cdf" is a band, a quantile a bar at its probability, a probability a bar at its limit, the mean a vertical band. output: one
+        output alone. ax: an axis that is drawn on instead of a new figure, for one output. Raises ValueError where nothing can be drawn.
+        """
+        names = [name for name in self.outputs if output in (None, name)]
+        if not names:
+            raise ValueError(f"output {output!r}; must be one of {', '.join(self.outputs)}")
+        if ax is not None and len(names) > 1:
+            raise ValueError(f"ax is one axis for {len(names)} outputs\nhint: name one with output=")
+        boxes = {box.output: (box.values, box.lower, box.upper) for box in self.boxes}
+        return distribution_figure([(name, boxes.get(name), self.select(output=name)) for name in names], ax)
 
     def to_pandas(self) -> pandas.DataFrame:
         """One bound a row."""

@@ -20,15 +20,19 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._html import simulation_html
-from ._objects.arguments import must_be, settings
+from ._objects.arguments import must_be, paths, settings
 from ._objects.arrays import NoArray, frozen
 from ._objects.pickles import check_version, pickled
 from ._objects.records import Record
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array, Extreme, extreme
+from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
+from ._sweep import Sweep, swept
 from ._toml import to_toml
 from ._warning import warn
+from ._wear import Wear
+from ._without_runs import Check, Motion
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -125,25 +129,104 @@ class Model(NoArray):
         states: bool = False,
         second_run: bool = True,
         set: Mapping[str, str | float] | None = None,
+        integrator: str = "explicit",
+        lyapunov: int | None = None,
+        measured: Sequence[str | os.PathLike[str]] = (),
     ) -> Simulation:
         """Runs the model once.
 
         turns, transient: turns that are recorded, and turns that are run before them; samples: rows for each turn; by default
         as the model file says. tolerance: a step may err by 0.5 % of it; impacts amplify errors. states: whether the motion of every
         body is recorded. second_run: whether a second run shows how long the positions can be trusted. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
+        integrator: "explicit", or "implicit" for flexible bodies in absolute nodal coordinates. lyapunov: turns, at least 20, over which
+        the largest Lyapunov exponent is measured by runs of their own. measured: CSV files of curves that are compared with the outputs,
+        with a header such as "angle [deg], slider [mm]".
 
         A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
         _check_run(turns, transient, samples, tolerance)
         must_be("True or False", states=states, second_run=second_run)
-        texts = [] if set is None else settings("set", set)
-        simulation = Simulation(self._native.simulate(turns, transient, samples, tolerance, states, second_run, texts))
+        must_be("a str", integrator=integrator)
+        must_be("an int or None", lyapunov=lyapunov)
+        simulation = Simulation(
+            self._native.simulate(
+                turns, transient, samples, tolerance, states, second_run, settings("set", set), integrator, lyapunov,
+                paths("measured", measured),
+            )
+        )
         warn(simulation._native.warnings)
         failure = simulation._native.failure()
         if failure is not None:
             failure.simulation = simulation
             raise failure
         return simulation
+
+    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+        """The ideal motion over a cycle, and the quasi-static effect of play on it: the answer of `loosepin motion`, without any run.
+
+            motion = model.motion()
+            motion["slider"].worst_case.max(), motion["slider"].proven
+
+        set: as for `simulate`. Raises LoosepinError for a mechanism that its drives do not move alone.
+        """
+        return Motion(self._native.motion(settings("set", set)))
+
+    def sweep(
+        self,
+        over: str,
+        *,
+        between: tuple[str | float, str | float] | None = None,
+        values: Any = None,
+        points: int = 200,
+        transient: int = 200,
+        turns: int = 64,
+        tolerance: str = "1e-8 m",
+        set: Mapping[str, str | float] | None = None,
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> Sweep:
+        """Runs the model for many values of one quantity, and gives its motion once a turn: the answer of `loosepin sweep`.
+
+            model.sweep("joint.gudgeon.radial_clearance", between=("0.05 mm", "0.5 mm"), points=400)
+            model.sweep("joint.gudgeon.radial_clearance", values=np.geomspace(5e-5, 5e-4, 50))
+
+        over: path of the quantity. between: its first and last value, texts with units or numbers in SI; `points` values are equally
+        spaced between them, both included. values: an array of values in SI instead. transient, turns: turns before those that are
+        examined, and these. tolerance, set: as for `simulate`. threads, progress: as for `Study.run`.
+
+        A run that fails is NaN, with its reason in `reasons`. The result is the same for any number of threads. Ctrl-C ends it soon;
+        nothing is kept. Raises LoosepinError if all runs fail.
+        """
+        numbers_of_turns = (transient, turns)
+        made, warnings_ = swept(
+            self._native, over, between, values, points, numbers_of_turns, tolerance, settings("set", set), threads, progress
+        )
+        warn(warnings_)
+        return made
+
+    def wear(
+        self,
+        *,
+        turns: float | None = None,
+        transient: float | None = None,
+        tolerance: str = "1e-9 m",
+        set: Mapping[str, str | float] | None = None,
+    ) -> Wear[Simulation]:
+        """Runs a cycle, and gives the wear of the joints with `[joint.NAME.wear]` after the cycles of `[wear]`: `loosepin wear`.
+
+        turns: in one cycle. transient: before it; both as the model file says by default. tolerance, set: as for `simulate`, with
+        {"wear.cycles": "1e6"}. Raises LoosepinError where no joint wears.
+        """
+        self._native.demand_wear()
+        simulation = self.simulate(turns=turns, transient=transient, tolerance=tolerance, set=set)
+        return Wear(simulation)
+
+    def check(self) -> Check:
+        """Moves the mechanism for the first time, and describes it: bodies, joints, mobility, start, first steps, as `loosepin check`.
+
+        Raises LoosepinError with what keeps it from running.
+        """
+        return Check(self._native.check())
 
     def evaluate(
         self,
@@ -281,6 +364,40 @@ class Simulation(NoArray, Mapping[str, Array]):
         """The run as `summary.json` has it: settings, extremes, joints, impacts, energy, counters; SI."""
         summary: dict[str, Any] = json.loads(self._native.summary_json())
         return summary
+
+    @cached_property
+    def states(self) -> dict[str, BodyStates]:
+        """Motion of each body by its name, if `states=True` was asked for."""
+        return body_states(self.history, 2 + len(self) + len(self.ideal) + len(self.deviation))
+
+    @cached_property
+    def orbits(self) -> dict[str, Orbit]:
+        """Path of each pin in its clearance, by the name of its joint."""
+        return {orbit[0]: Orbit(*frozen(orbit)) for orbit in self._native.orbits()}
+
+    @cached_property
+    def contact_forces_n(self) -> dict[str, Array]:
+        """Normal force of each contact, 0 in free flight, by the name of its joint; a block in a guide has one for each corner."""
+        forces: dict[str, Array] = frozen(dict(self._native.contact_forces()))
+        return forces
+
+    @cached_property
+    def spectra(self) -> dict[str, Spectrum]:
+        """The columns of `spectrum.csv`: by the name of each output, and `gudgeon.contact_force` for the force of a contact.
+
+        Empty where no drive turns at constant speed, or less than a turn was recorded.
+        """
+        return spectra(self._native.spectra())
+
+    @cached_property
+    def lyapunov(self) -> Lyapunov | None:
+        """The largest Lyapunov exponent, if it was asked for."""
+        return lyapunov(self.summary["lyapunov"])
+
+    @cached_property
+    def measured(self) -> tuple[MeasuredCurve, ...]:
+        """The measured curves beside the computed ones, in the order of the files and of their columns."""
+        return measured_curves(self.summary.get("measured", ()))
 
     @property
     def impacts(self) -> list[dict[str, Any]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -181,9 +182,6 @@ def _end(record: dict[str, Any]) -> BoundEnd:
 def curve(record: dict[str, Any]) -> Curve:
     """A curve of `summary.json`."""
 
-    def numbers(values: list[Any]) -> Array:
-        return read_only(np.array([float(value) for value in values]))
-
     def band(ends: dict[str, Any]) -> tuple[Array, Array]:
         return numbers(ends["lower_si"]), numbers(ends["upper_si"])
 
@@ -199,3 +197,8 @@ def curve(record: dict[str, Any]) -> Curve:
         random=band(record["random"]),
         mixed=band(record["mixed"]),
     )
+
+
+def numbers(values: Iterable[Any]) -> Array:
+    """Numbers of `summary.json`, where those that are not finite are words."""
+    return read_only(np.array([float(value) for value in values], dtype=np.float64))

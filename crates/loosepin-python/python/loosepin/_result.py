@@ -79,8 +79,16 @@ class StudyResult(NoArray):
     """A finished study: `print(result)` shows the tables of the terminal, `result.bounds` holds every bound."""
 
     def __init__(self, native: _loosepin.StudyResult) -> None:
-        """Use `Study.run`."""
+        """Use `Study.run` or `load`."""
         self._native = native
+
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> StudyResult:
+        """Reads the finished study in a folder of results, which `Study.run` or `loosepin study` wrote. Nothing in it is changed.
+
+        Raises LoosepinError if the folder holds no finished study, or one of its files is not as it was written.
+        """
+        return cls(_loosepin.StudyResult.load(os.fspath(folder)))
 
     @property
     def name(self) -> str:

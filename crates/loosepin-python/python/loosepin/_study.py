@@ -15,7 +15,7 @@ from ._evaluation import Evaluation, evaluated
 from ._function_bounds import FunctionBounds, Statistic, growth, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
-from ._objects.arguments import must_be, texts
+from ._objects.arguments import must_be, settings, texts
 from ._objects.arrays import NoArray
 from ._objects.logs import long_run
 from ._objects.pickles import check_version
@@ -25,6 +25,7 @@ from ._records import Array
 from ._result import StudyResult
 from ._toml import to_toml
 from ._warning import warn
+from ._without_runs import Check, Motion
 
 
 class Study(NoArray):
@@ -126,6 +127,21 @@ class Study(NoArray):
             made = None if client is None else run_provider(client, self._native, tuple(accuracies), budget)
             native = self._native.run(place, resume, force, threads, told, accuracies, budget, made)
         return StudyResult(native)
+
+    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+        """The ideal motion, the quasi-static effect of play and of the random inputs on it, and what of `[[require]]` and `[allow]` can be
+        judged without dynamics: the answer of `loosepin motion`.
+
+        Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`.
+        """
+        return Motion(self._native.motion(settings("set", set)))
+
+    def check(self) -> Check:
+        """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.
+
+        Raises LoosepinError with what keeps it from running.
+        """
+        return Check(self._native.check())
 
     def identify(
         self,

@@ -92,6 +92,11 @@ impl SimulationRecord {
 }
 
 impl Spectrum {
+    /// Frequencies of the orders at a speed of the drive, Hz.
+    pub fn frequencies_hz(&self, drive_speed_rad_s: f64) -> Vec<f64> {
+        self.orders.iter().map(|order| order * drive_speed_rad_s.abs() / TAU).collect()
+    }
+
     /// The orders with the largest amplitudes, the largest first; only those above a hundredth of the largest.
     pub fn dominant(&self, most: usize) -> Vec<(f64, f64)> {
         const MIN_SHARE: f64 = 0.01;

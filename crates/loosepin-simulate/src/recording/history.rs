@@ -225,7 +225,7 @@ fn record_until(
     if let Some(turns) = plan.lyapunov_turns {
         let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
         let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
-        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent)?);
+        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent, stop)?);
     }
     Ok(simulation)
 }

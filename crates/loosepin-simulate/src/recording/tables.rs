@@ -1,7 +1,7 @@
 //! The CSV files of a run, SI.
 
 use crate::recording::history::BodyStates;
-use loosepin_result::simulation::{ContactForceHistory, OutputHistory, SimulationRecord, Spectrum};
+use loosepin_result::simulation::{OutputHistory, SimulationRecord, Spectrum};
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -88,26 +88,46 @@ pub fn impacts_csv(record: &SimulationRecord) -> String {
     text
 }
 
-/// `spectrum.csv`: the orders of the drive, one a row, and the amplitude of each output there ([`Spectrum`]); absent where no drive turns
-/// at constant speed or less than a turn was recorded.
+/// A column of `spectrum.csv`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumColumn<'r> {
+    /// Its name, with the unit: `slider_m`, `gudgeon.contact_force_n`.
+    pub name: String,
+    /// The output, `slider`, or the normal force of a contact, `gudgeon.contact_force`.
+    pub of: String,
+    /// SI unit of its amplitudes.
+    pub unit: &'r str,
+    /// Its numbers; all columns of a run have the same orders.
+    pub spectrum: Spectrum,
+}
+
+/// The columns of `spectrum.csv`: the outputs in file order, then the contact forces; none where no drive turns at constant speed or less
+/// than a turn was recorded.
+pub fn spectrum_columns(record: &SimulationRecord) -> Vec<SpectrumColumn<'_>> {
+    let outputs = record.outputs.iter().filter_map(|output| {
+        let (of, unit) = (output.name.clone(), output.unit.symbol());
+        let name = format!("{}{}", of.replace(' ', "_"), unit_suffix(unit));
+        Some(SpectrumColumn { name, of, unit, spectrum: record.spectrum(&output.value_si)? })
+    });
+    let forces = record.contact_forces.iter().filter_map(|history| {
+        let of = format!("{}.contact_force", history.joint);
+        Some(SpectrumColumn { name: format!("{of}_n"), of, unit: "N", spectrum: record.spectrum(&history.force_n)? })
+    });
+    outputs.chain(forces).collect()
+}
+
+/// `spectrum.csv`: the orders of the drive, one a row, and the amplitude of each output there ([`Spectrum`]); absent where there are no
+/// [`spectrum_columns`].
 pub fn spectrum_csv(record: &SimulationRecord) -> Option<String> {
-    let of_output = |output: &OutputHistory| {
-        let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
-        Some((name, record.spectrum(&output.value_si)?))
-    };
-    let of_force = |history: &ContactForceHistory| {
-        Some((format!("{}.contact_force_n", history.joint), record.spectrum(&history.force_n)?))
-    };
-    let outputs = record.outputs.iter().filter_map(of_output);
-    let columns: Vec<(String, Spectrum)> = outputs.chain(record.contact_forces.iter().filter_map(of_force)).collect();
-    let orders = &columns.first()?.1.orders;
+    let columns = spectrum_columns(record);
+    let orders = &columns.first()?.spectrum.orders;
     let mut text = String::from("order");
-    columns.iter().for_each(|(name, _)| text.extend([",", name]));
+    columns.iter().for_each(|column| text.extend([",", &column.name]));
     text.push('\n');
     for (row, order) in orders.iter().enumerate() {
         let _ = write!(text, "{order:?}");
-        for (_, spectrum) in &columns {
-            let _ = write!(text, ",{:?}", spectrum.amplitudes_si[row]);
+        for column in &columns {
+            let _ = write!(text, ",{:?}", column.spectrum.amplitudes_si[row]);
         }
         text.push('\n');
     }

@@ -9,9 +9,12 @@ use crate::settings::{STEP_SHARE, Settings, Window};
 use crate::start::resting;
 use crate::stepping::motion::{Motion, tolerances};
 use crate::stepping::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::stoppable_observer::StoppableObserver;
 use loosepin_mechanics::contact::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_result::simulation::{LyapunovRecord, NeighbourKind};
+use std::ops::RangeInclusive;
+use std::sync::atomic::AtomicBool;
 
 /// Plan of a Lyapunov exponent.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +29,8 @@ pub struct ExponentPlan {
     pub settings: Settings,
 }
 
+/// Turns over which an exponent can be measured: one for each batch at least.
+pub const EXPONENT_TURNS: RangeInclusive<i64> = BATCHES as i64..=1_000_000;
 /// Batches of turns whose means give the standard error.
 pub const BATCHES: usize = 20;
 /// t with P(|T| <= t) = 95 % for Student's distribution with 19 degrees of freedom.
@@ -56,11 +61,12 @@ const MIN_GROWTH: f64 = 6.9;
 /// goes along. Turns in which the direction settles are not counted: a tenth of those that are, at least five.
 ///
 /// # Errors
-/// A mechanism that follows its drives alone has no neighbours; a run that failed.
+/// A mechanism that follows its drives alone has no neighbours; a run that failed, or was stopped by `stop`.
 pub fn largest_exponent(
     mechanism: &Mechanism,
     sample: &Sample<f64>,
     plan: &ExponentPlan,
+    stop: &AtomicBool,
 ) -> Result<LyapunovRecord, RunFailure> {
     if mechanism.is_ideal() {
         return Err(RunFailure::NothingIsFree);
@@ -68,7 +74,7 @@ pub fn largest_exponent(
     let aligning = (plan.turns / 10).max(5);
     let start_s = plan.transient_turns * plan.turn_s;
     let at_s = |turn: u32| start_s + f64::from(turn) * plan.turn_s;
-    let mut pair = Pair::new(mechanism, sample, plan, start_s, at_s(aligning + plan.turns))?;
+    let mut pair = Pair::new(mechanism, sample, plan, [start_s, at_s(aligning + plan.turns)], stop)?;
     for turn in 0..aligning {
         pair.follow_turn(at_s(turn), at_s(turn + 1))?;
     }
@@ -121,6 +127,7 @@ struct Pair<'a> {
     mechanism: &'a Mechanism,
     sample: &'a Sample<f64>,
     settings: Settings,
+    stop: &'a AtomicBool,
     /// Natural scales of the places that count, with the places.
     scales: Vec<(usize, f64)>,
     separation: f64,
@@ -135,8 +142,8 @@ impl<'a> Pair<'a> {
         mechanism: &'a Mechanism,
         sample: &'a Sample<f64>,
         plan: &ExponentPlan,
-        start_s: f64,
-        end_s: f64,
+        [start_s, end_s]: [f64; 2],
+        stop: &'a AtomicBool,
     ) -> Result<Self, RunFailure> {
         let mut motion = Motion::new(mechanism, sample);
         let (coordinates, rates) = resting::start(mechanism, sample)?;
@@ -161,7 +168,7 @@ impl<'a> Pair<'a> {
         let mut run = MotionState::new(&motion.layout, &first, 0.0, flight);
         let mut kept = CompiledCodeCache::default();
         if start_s > 0.0 {
-            run = go_on(mechanism, sample, &plan.settings, None, start_s, &mut kept)?;
+            run = go_on((mechanism, sample), &plan.settings, None, start_s, &mut kept, stop)?;
         }
         let mut neighbour = run.clone();
         // Any direction does that is not at right angles to the one that grows fastest: shares of the golden ratio.
@@ -170,7 +177,7 @@ impl<'a> Pair<'a> {
             let share = 0.5 + ((k + 1) as f64 * 0.618_033_988_749_894_9).fract();
             neighbour.state[*place] += separation * share / length * size;
         }
-        Ok(Self { mechanism, sample, settings: plan.settings, scales, separation, run, neighbour, kept })
+        Ok(Self { mechanism, sample, settings: plan.settings, stop, scales, separation, run, neighbour, kept })
     }
 
     /// Follows both over a turn: ln of the growth of their separation.
@@ -186,8 +193,8 @@ impl<'a> Pair<'a> {
 
     fn follow(&mut self, from_s: f64, to_s: f64, halvings: u32) -> Result<f64, RunFailure> {
         let before = self.distance(&self.run, &self.neighbour);
-        let (mechanism, sample, settings, kept) = (self.mechanism, self.sample, &self.settings, &mut self.kept);
-        let mut advance = |state: &MotionState| go_on(mechanism, sample, settings, Some(state), to_s, kept);
+        let (of, settings, kept, stop) = ((self.mechanism, self.sample), &self.settings, &mut self.kept, self.stop);
+        let mut advance = |state: &MotionState| go_on(of, settings, Some(state), to_s, kept, stop);
         let (run, neighbour) = (advance(&self.run)?, advance(&self.neighbour)?);
         let factor = self.distance(&run, &neighbour) / before;
         if !(factor < MAX_CHANGE && factor * MAX_CHANGE > 1.0) && halvings < MAX_HALVINGS {
@@ -234,19 +241,20 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// The state at `to_s` of the run resumed from `from`, or from its start.
+/// The state at `to_s` of the run resumed from `from`, or from its start; an error once `stop` is set.
 fn go_on<'m>(
-    mechanism: &'m Mechanism,
-    sample: &Sample<f64>,
+    (mechanism, sample): (&'m Mechanism, &Sample<f64>),
     settings: &Settings,
     from: Option<&MotionState>,
     to_s: f64,
     kept: &mut CompiledCodeCache<'m>,
+    stop: &AtomicBool,
 ) -> Result<MotionState, RunFailure> {
     let mut last = LastState { end_s: to_s, state: None };
     // Only the last step is looked at.
     let window = Window { start_s: to_s * (1.0 - f64::EPSILON), end_s: to_s };
-    run_from(mechanism, sample, (&window, settings), from.cloned(), kept, &mut last)?;
+    let mut watched = StoppableObserver { observer: &mut last, stop };
+    run_from(mechanism, sample, (&window, settings), from.cloned(), kept, &mut watched)?;
     last.state.ok_or(RunFailure::NotFinite { time_s: to_s, element: None })
 }
 
@@ -273,6 +281,7 @@ mod tests {
     use crate::settings::Settings;
     use loosepin_mechanics::mechanism::{Mechanism, Sample};
     use loosepin_mechanics::model::Model;
+    use std::sync::atomic::AtomicBool;
 
     /// Bits of the states after a long piece and eleven short ones, with the machine code of the pieces before each, or without.
     fn bits_of_pieces<'m>(
@@ -282,15 +291,15 @@ mod tests {
         is_kept: bool,
     ) -> Vec<Vec<u64>> {
         let turn_s = 60.0 / 5000.0;
-        let mut bits = Vec::new();
+        let (mut bits, never) = (Vec::new(), AtomicBool::new(false));
         let mut state: Option<MotionState> = None;
         for piece in 0..12 {
             let to_s = turn_s * (2.0 + f64::from(piece) / 8.0);
             if !is_kept {
                 *kept = CompiledCodeCache::default();
             }
-            let found =
-                go_on(mechanism, sample, &Settings::for_simulation(), state.as_ref(), to_s, kept).expect("a run");
+            let found = go_on((mechanism, sample), &Settings::for_simulation(), state.as_ref(), to_s, kept, &never)
+                .expect("a run");
             let of_contacts = found.contacts.iter().flat_map(|contact| {
                 [contact.contact, contact.inverse_impact_speed_s_m, contact.effective_mass_kg].map(f64::to_bits)
             });

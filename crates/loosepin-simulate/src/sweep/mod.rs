@@ -6,8 +6,10 @@
 
 mod plan;
 pub use loosepin_result::sweep as record;
+mod request;
 mod tables;
 mod turns;
 
-pub use plan::{SweepError, SweepPlan, sweep};
+pub use plan::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS, SweepError, SweepPlan, sweep};
+pub use request::{SweepRequest, SweptValues};
 pub use tables::{SECTIONS_FILE, SWEEP_FILE, sections_csv, sweep_csv};

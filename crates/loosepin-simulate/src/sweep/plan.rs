@@ -10,18 +10,28 @@ use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRan
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
-use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, problems};
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use rayon::prelude::*;
+use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Equally spaced values of a sweep, at most and at least.
+pub const SWEEP_POINTS: RangeInclusive<i64> = 2..=100_000;
+/// Turns before those that are looked at.
+pub const SWEEP_TRANSIENT_TURNS: RangeInclusive<i64> = 0..=1_000_000;
+/// Turns that are looked at.
+pub const SWEEP_TURNS: RangeInclusive<i64> = 2..=100_000;
 
 /// Plan of a sweep.
 #[derive(Debug, Clone)]
 pub struct SweepPlan {
     /// The quantity and the ends of its values.
     pub range: SettingRange,
-    /// Values, equally spaced, ends included; at least two.
+    /// Values, equally spaced, ends included; at least two where none are listed.
     pub points: usize,
+    /// The values instead of equally spaced ones, SI: [`Self::points`] of them, the least and the greatest of which are the ends.
+    pub listed_si: Option<Vec<f64>>,
     /// Turns before those that are looked at.
     pub transient_turns: u32,
     /// Turns that are looked at.
@@ -35,15 +45,32 @@ pub struct SweepPlan {
 impl SweepPlan {
     /// Value number `index` of [`Self::points`], SI.
     pub fn value_si(&self, index: usize) -> f64 {
+        if let Some(listed_si) = &self.listed_si {
+            return listed_si[index];
+        }
         let share = index as f64 / (self.points - 1) as f64;
         self.range.from_si + share * (self.range.to_si - self.range.from_si)
     }
 
     /// The values of the model in run `index`, the others as in `set`.
     fn values(&self, set: &SetValues, index: usize) -> Result<Values, QuantityError> {
+        self.values_at(set, self.value_si(index))
+    }
+
+    fn values_at(&self, set: &SetValues, value_si: f64) -> Result<Values, QuantityError> {
         let settings = set.settings.iter().map(|setting| (setting.id, setting.value_si));
-        let settings: Vec<(QuantityId, f64)> = settings.chain([(self.range.id, self.value_si(index))]).collect();
+        let settings: Vec<(QuantityId, f64)> = settings.chain([(self.range.id, value_si)]).collect();
         set.model.quantities.evaluate(&settings)
+    }
+
+    /// The mechanism of all runs, compiled at the middle of the range: a clearance that begins at zero then has play, as for most values.
+    ///
+    /// # Errors
+    /// Values that the model does not allow there; a mechanism that cannot be assembled.
+    pub fn compile(&self, set: &SetValues) -> Result<Mechanism, Diagnostic> {
+        let middle_si = 0.5 * (self.range.from_si + self.range.to_si);
+        let values = self.values_at(set, middle_si).map_err(|error| Diagnostic::error(&error, None))?;
+        Mechanism::new(&set.model, &values).map_err(|error| error.diagnostic(&set.model))
     }
 
     /// The smallest clearance of all runs; `None` if no joint has play in any.
@@ -92,12 +119,12 @@ pub fn sweep(
 ) -> Result<SweepRecord, SweepError> {
     let outputs: Vec<Column> =
         columns(&mechanism.model).into_iter().filter(|column| column.reading.is_position()).collect();
-    let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs };
+    let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs, stop };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|source| SweepError::Threads { source })?;
     let (taken, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let parts: Vec<Vec<(usize, SweepPoint)>> = pool.install(|| {
-        (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard, stop)).collect()
+        (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard)).collect()
     });
     let mut points: Vec<(usize, SweepPoint)> = parts.into_iter().flatten().collect();
     if points.len() < plan.points {
@@ -143,6 +170,7 @@ struct SweepRuns<'a> {
     set: &'a SetValues,
     plan: &'a SweepPlan,
     outputs: &'a [Column],
+    stop: &'a AtomicBool,
 }
 
 impl SweepRuns<'_> {
@@ -151,9 +179,8 @@ impl SweepRuns<'_> {
         taken: &AtomicUsize,
         finished: &AtomicUsize,
         heard: &(dyn Fn(usize) + Sync),
-        stop: &AtomicBool,
     ) -> Vec<(usize, SweepPoint)> {
-        let mut queue = SweepQueue { runs: self, taken, finished, heard, stop, points: Vec::new() };
+        let mut queue = SweepQueue { runs: self, taken, finished, heard, points: Vec::new() };
         run_batch(self.mechanism, &Follow::default(), &self.plan.settings, Execution::best(), &mut queue);
         queue.points
     }
@@ -171,7 +198,7 @@ impl SweepRuns<'_> {
         let arms = Arms::new(self.mechanism, &values);
         let sizes = section_sizes(self.mechanism, &sample);
         let flight = FlightClock::new(self.mechanism, start_s);
-        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, sizes, flight);
+        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, sizes, flight, self.stop);
         Ok(Run { sample, arms, window, observer, followed: FollowedRun::default(), resume: None })
     }
 
@@ -215,7 +242,6 @@ struct SweepQueue<'q> {
     taken: &'q AtomicUsize,
     finished: &'q AtomicUsize,
     heard: &'q (dyn Fn(usize) + Sync),
-    stop: &'q AtomicBool,
     points: Vec<(usize, SweepPoint)>,
 }
 
@@ -233,7 +259,7 @@ impl<'q> Queue for SweepQueue<'q> {
     fn next(&mut self) -> Option<Run<TurnsRecorder<'q>>> {
         loop {
             let index = self.taken.fetch_add(1, Ordering::Relaxed);
-            if index >= self.runs.plan.points || self.stop.load(Ordering::Relaxed) {
+            if index >= self.runs.plan.points || self.runs.stop.load(Ordering::Relaxed) {
                 return None;
             }
             match self.runs.prepare(index) {
@@ -244,6 +270,10 @@ impl<'q> Queue for SweepQueue<'q> {
     }
 
     fn finished(&mut self, run: TurnsRecorder<'q>, outcome: Result<RunReport, RunFailure>) {
+        // A run that was given up is no point: the sweep has fewer than it was to have.
+        if matches!(outcome, Err(RunFailure::Stopped { .. })) {
+            return;
+        }
         let index = run.index;
         let model = &self.runs.mechanism.model;
         let point = outcome.and_then(|report| report.check_energy(model).and_then(|()| self.runs.point(run, &report)));

@@ -3,6 +3,7 @@
 use crate::{Arms, Column, FlightClock, IdealReference, Observer, Step, Turns, section};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::SampleError;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Collects the sections of one run.
 pub struct TurnsRecorder<'a> {
@@ -22,10 +23,12 @@ pub struct TurnsRecorder<'a> {
     pub sizes: Vec<f64>,
     /// Why the ideal motion could not be followed.
     pub failure: Option<SampleError>,
+    stop: &'a AtomicBool,
 }
 
 impl<'a> TurnsRecorder<'a> {
-    /// Ready for a run over `turns`; `outputs` are positions and angles. `sizes` go with the sections.
+    /// Ready for a run over `turns`, given up once `stop` is set; `outputs` are positions and angles. `sizes` go with the sections.
+    #[allow(clippy::too_many_arguments, reason = "they are its fields")]
     pub fn new(
         index: usize,
         turns: Turns,
@@ -34,6 +37,7 @@ impl<'a> TurnsRecorder<'a> {
         ideal: IdealReference<'a>,
         sizes: Vec<f64>,
         flight: FlightClock,
+        stop: &'a AtomicBool,
     ) -> Self {
         Self {
             index,
@@ -46,6 +50,7 @@ impl<'a> TurnsRecorder<'a> {
             flight,
             sizes,
             failure: None,
+            stop,
         }
     }
 
@@ -79,5 +84,9 @@ impl Observer for TurnsRecorder<'_> {
             let time_s = self.turns.end_s(self.sections.len());
             self.look(step, time_s);
         }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
 }

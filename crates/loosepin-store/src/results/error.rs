@@ -62,6 +62,9 @@ problems! {
         NoPage { folder: PathBuf } => Code::NoResults,
             says("{} contains exported networks, which have no report", folder.display()),
             hint("give the folder of the study from which they were exported");
+        /// A result of another kind than is wanted.
+        OtherKind { folder: PathBuf, held: ResultKind, name: String, wanted: ResultKind } => Code::NoResults,
+            says("{} contains the {} '{name}'; expected a {}", folder.display(), held.words(), wanted.words());
         /// A file where a folder is due.
         NotAFolder { path: PathBuf } => Code::FolderNotUsable,
             says("{} is a file; expected a folder", path.display());

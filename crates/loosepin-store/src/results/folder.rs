@@ -40,6 +40,36 @@ impl FinishedResult {
         Self::open_but(open(path)?, &[])
     }
 
+    /// As [`Self::open`], whatever became of its page, which can be made again.
+    ///
+    /// # Errors
+    /// As for [`Self::open`].
+    pub fn open_without_page(path: &Path) -> Result<Self, ResultsError> {
+        Self::open_but(open(path)?, &[REPORT_FILE])
+    }
+
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// Checks the kind of the result.
+    ///
+    /// # Errors
+    /// It is of another kind.
+    pub fn demand(&self, wanted: ResultKind) -> Result<(), ResultsError> {
+        if self.marker.kind == wanted {
+            return Ok(());
+        }
+        let (folder, name) = (self.path().to_owned(), self.marker.name.clone());
+        Err(ResultsError::OtherKind { folder, held: self.marker.kind, name, wanted })
+    }
+
+    /// Whether a file of this name belongs to the result.
+    pub fn has(&self, file_name: &str) -> bool {
+        self.marker.files.contains_key(file_name)
+    }
+
     /// Without a look at files that are `written_again` anyway.
     fn open_but(folder: Folder, written_again: &[&str]) -> Result<Self, ResultsError> {
         loop {
@@ -96,6 +126,11 @@ impl ResultsFolder {
 
     fn folder(&self) -> &Folder {
         self.lock.folder()
+    }
+
+    /// The result that it holds, to be read.
+    pub fn finished(&self) -> FinishedResult {
+        FinishedResult { folder: self.folder().clone(), marker: self.marker.clone() }
     }
 
     /// The kind of its result.

@@ -158,7 +158,7 @@ fn run_or_read(
     let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, ExistingRuns::GoOn))? {
         ClaimOutcome::Open(results, store) => (results, store),
         ClaimOutcome::Finished(results) => {
-            let result = read_summary(&results).map_err(|error| Diagnostics::one(&error, None))?;
+            let result = read_summary(&results.finished()).map_err(|error| Diagnostics::one(&error, None))?;
             return Ok(finished(folder, results.path(), &result));
         }
     };

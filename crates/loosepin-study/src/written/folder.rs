@@ -6,12 +6,14 @@ use std::time::SystemTime;
 
 use crate::error::StudyError;
 use crate::file::Study;
-use crate::question::StudyRun;
+use crate::question::{SavedSurrogates, StudyRun};
 use crate::runs::table::RunsTable;
-use crate::written::tables::{RUNS_FILE, SURROGATES_FILE, Timing, runs_parquet, surrogates_json, write_study};
+use crate::written::tables::{
+    RUNS_FILE, SURROGATES_FILE, Timing, read_runs_parquet, read_summary, runs_parquet, surrogates_json, write_study,
+};
 use loosepin_files::FolderLock;
 use loosepin_result::study::StudyResult;
-use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
+use loosepin_store::results::{Claim, FinishedResult, InputsHash, REPORT_FILE, ResultKind, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
 use loosepin_text::diagnostics::{Diagnostics, Problem};
 
@@ -81,6 +83,23 @@ pub fn begin_in_folder(
             Err(report(error))
         }
     }
+}
+
+/// The finished study that a folder holds: its result, its runs, and surrogates where it asked for them.
+///
+/// # Errors
+/// It holds another kind of result; a file that is not as it was written, or that another version wrote.
+pub fn read_study(folder: &FinishedResult) -> Result<StudyRun, Diagnostics> {
+    folder.demand(ResultKind::Study).map_err(report)?;
+    let result = read_summary(folder).map_err(report)?;
+    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(report)?).map_err(report)?;
+    let surrogates = if folder.has(SURROGATES_FILE) {
+        let text = folder.read_text(SURROGATES_FILE).map_err(report)?;
+        Some(SavedSurrogates::from_json(&text).map_err(report)?)
+    } else {
+        None
+    };
+    Ok(StudyRun { result, runs, surrogates })
 }
 
 /// Writes the outcome of a study that began at `started` into its folder, or keeps the finished runs there; `page` makes its report.

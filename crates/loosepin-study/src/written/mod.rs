@@ -5,6 +5,7 @@ pub(crate) mod export;
 pub(crate) mod folder;
 pub(crate) mod input_file;
 pub(crate) mod inputs;
+pub(crate) mod motion_answer;
 pub(crate) mod simulate_command;
 pub(crate) mod single_run;
 pub mod tables;

@@ -44,12 +44,17 @@ pub(crate) fn witness_settings(study: &Study, witness: &Witness) -> Option<Vec<S
 }
 
 fn number_setting(path: &str, unit: &SiUnit, value: f64) -> String {
+    format!("{path}={}", exact_value(value, unit))
+}
+
+/// A value with its SI unit, with as many digits as read back to the same bits.
+pub fn exact_value(value_si: f64, unit: &SiUnit) -> String {
     // A unit alone below the line is written as a power: a number followed by `1/m` is no value.
     let symbol = match unit.symbol() {
         "1" => String::new(),
         symbol => symbol.strip_prefix("1/").map_or(format!(" {symbol}"), |below| format!(" {below}^-1")),
     };
-    format!("{path}={value:?}{symbol}")
+    format!("{value_si:?}{symbol}")
 }
 
 /// With the cycle and the tolerance of the study.

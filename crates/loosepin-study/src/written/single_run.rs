@@ -14,8 +14,8 @@ use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
 use loosepin_simulate::measured::{MeasuredTable, compare_with_measured};
 use loosepin_simulate::{
-    Integrator, Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv,
-    wear_profiles_csv,
+    Integrator, Plan, Settings, Simulation, columns, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv,
+    wear_life_csv, wear_profiles_csv,
 };
 use loosepin_store::results::{
     HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
@@ -83,26 +83,23 @@ pub struct FinishedRun {
     pub failure: Option<Diagnostic>,
 }
 
-/// Runs `mechanism` until `stop` is set, and writes what came of it into its folder; `page` makes its report. Where it comes to no end,
-/// the folder is left to whoever has taken it.
+/// Runs `mechanism` until `stop` is set, holds its positions against the worst case of the play, and compares it with measured curves.
 ///
 /// # Errors
-/// Why the run failed or was stopped; a measured table that does not fit; what the file system refuses.
-pub fn run_into(
-    folder: &mut ResultsFolder,
+/// Why the run failed or was stopped; a measured table that does not fit.
+pub fn run_and_compare(
     (mechanism, set): (&Mechanism, &SetValues),
     plan: &Plan,
     measured: &[MeasuredTable],
-    page: &dyn Fn(&SimulationRecord) -> String,
     stop: &AtomicBool,
-) -> Result<FinishedRun, Diagnostics> {
+) -> Result<Simulation, Diagnostics> {
     let model = &mechanism.model;
     let mut simulation =
         simulate_until(mechanism, &set.values, plan, stop).map_err(|failure| failure.diagnostic(model))?;
     for table in measured {
         simulation.record.repeat.add_measured("--measured", table.source());
     }
-    // A run that failed is written as it is, without what follows from it.
+    // A run that failed stays as it is, without what follows from it.
     if simulation.failure.is_none() {
         // The worst case of the unworn clearance does not hold a worn joint.
         if simulation.record.life.is_none() {
@@ -113,6 +110,33 @@ pub fn run_into(
             compare_with_measured(table, &mut simulation.record)?;
         }
     }
+    Ok(simulation)
+}
+
+/// Checks that every column of `measured` is an output of `mechanism`.
+///
+/// # Errors
+/// Each column that is none, or has another dimension.
+pub fn check_measured(mechanism: &Mechanism, measured: &[MeasuredTable]) -> Result<(), Diagnostics> {
+    let outputs = columns(&mechanism.model);
+    let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
+    measured.iter().try_for_each(|table| table.check(&outputs))
+}
+
+/// As [`run_and_compare`], and writes what came of it into its folder; `page` makes its report. Where it comes to no end, the folder is
+/// left to whoever has taken it.
+///
+/// # Errors
+/// As for [`run_and_compare`]; what the file system refuses.
+pub fn run_into(
+    folder: &mut ResultsFolder,
+    of: (&Mechanism, &SetValues),
+    plan: &Plan,
+    measured: &[MeasuredTable],
+    page: &dyn Fn(&SimulationRecord) -> String,
+    stop: &AtomicBool,
+) -> Result<FinishedRun, Diagnostics> {
+    let simulation = run_and_compare(of, plan, measured, stop)?;
     let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(report);
     write(HISTORY_FILE, &history_csv(&simulation.record, simulation.states.as_ref()))?;
     write(IMPACTS_FILE, &impacts_csv(&simulation.record))?;
@@ -131,7 +155,7 @@ pub fn run_into(
     write(SUMMARY_FILE, &summary)?;
     write(REPORT_FILE, &page(&simulation.record))?;
     folder.finish().map_err(report)?;
-    let failure = simulation.failure.map(|failure| failure.diagnostic(model));
+    let failure = simulation.failure.map(|failure| failure.diagnostic(&of.0.model));
     Ok(FinishedRun { record: simulation.record, failure })
 }
 

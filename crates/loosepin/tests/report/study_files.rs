@@ -236,7 +236,7 @@ fn a_folder_holds_the_four_files_and_no_partial_ones() {
         .collect();
     names.sort();
     assert_eq!(names, [BOUNDS_FILE, MARKER_FILE, LOCK_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE]);
-    assert!(read_summary(&results).expect("the summary can be read") == result);
+    assert!(read_summary(&results.finished()).expect("the summary can be read") == result);
     let text = fs::read_to_string(folder.path().join(TIMING_FILE)).expect("the times can be read");
     assert_eq!(serde_json::from_str::<Timing>(&text).ok(), Some(timing()));
 }
@@ -248,7 +248,7 @@ fn another_format_is_refused_by_its_name() {
     // What the other one holds does not matter.
     let mut results = claim(folder.path()).take().expect("an empty folder");
     results.write(SUMMARY_FILE, b"{\"format\": 1, \"study\": \"older\"}").expect("writable");
-    let error = read_summary(&results).expect_err("an older format");
+    let error = read_summary(&results.finished()).expect_err("an older format");
     assert_eq!(error.to_string(), format!("{} has format 1; this version reads format 2", path.display()));
     assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
@@ -261,6 +261,6 @@ fn what_cannot_be_written_is_named() {
     fs::remove_dir_all(&removed).expect("removable");
     let error = write_study(&mut results, &worn_pin(), &runs_table(), &timing()).expect_err("the folder is not there");
     assert!(error.to_string().starts_with(&format!("cannot write {}", removed.join(BOUNDS_FILE).display())), "{error}");
-    let error = read_summary(&results).expect_err("nothing was written");
+    let error = read_summary(&results.finished()).expect_err("nothing was written");
     assert!(error.to_string().contains("summary.json is not a file of the study"), "{error}");
 }

@@ -18,6 +18,7 @@ fn plan(model: &Model, over: &str, points: usize, transient_turns: u32, recorded
     SweepPlan {
         range: model.parse_setting_range(over).unwrap_or_else(|diagnostic| panic!("{diagnostic:?}")),
         points,
+        listed_si: None,
         transient_turns,
         recorded_turns,
         settings: Settings::for_study(),

@@ -14,6 +14,7 @@ use crate::model::parts::friction::Friction;
 use crate::model::parts::initial::{InitialOffset, InitialValue};
 use crate::model::parts::spring::Spring;
 use crate::model::parts::wear::{JointWear, WearGeometry, WearLife};
+use crate::model::problem::ModelProblem;
 use crate::model::values::quantity::{QuantityId, QuantityTable};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -92,6 +93,18 @@ impl Model {
             [] => Ok(()),
             missing => Err(missing.iter().cloned().collect()),
         }
+    }
+
+    /// Checks that a joint wears.
+    ///
+    /// # Errors
+    /// None does.
+    pub fn demand_wear(&self) -> Result<(), Diagnostics> {
+        if self.wear.is_some() {
+            return Ok(());
+        }
+        let place = self.joints.first().and_then(|joint| self.place(&format!("joint.{}", joint.name)));
+        Err(Diagnostics::one(&ModelProblem::NoJointWears, place))
     }
 
     /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.

@@ -56,8 +56,20 @@ def names_of(name: str, value: Mapping[Any, Any]) -> None:
             raise TypeError(f"{name}: a name is {key!r}; must be a str")
 
 
-def settings(name: str, value: Mapping[str, str | float]) -> list[str]:
-    """Values of a model by their path, as texts path=value."""
+def paths(name: str, value: Sequence[str | os.PathLike[str]]) -> list[str]:
+    """The paths of a list or tuple."""
+    if isinstance(value, str) or not isinstance(value, Sequence):
+        raise TypeError(f"{name} is {_what(value)}; must be a list of paths")
+    for each in value:
+        if not _KINDS["a path"](each):
+            raise TypeError(f"{name} holds {_what(each)}; must be a list of paths")
+    return [os.fspath(path) for path in value]
+
+
+def settings(name: str, value: Mapping[str, str | float] | None) -> list[str]:
+    """Values of a model by their path, as texts path=value; none for None."""
+    if value is None:
+        return []
     names_of(name, value)
     for path, stated in value.items():
         if not (isinstance(stated, str) or _KINDS["a number"](stated)):

@@ -3,11 +3,13 @@
 use super::{Built, build, file};
 use loosepin_simulate::record::{LyapunovRecord, NeighbourKind};
 use loosepin_simulate::{ExponentPlan, Settings, largest_exponent};
+use std::sync::atomic::AtomicBool;
 
 fn exponent(built: &Built, transient_turns: f64, turns: u32) -> LyapunovRecord {
     let turn_s = built.mechanism.model.cycle_input(&built.values).turn_s();
     let plan = ExponentPlan { transient_turns, turns, turn_s, settings: Settings::for_simulation() };
-    largest_exponent(&built.mechanism, &built.sample(), &plan).unwrap_or_else(|failure| panic!("{failure}"))
+    let never = AtomicBool::new(false);
+    largest_exponent(&built.mechanism, &built.sample(), &plan, &never).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 /// A slider between spring, damper and a swinging force: neighbours differ by a free oscillation, which decays as

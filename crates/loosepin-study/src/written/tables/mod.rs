@@ -18,7 +18,7 @@ use crate::runs::table::RunsTable;
 use loosepin_result::json::{Stored, to_json};
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;
-use loosepin_store::results::{ResultsError, ResultsFolder};
+use loosepin_store::results::{FinishedResult, ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};
 
 /// Name of the file with one bound a row.
@@ -104,7 +104,7 @@ struct Header {
 ///
 /// # Errors
 /// A file that is not there, is not as it was written, or that another version wrote.
-pub fn read_summary(folder: &ResultsFolder) -> Result<StudyResult, FilesError> {
+pub fn read_summary(folder: &FinishedResult) -> Result<StudyResult, FilesError> {
     let text = folder.read_text(SUMMARY_FILE)?;
     // Looked at before the rest, which another format may not have.
     let foreign = |source| FilesError::Layout { what: SUMMARY_FILE.to_owned(), source };

@@ -1,0 +1,56 @@
+//! The motion of a model or a study without dynamics, as the command `loosepin motion` computes it.
+
+use std::path::PathBuf;
+
+use loosepin::accuracy::record::MotionRecord;
+use loosepin::report::{mechanism_picture, motion_page, motion_text};
+use loosepin::result::json::Stored;
+use loosepin::results::write_whole;
+use loosepin::study::InputFile;
+use loosepin::study::files::FilesError;
+use pyo3::prelude::*;
+
+use crate::error::{raise, raise_problem};
+use crate::waiting::without_gil;
+
+/// The ideal motion, and the quasi-static effect of play and scatter on it.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Motion(MotionRecord);
+
+impl Motion {
+    /// The motion of `file` with the settings `set`, texts `path=value`.
+    pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>) -> PyResult<Self> {
+        without_gil(py, || file.motion_answer(&set))?.map(Self).map_err(raise)
+    }
+}
+
+#[pymethods]
+impl Motion {
+    /// The one with this text of `summary.json`, by which it was pickled; nothing is computed again.
+    #[staticmethod]
+    fn from_json(summary: &str) -> PyResult<Self> {
+        let record = MotionRecord::from_json(summary)
+            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled motion".to_owned(), source }))?;
+        Ok(Self(record))
+    }
+
+    /// The text of `summary.json`.
+    fn summary_json(&self) -> PyResult<String> {
+        self.0.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+    }
+
+    /// The tables of the terminal.
+    fn text(&self) -> String {
+        motion_text(&self.0)
+    }
+
+    /// Writes `report.html`, whole or not at all.
+    fn write_page(&self, path: PathBuf) -> PyResult<()> {
+        write_whole(&path, motion_page(&self.0).as_bytes()).map_err(|error| raise_problem(&error))
+    }
+
+    /// The mechanism in one pose, as SVG.
+    fn picture(&self) -> String {
+        mechanism_picture(&self.0.drawing, &self.0.model)
+    }
+}

@@ -1,0 +1,98 @@
+//! Runs for many values of one quantity, as the command `loosepin sweep` makes them.
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use loosepin::diagnostics;
+use loosepin::model::Model;
+use loosepin::report::{sweep_page, sweep_text};
+use loosepin::result::json::Stored;
+use loosepin::results::write_whole;
+use loosepin::study::Progress;
+use loosepin::study::files::FilesError;
+use loosepin::sweep::record::SweepRecord;
+use loosepin::sweep::{SweepError, SweepRequest, sweep};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+
+use crate::error::{Diagnostic, of_argument, raise, raise_problem};
+use crate::single_run::check_tolerance;
+use crate::waiting::{RunCounts, wait_for};
+
+/// A finished sweep.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Sweep(SweepRecord);
+
+#[pymethods]
+impl Sweep {
+    /// The one with this text of `summary.json`, by which it was pickled; nothing is computed again.
+    #[staticmethod]
+    fn from_json(summary: &str) -> PyResult<Self> {
+        let record = SweepRecord::from_json(summary)
+            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled sweep".to_owned(), source }))?;
+        Ok(Self(record))
+    }
+
+    /// The text of `summary.json`.
+    fn summary_json(&self) -> PyResult<String> {
+        self.0.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+    }
+
+    /// The tables of the terminal.
+    fn text(&self) -> String {
+        sweep_text(&self.0)
+    }
+
+    /// Writes `report.html`, whole or not at all.
+    fn write_page(&self, path: PathBuf) -> PyResult<()> {
+        write_whole(&path, sweep_page(&self.0).as_bytes()).map_err(|error| raise_problem(&error))
+    }
+}
+
+impl Sweep {
+    /// Makes the runs of `model` that `request` asks for, with the tolerance that it states; also a warning about that.
+    pub fn of_model(
+        py: Python<'_>,
+        model: &Model,
+        request: &SweepRequest<'_>,
+        (tolerance_m, threads): (f64, usize),
+        progress: Option<&Py<PyAny>>,
+    ) -> PyResult<(Self, Vec<Diagnostic>)> {
+        model.demand_dynamics().map_err(raise)?;
+        let set = model.set_values(request.set).map_err(raise)?;
+        let plan = request.plan(model, &set, tolerance_m);
+        let plan = plan.map_err(|diagnostic| raise(of_argument("over", diagnostic)))?;
+        let coarse = check_tolerance(tolerance_m, plan.smallest_clearance(&set))?;
+        let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
+        counts.runs(0, plan.points);
+        let work = || {
+            let mechanism = plan.compile(&set).map_err(raise)?;
+            let heard = |finished: usize| counts.runs(finished, plan.points);
+            sweep(&mechanism, &set, &plan, threads, &heard, &stop).map_err(|error| refusal(&error))
+        };
+        let (swept, raised) = wait_for(py, &stop, |py| counts.tell(py, progress), work);
+        if let Some(error) = raised {
+            let is_interrupt = error.is_instance_of::<PyKeyboardInterrupt>(py);
+            return Err(if is_interrupt { PyKeyboardInterrupt::new_err(counts.interrupted()) } else { error });
+        }
+        let mut record = swept?;
+        counts.tell(py, progress)?;
+        record.repeat = request.repeat(model);
+        let warnings = coarse.iter().map(|warning| Diagnostic::new(&diagnostics::Diagnostic::warning(warning, None)));
+        Ok((Self(record), warnings.collect()))
+    }
+}
+
+/// The exception for a sweep without a result.
+fn refusal(error: &SweepError) -> PyErr {
+    let diagnostic = diagnostics::Diagnostic::error(error, None);
+    let with_hint = |hint: &str| diagnostics::Diagnostic { hint: Some(hint.to_owned()), ..diagnostic.clone() };
+    match error {
+        SweepError::Threads { .. } => {
+            let hint = "ask for fewer, or raise the limit of processes (ulimit -u)";
+            raise(of_argument("threads", with_hint(hint)))
+        }
+        SweepError::AllFailed { .. } => raise(with_hint("`Model.simulate` with `set` makes a single run")),
+        SweepError::Interrupted { .. } => raise(diagnostic),
+    }
+}
