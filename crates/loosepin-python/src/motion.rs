@@ -10,7 +10,8 @@ use loosepin::study::InputFile;
 use loosepin::study::files::FilesError;
 use pyo3::prelude::*;
 
-use crate::error::{raise, raise_problem};
+use crate::arguments::raise_of_arguments;
+use crate::error::raise_problem;
 use crate::waiting::without_gil;
 
 /// The ideal motion, and the quasi-static effect of play and scatter on it.
@@ -20,7 +21,7 @@ pub struct Motion(MotionRecord);
 impl Motion {
     /// The motion of `file` with the settings `set`, texts `path=value`.
     pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>) -> PyResult<Self> {
-        without_gil(py, || file.motion_answer(&set))?.map(Self).map_err(raise)
+        without_gil(py, || file.motion_answer(&set))?.map(Self).map_err(raise_of_arguments)
     }
 }
 

@@ -11,7 +11,8 @@ use loosepin::simulate::{Plan, SmallestClearance, ToleranceProblem};
 use loosepin::study::{check_measured, run_and_compare};
 use pyo3::prelude::*;
 
-use crate::error::{raise, raise_problem};
+use crate::arguments::raise_of_arguments;
+use crate::error::raise_problem;
 use crate::simulation::Simulation;
 use crate::waiting::wait_for;
 
@@ -29,14 +30,14 @@ pub fn simulate(
     plan: &Plan,
     measured: &[PathBuf],
 ) -> PyResult<Simulation> {
-    let set = model.set_values(set).map_err(raise)?;
+    let set = model.set_values(set).map_err(raise_of_arguments)?;
     let coarse = check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let stop = AtomicBool::new(false);
     let work = || simulated(&set, plan, measured, &stop);
     let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
     match (raised, outcome) {
         (Some(error), _) => Err(error),
-        (None, Err(diagnostics)) => Err(raise(diagnostics)),
+        (None, Err(diagnostics)) => Err(raise_of_arguments(diagnostics)),
         (None, Ok((simulation, failure))) => {
             let warnings = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None)).collect();
             Ok(Simulation::new(simulation, failure, warnings))

@@ -362,7 +362,7 @@ class Simulation(Mapping[str, Array]):
 
     @cached_property
     def contact_forces_n(self) -> dict[str, Array]:
-        """Normal force of each contact, 0 in free flight, by the name of its joint; a block in a guide has one for each corner."""
+        """Normal force of each contact, 0 in free flight: by the name of the joint, for a corner of a block `guide (upper front)`."""
         return dict(self._native.contact_forces())
 
     @cached_property
