@@ -10,7 +10,10 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "crates/loosepin-python/python/loosepin"
 # The order of the page; modules that are not here come behind, in the order of their names.
-ORDER = ("_model", "_study", "_result", "_records", "_evaluation", "_design", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_objects.errors", "_warning")
+ORDER = (
+    *("_model", "_mechanism.run_records", "_mechanism.without_runs", "_mechanism.sweep", "_mechanism.wear", "_study", "_result", "_records"),
+    *("_evaluation", "_design", "_function_bounds", "_inputs", "_surrogates", "_loosepin", "_objects.errors", "_warning"),
+)
 # Docstrings of modules that would not do as headings.
 HEADINGS = {"_loosepin": "Errors", "_objects.errors": "Errors that are also exceptions of Python", "_warning": "Warnings"}
 WIDEST_SIGNATURE = 100
@@ -87,6 +90,21 @@ def fields(body: list[ast.stmt]) -> list[tuple[str, str, str]]:
     return found
 
 
+def attributes(node: ast.ClassDef) -> list[tuple[str, str, str]]:
+    """Name, type and text of what `__init__` gives an object; the text stands behind it."""
+    init = next((part for part in node.body if isinstance(part, ast.FunctionDef) and part.name == "__init__"), None)
+    if init is None:
+        return []
+    return fields([named(part) for part in init.body])
+
+
+def named(part: ast.stmt) -> ast.stmt:
+    """`self.name: type = value` as the field `name: type` of a dataclass; any other statement as it is."""
+    if isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Attribute):
+        return ast.AnnAssign(ast.Name(part.target.attr), part.annotation, None, 1)
+    return part
+
+
 def decorators(function: ast.FunctionDef) -> set[str]:
     return {ast.unparse(decorator) for decorator in function.decorator_list}
 
@@ -98,7 +116,7 @@ def described(node: ast.ClassDef) -> list[str]:
     if any(base.endswith(("Error", "Exception", "Warning")) for base in bases):
         lines += [f"An exception, kind of `{', '.join(bases)}`.", ""]
     lines += [docstring(node), ""]
-    listed = fields(node.body)
+    listed = fields(node.body) + attributes(node)
     methods = [part for part in node.body if isinstance(part, ast.FunctionDef) and not part.name.startswith("_")]
     for method in methods:
         if decorators(method) & {"property", "cached_property"}:

@@ -2,7 +2,6 @@
 //! use is `python/loosepin`; `_loosepin.pyi` describes what is here.
 
 mod arguments;
-mod check;
 mod column;
 mod error;
 mod evaluator;
@@ -12,18 +11,15 @@ mod growing_samples;
 mod identification;
 mod inputs;
 mod laws;
+mod mechanism;
 mod model;
-mod motion;
 mod python_run_provider;
 mod result;
 mod results_folder;
 mod run_rows;
-mod simulation;
-mod single_run;
 mod study;
 mod study_inputs;
 mod surrogates;
-mod sweep;
 mod waiting;
 mod words_of_python;
 
@@ -37,16 +33,16 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<error::Diagnostic>()?;
     module.add_class::<column::Column>()?;
     module.add_class::<model::Model>()?;
-    module.add_class::<simulation::Simulation>()?;
+    module.add_class::<mechanism::simulation::Simulation>()?;
     module.add_class::<run_rows::RunRows>()?;
     module.add_class::<study::Study>()?;
     module.add_class::<evaluator::Evaluator>()?;
     module.add_class::<result::StudyResult>()?;
     module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;
-    module.add_class::<motion::Motion>()?;
-    module.add_class::<sweep::Sweep>()?;
-    module.add_class::<check::Check>()?;
+    module.add_class::<mechanism::motion::Motion>()?;
+    module.add_class::<mechanism::sweep::Sweep>()?;
+    module.add_class::<mechanism::check::Check>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_cdf, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_ppf, module)?)?;

@@ -15,12 +15,12 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arguments::{count, count_threads, integrator_named, lyapunov_turns, tolerance_m};
-use crate::check::Check;
 use crate::error::{Diagnostic, of_argument, raise, raise_problem};
-use crate::motion::Motion;
-use crate::simulation::Simulation;
-use crate::single_run;
-use crate::sweep::Sweep;
+use crate::mechanism::check::Check;
+use crate::mechanism::motion::Motion;
+use crate::mechanism::simulation::Simulation;
+use crate::mechanism::single_run;
+use crate::mechanism::sweep::Sweep;
 
 /// Rows for each turn, at most; as for the command.
 const MAX_SAMPLES: i64 = 1_000_000;

@@ -10,13 +10,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::count_threads;
-use crate::check::Check;
 use crate::error::{Diagnostic, raise};
 use crate::further_outputs::{self, FunctionRequests, RunBackend};
 use crate::growing_samples::Accuracy;
 use crate::identification::{self, Identification, identified, planned};
+use crate::mechanism::check::Check;
+use crate::mechanism::motion::Motion;
 use crate::model::Model;
-use crate::motion::Motion;
 use crate::python_run_provider::PythonRunProvider;
 use crate::result::StudyResult;
 use crate::results_folder::{ExistingFolderOptions, StudyEnd, run_in_folder, run_in_memory};

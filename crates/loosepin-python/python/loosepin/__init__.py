@@ -37,13 +37,13 @@ from ._model import Model, Output, Parameter, Simulation
 from ._objects.errors import LoosepinFileNotFoundError, LoosepinValueError
 from ._records import Bound, BoundEnd, Curve, Extreme, ExtremePoint
 from ._result import Samples, StudyResult
-from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum
+from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
-from ._sweep import Sweep, SweptJoint
+from ._mechanism.sweep import Sweep, SweptJoint
 from ._warning import LoosepinWarning
-from ._wear import JointWear, SurfaceLife, SurfaceWear, Wear
-from ._without_runs import Check, CheckSection, Motion, OutputMotion
+from ._mechanism.wear import JointWear, SurfaceLife, SurfaceWear, Wear
+from ._mechanism.without_runs import Check, CheckSection, Motion, OutputMotion
 
 __all__ = [
     "__version__",

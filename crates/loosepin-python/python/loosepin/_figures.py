@@ -12,7 +12,6 @@ from ._extras import need
 from ._records import Array, Bound, Curve
 
 if TYPE_CHECKING:
-    import matplotlib.axes
     import matplotlib.figure
 
 Axes = Any
@@ -98,10 +97,13 @@ def study_figure(
 
 
 def motion_figure(
-    drive_angle_rad: Array, outputs: Sequence[tuple[str, str, tuple[Array, Array], tuple[Array, Array]]], display_units: dict[str, Any]
+    drive_angle_rad: Array,
+    outputs: Sequence[tuple[str, str, tuple[Array, Array], tuple[Array, Array]]],
+    display_units: dict[str, Any],
+    ax: Axes = None,
 ) -> matplotlib.figure.Figure:
     """Deviations of outputs by play over the cycle: name, SI unit, the ends that were found, those that are proven."""
-    figure, axes = _panels(len(outputs))
+    figure, axes = _panels([name for name, *_ in outputs], ax)
     angle = np.degrees(drive_angle_rad)
     for axis, (name, symbol, found, proven) in zip(axes, outputs):
         unit, factor = shown(symbol, display_units)
@@ -115,10 +117,10 @@ def motion_figure(
 
 
 def sweep_figure(
-    over: tuple[str, str, Array], outputs: Sequence[tuple[str, str, Array]], display_units: dict[str, Any]
+    over: tuple[str, str, Array], outputs: Sequence[tuple[str, str, Array]], display_units: dict[str, Any], ax: Axes = None
 ) -> matplotlib.figure.Figure:
     """Deviations of outputs once a turn, with the shape (values, turns), over a quantity: each has name, SI unit and values."""
-    figure, axes = _panels(len(outputs))
+    figure, axes = _panels([name for name, *_ in outputs], ax)
     path, symbol, values_si = over
     unit, factor = shown(symbol, display_units)
     for axis, (name, output_symbol, sections_si) in zip(axes, outputs):
@@ -130,11 +132,10 @@ def sweep_figure(
 
 
 def distribution_figure(
-    outputs: Sequence[tuple[str, tuple[Array, Array, Array] | None, Sequence[Bound]]], ax: matplotlib.axes.Axes | None
+    outputs: Sequence[tuple[str, tuple[Array, Array, Array] | None, Sequence[Bound]]], ax: Axes = None
 ) -> matplotlib.figure.Figure:
     """Bounds of distribution functions: name of an output, values with both ends of its function, and bounds of other statistics."""
-    figure: Any
-    figure, axes = _panels(len(outputs)) if ax is None else (ax.get_figure(), [ax])
+    figure, axes = _panels([name for name, _, _ in outputs], ax)
     for axis, (name, box, bounds) in zip(axes, outputs):
         drawn = [_distribution_mark(axis, each) for each in bounds]
         if box is not None:
@@ -143,8 +144,7 @@ def distribution_figure(
         elif not any(drawn):
             raise ValueError(f"no bound of '{name}' is drawn\nhint: ask for \"cdf\", \"mean\", a quantile or a probability")
         axis.set(xlabel=name, ylabel="probability to stay below", ylim=(0, 1))
-    whole: matplotlib.figure.Figure = figure
-    return whole
+    return figure
 
 
 def _distribution_mark(axis: Any, bound: Bound) -> bool:

@@ -27,12 +27,12 @@ from ._objects.records import Record
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array, Extreme, extreme
-from ._run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
-from ._sweep import Sweep, swept
+from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
+from ._mechanism.sweep import Sweep, swept
 from ._toml import to_toml
 from ._warning import warn
-from ._wear import Wear
-from ._without_runs import Check, Motion
+from ._mechanism.wear import Wear
+from ._mechanism.without_runs import Check, Motion
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -197,6 +197,9 @@ class Model(NoArray):
         A run that fails is NaN, with its reason in `reasons`. The result is the same for any number of threads. Ctrl-C ends it soon;
         nothing is kept. Raises LoosepinError if all runs fail.
         """
+        must_be("a str", over=over, tolerance=tolerance)
+        must_be("an int", points=points, transient=transient, turns=turns)
+        must_be("an int or None", threads=threads)
         numbers_of_turns = (transient, turns)
         made, warnings_ = swept(
             self._native, over, between, values, points, numbers_of_turns, tolerance, settings("set", set), threads, progress
@@ -377,7 +380,7 @@ class Simulation(NoArray, Mapping[str, Array]):
 
     @cached_property
     def contact_forces_n(self) -> dict[str, Array]:
-        """Normal force of each contact, 0 in free flight, by the name of its joint; a block in a guide has one for each corner."""
+        """Normal force of each contact, 0 in free flight: by the name of the joint, for a corner of a block `guide (upper front)`."""
         forces: dict[str, Array] = frozen(dict(self._native.contact_forces()))
         return forces
 

@@ -88,6 +88,7 @@ class StudyResult(NoArray):
 
         Raises LoosepinError if the folder holds no finished study, or one of its files is not as it was written.
         """
+        must_be("a path", folder=folder)
         return cls(_loosepin.StudyResult.load(os.fspath(folder)))
 
     @property

@@ -25,7 +25,7 @@ from ._records import Array
 from ._result import StudyResult
 from ._toml import to_toml
 from ._warning import warn
-from ._without_runs import Check, Motion
+from ._mechanism.without_runs import Check, Motion
 
 
 class Study(NoArray):

@@ -1,6 +1,7 @@
 """An object of each public class, and another one of the same class that is not equal to it."""
 
 import shutil
+import tomllib
 import warnings
 from dataclasses import replace
 from functools import cache
@@ -54,6 +55,10 @@ def every_object():
         for name, factor, seed in (("y", 1, 1), ("z", 2, 2))
     ]
     answers = identifications()
+    full, other_full = full_runs()
+    sweeps, wears = sweeps_and_wears()
+    motions = [model.motion(set={"joint.gudgeon.radial_clearance": clearance}) for clearance in ("0.3 mm", "0.4 mm")]
+    checks = (model.check(), study.check())
     ends = [result.bounds[0].lower, result.bounds[0].upper]
     objects = {
         "Model": (model, lp.Model.from_text(model.text + "\n# another\n")),
@@ -68,6 +73,21 @@ def every_object():
         "Simulation": tuple(simulations),
         "Extreme": simulations[0].extremes[:2],
         "ExtremePoint": (simulations[0].extremes[0].minimum, simulations[0].extremes[0].maximum),
+        "BodyStates": (full.states["rod"], full.states["crank"]),
+        "Orbit": (full.orbits["gudgeon"], other_full.orbits["gudgeon"]),
+        "Spectrum": (full.spectra["slider"], full.spectra["gudgeon.contact_force"]),
+        "Lyapunov": (full.lyapunov, other_full.lyapunov),
+        "MeasuredCurve": (full.measured[0], other_full.measured[0]),
+        "Motion": tuple(motions),
+        "OutputMotion": tuple(motion["slider"] for motion in motions),
+        "Check": checks,
+        "CheckSection": tuple(check.sections[0] for check in checks),
+        "Sweep": sweeps,
+        "SweptJoint": tuple(sweep.joints["gudgeon"] for sweep in sweeps),
+        "Wear": wears,
+        "JointWear": tuple(wear["gudgeon"] for wear in wears),
+        "SurfaceWear": tuple(wear["gudgeon"].surfaces["bearing"] for wear in wears),
+        "SurfaceLife": tuple(lp.SurfaceLife(*(np.full(shape, depth) for shape in (2, 2, (2, 3)))) for depth in (1e-9, 2e-9)),
         "Evaluation": tuple(evaluations),
         "Output": model.outputs[:2],
         "Parameter": model.parameters[:2],
@@ -84,6 +104,32 @@ def every_object():
         "Diagnostic": tuple(lp.Diagnostic("E0201", "error", words, None, None, None, None, words) for words in ("one", "two")),
     }
     return objects | {type(law).__name__: (law, changed) for law, changed in LAWS + DESCRIPTIONS}
+
+
+@cache
+def full_runs():
+    """Two runs with everything that a run can hold."""
+    model = lp.Model.load(MODEL)
+    with TemporaryDirectory() as folder:
+        measured = Path(folder) / "stand.csv"
+        measured.write_text("angle [deg], slider [mm]\n30, 161.0\n60, 137.1\n90, 109.2\n", encoding="utf-8")
+        setting = "joint.gudgeon.radial_clearance"
+        return tuple(
+            model.simulate(turns=1, transient=1, samples=72, states=True, lyapunov=20, measured=[measured], set={setting: clearance})
+            for clearance in ("0.3 mm", "0.4 mm")
+        )
+
+
+@cache
+def sweeps_and_wears():
+    model = lp.Model.load(MODEL)
+    over, few = "joint.gudgeon.radial_clearance", {"transient": 0, "turns": 2, "tolerance": "1e-7 m", "progress": False}
+    sweeps = tuple(model.sweep(over, between=("0.1 mm", last), points=3, **few) for last in ("0.3 mm", "0.4 mm"))
+    keys = tomllib.loads(model.text)
+    keys["joint"]["gudgeon"] |= {"bearing_length": "20 mm", "wear": {"bearing": {"coefficient": "1e-15 m^2/N"}}}
+    worn = lp.Model.from_dict(keys)
+    wears = tuple(worn.wear(turns=0.5, transient=0, tolerance="1e-7 m", set={"wear.cycles": cycles}) for cycles in ("1e3", "2e3"))
+    return sweeps, wears
 
 
 @cache

@@ -56,7 +56,7 @@ def test_an_object_is_no_array(name):
 
 
 def test_an_unpickled_result_gives_the_same_texts_and_pages(tmp_path):
-    for name in ("StudyResult", "Simulation", "Identification"):
+    for name in ("StudyResult", "Simulation", "Identification", "Motion", "Sweep", "Wear"):
         one = every_object()[name][0]
         same = again(one)
         assert str(same) == str(one)
@@ -100,7 +100,11 @@ def arrays_of(thing, seen):
                 yield from arrays_of(value, seen)
 
 
-WITH_ARRAYS = ["Box", "Curve", "Evaluation", "FunctionBounds", "Samples", "Simulation", "StudyResult", "SurrogateOutput", "Surrogates"]
+WITH_ARRAYS = [
+    *("BodyStates", "Box", "Curve", "Evaluation", "FunctionBounds", "JointWear", "Lyapunov", "MeasuredCurve", "Motion", "Orbit"),
+    *("OutputMotion", "Samples", "Simulation", "Spectrum", "StudyResult", "SurfaceLife", "SurfaceWear", "SurrogateOutput", "Surrogates"),
+    *("Sweep", "SweptJoint", "Wear"),
+]
 
 
 def test_the_classes_with_arrays_are_known():
@@ -117,7 +121,9 @@ def test_arrays_cannot_be_changed(name):
                 array[...] = array[::-1].copy()
 
 
-@pytest.mark.parametrize("name", ["Evaluation", "FunctionBounds", "Samples", "Simulation", "StudyResult"])
+@pytest.mark.parametrize(
+    "name", ["Evaluation", "FunctionBounds", "Motion", "Samples", "Simulation", "StudyResult", "Sweep", "Wear"]
+)
 def test_frames_are_copies(name):
     one = every_object()[name][0]
     before = copy.deepcopy(one)

@@ -12,7 +12,7 @@ use loosepin::study::{check_measured, run_and_compare};
 use pyo3::prelude::*;
 
 use crate::error::{raise, raise_problem};
-use crate::simulation::Simulation;
+use crate::mechanism::simulation::Simulation;
 use crate::waiting::wait_for;
 
 /// Refuses a tolerance that is larger than the smallest clearance; a warning where it is coarse.

@@ -148,7 +148,9 @@ def test_arguments_that_are_wrong_are_named(model):
         model.simulate(integrator="euler")
     with pytest.raises(ValueError, match="lyapunov 19; must be between 20 and 1000000"):
         model.simulate(lyapunov=19)
-    with pytest.raises(lp.LoosepinError):
+    with pytest.raises(lp.LoosepinError, match="hint: omit integrator"):
         model.simulate(turns=0.1, integrator="implicit")
+    with pytest.raises(lp.LoosepinError, match="hint: omit lyapunov"):
+        model.simulate(turns=0.1, lyapunov=20, set={"joint.gudgeon.radial_clearance": "0 mm"})
     with pytest.raises(lp.LoosepinError, match="missing.csv"):
         model.simulate(turns=0.1, measured=["missing.csv"])

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use loosepin::diagnostics;
+use loosepin::diagnostics::{self, Code};
 use loosepin::model::Model;
 use loosepin::report::{sweep_page, sweep_text};
 use loosepin::result::json::Stored;
@@ -11,12 +11,12 @@ use loosepin::results::write_whole;
 use loosepin::study::Progress;
 use loosepin::study::files::FilesError;
 use loosepin::sweep::record::SweepRecord;
-use loosepin::sweep::{SweepError, SweepRequest, sweep};
+use loosepin::sweep::{SweepError, SweepRequest, SweptValues, sweep};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::error::{Diagnostic, of_argument, raise, raise_problem};
-use crate::single_run::check_tolerance;
+use crate::mechanism::single_run::check_tolerance;
 use crate::waiting::{RunCounts, wait_for};
 
 /// A finished sweep.
@@ -61,7 +61,7 @@ impl Sweep {
         model.demand_dynamics().map_err(raise)?;
         let set = model.set_values(request.set).map_err(raise)?;
         let plan = request.plan(model, &set, tolerance_m);
-        let plan = plan.map_err(|diagnostic| raise(of_argument("over", diagnostic)))?;
+        let plan = plan.map_err(|diagnostic| raise(of_argument(argument_of(request, diagnostic.code), diagnostic)))?;
         let coarse = check_tolerance(tolerance_m, plan.smallest_clearance(&set))?;
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         counts.runs(0, plan.points);
@@ -80,6 +80,15 @@ impl Sweep {
         record.repeat = request.repeat(model);
         let warnings = coarse.iter().map(|warning| Diagnostic::new(&diagnostics::Diagnostic::warning(warning, None)));
         Ok((Self(record), warnings.collect()))
+    }
+}
+
+/// The argument that a request without a plan is wrong in.
+fn argument_of(request: &SweepRequest<'_>, code: Code) -> &'static str {
+    match (request.values, code) {
+        (_, Code::UnknownPath | Code::NotSettable | Code::SetTwice) => "over",
+        (SweptValues::Between { .. }, _) => "between",
+        (SweptValues::Listed { .. }, _) => "values",
     }
 }
 

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
-from . import _loosepin
-from ._extras import need
-from ._objects.arrays import NoArray, read_only
-from ._objects.pickles import pickled
-from ._objects.records import Record
-from ._records import Array, numbers
+from .. import _loosepin
+from .._extras import need
+from .._objects.arrays import NoArray, read_only
+from .._objects.pickles import pickled
+from .._objects.records import Record
+from .._records import Array, numbers
 
 if TYPE_CHECKING:
     import pandas

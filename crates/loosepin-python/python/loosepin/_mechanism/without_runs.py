@@ -11,13 +11,13 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _loosepin
-from ._extras import need
-from ._figures import motion_figure, shown
-from ._objects.arrays import NoArray
-from ._objects.pickles import pickled
-from ._objects.records import Record
-from ._records import Array, numbers
+from .. import _loosepin
+from .._extras import need
+from .._figures import motion_figure, shown
+from .._objects.arrays import NoArray
+from .._objects.pickles import pickled
+from .._objects.records import Record
+from .._records import Array, numbers
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -150,10 +150,13 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
                 if len(each):
                     yield name, what, each, output.unit
 
-    def plot(self, *outputs: str) -> matplotlib.figure.Figure:
-        """Draws the worst case of the play over the cycle: what was found, and what is proven; all outputs where none is named."""
+    def plot(self, *outputs: str, ax: Any = None) -> matplotlib.figure.Figure:
+        """Draws the worst case of the play over the cycle: what was found, and what is proven; all outputs where none is named.
+
+        ax: as for `Simulation.plot`.
+        """
         drawn = [(self[name].name, self[name].unit, self[name].found, self[name].proven) for name in outputs or self]
-        return motion_figure(self.drive_angle_rad, drawn, self.summary["display_units"])
+        return motion_figure(self.drive_angle_rad, drawn, self.summary["display_units"], ax)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin motion` writes: one file, readable without a network."""

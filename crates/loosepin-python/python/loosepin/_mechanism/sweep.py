@@ -14,14 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _loosepin
-from ._extras import need
-from ._figures import shown, sweep_figure
-from ._progress import Listener, listener
-from ._objects.arrays import NoArray, read_only
-from ._objects.pickles import pickled
-from ._objects.records import Record
-from ._records import Array, numbers
+from .. import _loosepin
+from .._extras import need
+from .._figures import shown, sweep_figure
+from .._progress import Listener, listener
+from .._objects.arrays import NoArray, read_only
+from .._objects.logs import long_run
+from .._objects.pickles import pickled
+from .._objects.records import Record
+from .._records import Array, numbers
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -123,10 +124,13 @@ class Sweep(NoArray, Mapping[str, Array]):
         dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.summary["model"]})
         return dataset
 
-    def plot(self, *outputs: str) -> matplotlib.figure.Figure:
-        """Draws the bifurcation diagram: the deviation once a turn over the quantity; all outputs where none is named."""
+    def plot(self, *outputs: str, ax: Any = None) -> matplotlib.figure.Figure:
+        """Draws the bifurcation diagram: the deviation once a turn over the quantity; all outputs where none is named.
+
+        ax: as for `Simulation.plot`.
+        """
         drawn = [(name, self.units[name], self[name]) for name in outputs or self]
-        return sweep_figure((self.path, self.units[self.path], self.values_si), drawn, self.summary["display_units"])
+        return sweep_figure((self.path, self.units[self.path], self.values_si), drawn, self.summary["display_units"], ax)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin sweep` writes: one file, readable without a network."""
@@ -185,12 +189,8 @@ def swept(
         raise ValueError("sweep needs either between or values")
     ends = None if between is None else _ends(native, over, between)
     listed = [] if values is None else _listed(values)
-    told = listener(progress)
-    try:
+    with long_run(f"sweep of {over}", listener(progress)) as told:
         made, warnings = native.sweep(over, ends, listed, points, *turns, tolerance, settings, threads, told)
-    finally:
-        if told is not None:
-            told.close()
     return Sweep(made), warnings
 
 

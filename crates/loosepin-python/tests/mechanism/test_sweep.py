@@ -125,15 +125,17 @@ def test_figure_and_notebook(sweep):
         ({"between": ("0.1 mm", "0.2 mm"), "values": [1e-4]}, ValueError, "either between or values"),
         ({"between": ("0.1 mm", "0.2 mm"), "points": 1}, ValueError, "points 1; must be between 2 and 100000"),
         ({"between": "0.1 mm"}, ValueError, "between '0.1 mm'; must be two values"),
-        ({"between": ("0.1 mm", "0.1 mm")}, lp.LoosepinError, "over: .* to the same value"),
-        ({"between": ("0.1 mm", "0.2 kg")}, lp.LoosepinError, "over: .* must be a length"),
-        ({"values": [1e-4, -1e-4]}, lp.LoosepinError, "over: .*-0.1 mm"),
+        ({"between": ("0.1 mm", "0.1 mm")}, lp.LoosepinError, "between: .* to the same value"),
+        ({"between": ("0.1 mm", "0.2 kg")}, lp.LoosepinError, "between: .* must be a length"),
+        ({"values": [1e-4, -1e-4]}, lp.LoosepinError, "values: .*-0.1 mm"),
         ({"values": []}, ValueError, "at least one value"),
         ({"values": ["0.1 mm"]}, TypeError, "must be numbers in SI units"),
         ({"values": [1e-4, np.inf]}, ValueError, "must be finite"),
         ({"values": [1e-4], "turns": 1}, ValueError, "turns 1; must be between 2 and 100000"),
         ({"values": [1e-4], "threads": 0}, ValueError, "threads 0; must be between 1 and 1024"),
-        ({"values": [1e-4], "set": {CLEARANCE: "0.2 mm"}}, lp.LoosepinError, "set a second time"),
+        ({"values": [1e-4], "set": {CLEARANCE: "0.2 mm"}}, lp.LoosepinError, "over: .* set a second time"),
+        ({"values": [1e-4], "set": {"parameter.rod_length": 0.12}}, lp.LoosepinError, "set: .* without a unit"),
+        ({"values": [1e-4], "tolerance": "1 mm"}, lp.LoosepinError, "the tolerance 1 mm is larger"),
     ],
 )
 def test_arguments_that_are_wrong_are_named(model, arguments, error, words):
@@ -142,5 +144,6 @@ def test_arguments_that_are_wrong_are_named(model, arguments, error, words):
 
 
 def test_a_path_that_is_not_there_is_refused(model):
-    with pytest.raises(lp.LoosepinError, match="over: .*did you mean|over: "):
-        model.sweep("joint.gudgeon.radial_clearence", between=(1e-4, 2e-4))
+    for values in ({"between": (1e-4, 2e-4)}, {"between": ("0.1 mm", "0.2 mm")}, {"values": [1e-4]}):
+        with pytest.raises(lp.LoosepinError, match=f"over: .*radial_clearence'\\nhint: did you mean '{CLEARANCE}'"):
+            model.sweep("joint.gudgeon.radial_clearence", progress=False, **values)

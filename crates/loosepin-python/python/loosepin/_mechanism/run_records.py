@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ._objects.arrays import frozen, read_only
-from ._objects.records import Record
-from ._records import Array, numbers
+from .._objects.arrays import frozen, read_only
+from .._objects.records import Record
+from .._records import Array, numbers
 
 
 @dataclass(frozen=True, eq=False)
