@@ -38,12 +38,22 @@ const SENTENCES: [(&str, &str); 17] = [
     ("`loosepin simulate`", "Model.simulate"),
 ];
 
+/// The source of settings.
+const SET: &str = "--set";
+
 /// Options without a value: in Python they are true or false.
 const SWITCHES: [&str; 5] = ["force", "lengths", "posterior", "resume", "states"];
 
 /// The diagnostic as Python tells it.
 pub fn in_python(diagnostic: &Diagnostic) -> Diagnostic {
     let label = |label: &Label| Label { place: place(&label.place), text: sentence(&label.text) };
+    let is_of_set = diagnostic.place.as_ref().is_some_and(|place| place.source.name() == SET);
+    if is_of_set {
+        // Nobody wrote the text that the place is in: it was put together from a path and a value.
+        let message = format!("set: {}", sentence(&diagnostic.message));
+        let hint = diagnostic.hint.as_deref().map(sentence);
+        return Diagnostic { message, hint, place: None, labels: Vec::new(), ..diagnostic.clone() };
+    }
     Diagnostic {
         message: sentence(&diagnostic.message),
         hint: diagnostic.hint.as_deref().map(sentence),

@@ -94,7 +94,8 @@ def arrays_of(thing, seen):
     elif type(thing).__module__.startswith("loosepin") and id(thing) not in seen:
         seen.add(id(thing))
         if hasattr(thing, "keys"):
-            yield from (thing[key] for key in thing)
+            for key in thing:
+                yield from arrays_of(thing[key], seen)
         for name in dir(thing):
             if not name.startswith("_") and not callable(value := getattr(thing, name)):
                 yield from arrays_of(value, seen)

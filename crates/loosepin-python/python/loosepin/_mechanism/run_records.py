@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .._objects.arrays import frozen, read_only
+from .._objects.arrays import read_only
 from .._objects.records import Record
 from .._records import Array, numbers
 
@@ -133,7 +133,7 @@ def spectra(native: Iterable[tuple[str, str, list[Array], list[float]]]) -> dict
     """The columns of `spectrum.csv` by what they are of."""
     found = {}
     for of, unit, (order, frequency_hz, amplitude), (mean, rms, peak) in native:
-        found[of] = Spectrum(of, unit, *frozen((order, frequency_hz, amplitude)), mean, rms, peak)
+        found[of] = Spectrum(of, unit, read_only(order), read_only(frequency_hz), read_only(amplitude), mean, rms, peak)
     return found
 
 

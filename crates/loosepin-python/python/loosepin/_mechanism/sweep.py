@@ -103,7 +103,7 @@ class Sweep(NoArray, Mapping[str, Array]):
         columns: dict[str, Any] = {"value": self.values_si, "period_turns": self.period_turns}
         columns |= {f"{joint}.{what}": getattr(of_joint, what) for joint, of_joint in self.joints.items() for what in _OF_JOINT}
         columns["failure"] = [reason or "" for reason in self.reasons]
-        frame: pandas.DataFrame = pandas_.DataFrame(columns, copy=False)
+        frame: pandas.DataFrame = pandas_.DataFrame(columns)
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
@@ -121,7 +121,7 @@ class Sweep(NoArray, Mapping[str, Array]):
             "turn": np.arange(1, self.summary["recorded_turns"] + 1),
             "failed": ("run", self.failed),
         }
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.summary["model"]})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.summary["model"]}).copy(deep=True)
         return dataset
 
     def plot(self, *outputs: str, ax: Any = None) -> matplotlib.figure.Figure:

@@ -131,7 +131,7 @@ class Wear(NoArray, Mapping[str, JointWear], Generic[RunT]):
                 variables[f"{name}.{word}.depth_m"] = (sector, surface.depth_m, {"units": "m"})
             for word, life in joint.life.items():
                 variables[f"{name}.{word}.life_depth_m"] = (("cycles", sector), life.depth_m, {"units": "m"})
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.simulation._native.model})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.simulation._native.model}).copy(deep=True)
         return dataset
 
     def to_pandas(self) -> pandas.DataFrame:

@@ -118,7 +118,7 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         pandas_ = need("pandas", "to_pandas()")
         columns = {"drive_angle_rad": self.drive_angle_rad}
         columns |= {f"{name} {what}": values for name, what, values, _ in self._columns()} | self.efforts
-        frame: pandas.DataFrame = pandas_.DataFrame(columns, copy=False)
+        frame: pandas.DataFrame = pandas_.DataFrame(columns)
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
@@ -127,7 +127,7 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         variables = {f"{name} {what}": ("drive_angle_rad", values, {"units": unit}) for name, what, values, unit in self._columns()}
         variables |= {name: ("drive_angle_rad", values, {"units": self.units[name]}) for name, values in self.efforts.items()}
         coordinates = {"drive_angle_rad": ("drive_angle_rad", self.drive_angle_rad, {"units": "rad"})}
-        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.summary["model"]})
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self.summary["model"]}).copy(deep=True)
         return dataset
 
     def _columns(self) -> Iterator[tuple[str, str, Array, str]]:
