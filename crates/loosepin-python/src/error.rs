@@ -125,7 +125,7 @@ enum Kind<'d> {
 
 /// The one place that decides what an exception for `first` is: by its code, and by what the operating system said of a file.
 fn kind(first: &diagnostics::Diagnostic) -> Kind<'_> {
-    if let Some(file) = first.refused_file.as_ref().filter(|file| file.reason == io::ErrorKind::NotFound) {
+    if let Some(file) = first.refused_file.as_deref().filter(|file| file.reason == io::ErrorKind::NotFound) {
         return Kind::FileNotFound(file);
     }
     match first.code {

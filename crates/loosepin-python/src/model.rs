@@ -203,10 +203,10 @@ impl Model {
         Check::of_file(py, self.file())
     }
 
-    /// A value of the quantity `over`, SI, as a text with its unit that reads back to the same bits.
-    fn text_of_value(&self, over: &str, value_si: f64) -> PyResult<String> {
-        let id = self.0.find(over).map_err(|error| {
-            raise(of_argument("over", diagnostics::Diagnostic::error(&SettingError::from(error), None)))
+    /// A value of the quantity `path`, SI, as a text with its unit that reads back to the same bits. Errors name the `argument`.
+    fn text_of_value(&self, argument: &str, path: &str, value_si: f64) -> PyResult<String> {
+        let id = self.0.find(path).map_err(|error| {
+            raise(of_argument(argument, diagnostics::Diagnostic::error(&SettingError::from(error), None)))
         })?;
         Ok(exact_value(value_si, &SiUnit::of_dimension(self.0.quantities[id].dimension)))
     }

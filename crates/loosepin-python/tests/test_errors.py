@@ -38,7 +38,7 @@ def test_kinds_of_files_are_not_mixed_up(tmp_path):
 def test_values_that_break_a_rule():
     model = lp.Model.load(MODEL)
     with pytest.raises(lp.LoosepinError, match="0.3 without a unit; must be a length"):
-        model.simulate(set={"joint.gudgeon.radial_clearance": 0.3})
+        model.simulate(set={"joint.gudgeon.radial_clearance": "0.3"})
     with pytest.raises(lp.LoosepinError, match="tolerance is a mass; must be a length"):
         model.simulate(tolerance="3 kg")
     for name, value in [("turns", float("nan")), ("turns", 0.0), ("turns", -0.5), ("turns", 1e300), ("transient", -1.0)]:

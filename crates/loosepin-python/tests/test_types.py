@@ -68,6 +68,7 @@ extremes: tuple[lp.Extreme, ...] = run.extremes
 point: lp.ExtremePoint = extremes[0].maximum
 figure, axes = pyplot.subplots()
 run.plot("slider", ax=axes)
+runs: lp.Simulations[lp.Simulation] = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 3e-4, 5)})
 states: dict[str, lp.BodyStates] = run.states
 orbits: dict[str, lp.Orbit] = run.orbits
 spectra: dict[str, lp.Spectrum] = run.spectra

@@ -37,6 +37,7 @@ from ._model import Model, Output, Parameter, Simulation
 from ._objects.errors import LoosepinFileNotFoundError, LoosepinValueError
 from ._records import Bound, BoundEnd, Curve, Extreme, ExtremePoint
 from ._result import Samples, StudyResult
+from ._mechanism.many_runs import Simulations
 from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
@@ -94,6 +95,7 @@ __all__ = [
     "Posterior",
     "Samples",
     "Simulation",
+    "Simulations",
     "Spectrum",
     "Study",
     "StudyInput",

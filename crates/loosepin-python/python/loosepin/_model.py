@@ -27,6 +27,7 @@ from ._objects.records import Record
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array, Extreme, extreme
+from ._mechanism.many_runs import Simulations, simulated
 from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
 from ._mechanism.sweep import Sweep, swept
 from ._toml import to_toml
@@ -137,7 +138,9 @@ class Model(NoArray):
 
         turns, transient: turns that are recorded, and turns that are run before them; samples: rows for each turn; by default
         as the model file says. tolerance: a step may err by 0.5 % of it; impacts amplify errors. states: whether the motion of every
-        body is recorded. second_run: whether a second run shows how long the positions can be trusted. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
+        body is recorded. second_run: whether a second run shows how long the positions can be trusted. set: values by
+        their path in the model, texts with units or numbers in SI, {"joint.gudgeon.radial_clearance": 3e-4}; a law by its name. The witness
+        of a bound is such a mapping.
         integrator: "explicit", or "implicit" for flexible bodies in absolute nodal coordinates. lyapunov: turns, at least 20, over which
         the largest Lyapunov exponent is measured by runs of their own. measured: CSV files of curves that are compared with the outputs,
         with a header such as "angle [deg], slider [mm]".
@@ -150,7 +153,7 @@ class Model(NoArray):
         must_be("an int or None", lyapunov=lyapunov)
         simulation = Simulation(
             self._native.simulate(
-                turns, transient, samples, tolerance, states, second_run, settings("set", set), integrator, lyapunov,
+                turns, transient, samples, tolerance, states, second_run, self._settings(set), integrator, lyapunov,
                 paths("measured", measured),
             )
         )
@@ -161,6 +164,45 @@ class Model(NoArray):
             raise failure
         return simulation
 
+    def simulate_many(
+        self,
+        inputs: Mapping[str, Any],
+        *,
+        turns: float | None = None,
+        transient: float | None = None,
+        samples: int | None = None,
+        tolerance: str = "1e-9 m",
+        states: bool = False,
+        second_run: bool = False,
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> Simulations[Simulation]:
+        """Makes a recorded run, as by `simulate`, for each row of `inputs`; `evaluate` is much quicker where numbers will do.
+
+            runs = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 5e-4, 20)}, turns=2)
+            runs[3]["slider"], runs.to_xarray()["slider_deviation"]
+
+        inputs: as for `evaluate`. turns to second_run: as for `simulate`. threads, progress: as for `Study.run`. The runs are the same for any number of threads. A run that fails is None, with its reason in `reasons`.
+        """
+        _check_run(turns, transient, samples, tolerance)
+        must_be("an int or None", threads=threads)
+        numbers, laws = split_laws(self._native, inputs)
+        names = tuple(numbers)
+        table = InputReader(self._native, names, {}).read(numbers) if numbers else np.empty((1, 0))
+        known = {parameter.name: parameter.unit for parameter in self.parameters}
+        sets = [
+            {name: self._native.text_of_value("inputs", name, value) for name, value in zip(names, row, strict=True)} | laws
+            for row in table.tolist()
+        ]
+
+        def run(row: int) -> Simulation:
+            return self.simulate(
+                turns=turns, transient=transient, samples=samples, tolerance=tolerance, states=states, second_run=second_run, set=sets[row]
+            )
+
+        columns = {name: table[:, place] for place, name in enumerate(names)}
+        return simulated(run, len(table), columns, {name: known.get(name, "1") for name in names}, threads, progress)
+
     def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
         """The ideal motion over a cycle, and the quasi-static effect of play on it: the answer of `loosepin motion`, without any run.
 
@@ -169,7 +211,7 @@ class Model(NoArray):
 
         set: as for `simulate`. Raises LoosepinError for a mechanism that its drives do not move alone.
         """
-        return Motion(self._native.motion(settings("set", set)))
+        return Motion(self._native.motion(self._settings(set)))
 
     def sweep(
         self,
@@ -202,7 +244,7 @@ class Model(NoArray):
         must_be("an int or None", threads=threads)
         numbers_of_turns = (transient, turns)
         made, warnings_ = swept(
-            self._native, over, between, values, points, numbers_of_turns, tolerance, settings("set", set), threads, progress
+            self._native, over, between, values, points, numbers_of_turns, tolerance, self._settings(set), threads, progress
         )
         warn(warnings_)
         return made
@@ -281,6 +323,9 @@ class Model(NoArray):
     @cached_property
     def _evaluators(self) -> dict[Any, _loosepin.Evaluator]:
         return {}
+
+    def _settings(self, set: Mapping[str, str | float] | None) -> list[str]:
+        return settings("set", set, self._native.text_of_value)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (_loosepin.__version__, self._native.texts())

@@ -134,7 +134,7 @@ class Study(NoArray):
 
         Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`.
         """
-        return Motion(self._native.motion(settings("set", set)))
+        return Motion(self._native.motion(settings("set", set, self.model._native.text_of_value)))
 
     def check(self) -> Check:
         """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.

@@ -134,7 +134,7 @@ def test_figure_and_notebook(sweep):
         ({"values": [1e-4], "turns": 1}, ValueError, "turns 1; must be between 2 and 100000"),
         ({"values": [1e-4], "threads": 0}, ValueError, "threads 0; must be between 1 and 1024"),
         ({"values": [1e-4], "set": {CLEARANCE: "0.2 mm"}}, lp.LoosepinError, "over: .* set a second time"),
-        ({"values": [1e-4], "set": {"parameter.rod_length": 0.12}}, lp.LoosepinError, "set: .* without a unit"),
+        ({"values": [1e-4], "set": {"parameter.rod_length": "0.12"}}, lp.LoosepinError, "set: .* without a unit"),
         ({"values": [1e-4], "tolerance": "1 mm"}, lp.LoosepinError, "the tolerance 1 mm is larger"),
     ],
 )

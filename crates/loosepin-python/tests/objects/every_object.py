@@ -73,6 +73,10 @@ def every_object():
         "Simulation": tuple(simulations),
         "Extreme": simulations[0].extremes[:2],
         "ExtremePoint": (simulations[0].extremes[0].minimum, simulations[0].extremes[0].maximum),
+        "Simulations": tuple(
+            model.simulate_many({"joint.gudgeon.radial_clearance": [3e-4, last]}, turns=0.1, transient=0, samples=20, progress=False)
+            for last in (4e-4, 5e-4)
+        ),
         "BodyStates": (full.states["rod"], full.states["crank"]),
         "Orbit": (full.orbits["gudgeon"], other_full.orbits["gudgeon"]),
         "Spectrum": (full.spectra["slider"], full.spectra["gudgeon.contact_force"]),

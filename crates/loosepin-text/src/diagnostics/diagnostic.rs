@@ -74,7 +74,7 @@ pub struct Diagnostic {
     /// Other places that matter.
     pub labels: Vec<Label>,
     /// The file that cannot be read, if that is the error: the text of the message says the same in words.
-    pub refused_file: Option<RefusedFile>,
+    pub refused_file: Option<Box<RefusedFile>>,
 }
 
 impl Diagnostic {

@@ -38,7 +38,7 @@ pub fn not_readable(path: &Path, error: &std::io::Error) -> Diagnostics {
     let file = path.display().to_string();
     let refused_file = RefusedFile { path: file.clone(), reason: error.kind(), os_code: error.raw_os_error() };
     let diagnostic = Diagnostic::error(&DocumentProblem::NotReadable { file, reason, hint }, None);
-    Diagnostic { refused_file: Some(refused_file), ..diagnostic }.into()
+    Diagnostic { refused_file: Some(Box::new(refused_file)), ..diagnostic }.into()
 }
 
 /// Reads a file as UTF-8 text.

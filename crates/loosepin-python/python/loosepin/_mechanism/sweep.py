@@ -198,7 +198,7 @@ def _ends(native: _loosepin.Model, over: str, between: Any) -> list[str]:
     """The ends of a range as texts with units."""
     if not isinstance(between, Sequence) or isinstance(between, str) or len(between) != 2:
         raise ValueError(f"between {between!r}; must be two values, from and to")
-    return [end if isinstance(end, str) else native.text_of_value(over, float(end)) for end in between]
+    return [end if isinstance(end, str) else native.text_of_value("over", over, float(end)) for end in between]
 
 
 def _listed(values: Any) -> list[float]:

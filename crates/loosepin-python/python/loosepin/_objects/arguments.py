@@ -66,15 +66,15 @@ def paths(name: str, value: Sequence[str | os.PathLike[str]]) -> list[str]:
     return [os.fspath(path) for path in value]
 
 
-def settings(name: str, value: Mapping[str, str | float] | None) -> list[str]:
-    """Values of a model by their path, as texts path=value; none for None."""
+def settings(name: str, value: Mapping[str, str | float] | None, text_of: Callable[[str, str, float], str]) -> list[str]:
+    """Values of a model by their path, as texts path=value; none for None. A number is SI; `text_of(name, path, number)` adds its unit."""
     if value is None:
         return []
     names_of(name, value)
     for path, stated in value.items():
         if not (isinstance(stated, str) or _KINDS["a number"](stated)):
             raise TypeError(f"{name}: '{path}' is {_what(stated)}; must be a str with a unit or a number")
-    return [f"{path}={stated if isinstance(stated, str) else repr(float(stated))}" for path, stated in value.items()]
+    return [f"{path}={stated if isinstance(stated, str) else text_of(name, path, float(stated))}" for path, stated in value.items()]
 
 
 def _what(value: Any) -> str:
