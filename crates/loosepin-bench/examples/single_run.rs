@@ -4,13 +4,13 @@
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::simulate::{Plan, simulate};
+use std::path::Path;
 use std::time::Instant;
 
 fn main() {
     let repeats: u32 = std::env::args().nth(1).map_or(20, |word| word.parse().expect("a number"));
-    let path = "cases/slider_crank_5000/model.toml";
-    let text = std::fs::read_to_string(path).expect("the case is there");
-    let model = Model::from_text(path, &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let path = Path::new("cases/slider_crank_5000/model.toml");
+    let model = Model::from_path(path).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     for (samples, second_run) in [(500, true), (500, false), (1, false), (2000, true)] {
         let mut plan = Plan::of_model(&model);
         plan.cycle.recorded_turns = 2.0;
