@@ -123,7 +123,7 @@ OF_MODEL = {
     "angle not passed": (
         {"outputs": "slider total at 1.5 rad", "turns": 0.1, "transient": 0},
         lp.LoosepinError,
-        "error[E0608]: outputs: output 'slider' is asked at 85.943669 deg; the recorded 0.1 turns do not pass there\nhint: record at least one whole turn, or ask for an angle that is passed",
+        "error[E0608]: outputs: output 'slider' is asked at 85.943669 deg; the recorded 0.1 turns do not pass there\nhint: record more turns, or ask for an angle that is passed",
     ),
     "tolerance": ({"tolerance": "3 kg"}, lp.LoosepinError, "error[E0304]: tolerance is a mass; must be a length\nhint: for example 0.5 mm"),
     "turns": ({"turns": 5000}, lp.LoosepinError, "error[E0501]: turns 5000.0; must be at most 1000"),

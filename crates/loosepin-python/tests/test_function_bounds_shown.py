@@ -26,7 +26,7 @@ def test_selection(found):
     (quantile,) = found.select(output="triple", statistic="quantile", parameter=0.975)
     assert quantile.upper.value == pytest.approx(1.5 + 4.5 * NORMAL.inv_cdf(0.975), abs=3 * SHIFT_TOLERANCE)
     assert len(found.select(output="sum")) == 3 and found.select(output="product") == []
-    with pytest.raises(AttributeError):
+    with pytest.raises(TypeError, match="a bound has no property 'colour'; must be one of output"):
         found.select(colour="red")
 
 
@@ -57,24 +57,24 @@ def test_a_figure_shows_the_distribution_functions(found):
     above = found.select(output="sum", statistic="probability_above")[0]
     np.testing.assert_allclose(probability.get_ydata(), [1 - above.upper.widened, 1 - above.lower.widened])
     assert list(probability.get_xdata()) == [3.0, 3.0]
-    assert len(figure.axes[0].collections) == 1 and len(found.plot(output="sum").axes) == 1
+    assert len(figure.axes[0].collections) == 1 and len(found.plot("sum").axes) == 1
 
 
 def test_a_figure_on_an_axis_of_the_caller(found):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     figure, axis = pyplot.subplots()
     try:
-        assert found.plot(axis, output="triple") is figure
+        assert found.plot("triple", ax=axis) is figure
         assert axis.get_xlabel() == "triple" and axis.lines
-        with pytest.raises(ValueError, match="ax is one axis for 2 outputs"):
-            found.plot(axis)
+        with pytest.raises(ValueError, match="ax: 1 axes; must be 2, for sum, triple"):
+            found.plot(ax=axis)
     finally:
         pyplot.close(figure)
 
 
 def test_what_cannot_be_drawn_is_refused(found):
-    with pytest.raises(ValueError, match="output 'product'; must be one of sum, triple"):
-        found.plot(output="product")
+    with pytest.raises(KeyError, match="there is no output 'product'; must be one of sum, triple"):
+        found.plot("product")
     spread = lp.bounds(lambda x: x, {"x": lp.Normal(0, 1)}, ["standard_deviation"])
     with pytest.raises(ValueError, match="no bound of 'y' is drawn"):
         spread.plot()

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _loosepin
+from ._objects.arrays import refuse_masked
 from ._objects.records import Record
 from ._records import Array
 
@@ -154,6 +155,7 @@ def split_laws(model: _loosepin.Model, inputs: Mapping[str, Any]) -> tuple[dict[
 
 
 def _numbers(value: Any, what: str) -> Array:
+    refuse_masked(what, value)
     try:
         array = np.asarray(value)
     except ValueError as error:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from . import _loosepin
 from ._extras import need
 from ._html import evaluation_html
+from ._objects.arguments import item_named
 from ._objects.arrays import frozen, read_only, read_only_copy
 from ._objects.logs import LOGGER, long_run
 from ._objects.records import Record
@@ -59,7 +60,7 @@ class Evaluation(Record, Mapping[str, Array]):
         joint with play `contacts`, `largest_penetration` and `peak_force`."""
 
     def __getitem__(self, name: str) -> Array:
-        return self._outputs[name]
+        return item_named(self._outputs, name, "output")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._outputs)

@@ -18,10 +18,9 @@ from ._objects.arrays import frozen, read_only
 from ._objects.records import Record
 from ._objects.scipy_laws import FrozenDistribution, from_scipy
 from ._objects.seeds import Seed, seed_number
-from ._records import Array, Bound, BoundEnd
+from ._records import Array, Bound, BoundEnd, selected
 
 if TYPE_CHECKING:
-    import matplotlib.axes
     import matplotlib.figure
     import pandas
     import xarray
@@ -122,7 +121,7 @@ class FunctionBounds(Record):
 
     def select(self, **properties: Any) -> list[Bound]:
         """The bounds with these properties: found.select(output="y", statistic="quantile", parameter=0.975)."""
-        return [each for each in self.bounds if all(getattr(each, name) == properties[name] for name in properties)]
+        return selected(self.bounds, properties)
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with a variable for each bound, over the dimension `end`: `y_mean`, `y_quantile_0.975`; numerical error included.
@@ -142,19 +141,17 @@ class FunctionBounds(Record):
         dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates)
         return dataset
 
-    def plot(self, ax: matplotlib.axes.Axes | None = None, *, output: str | None = None) -> matplotlib.figure.Figure:
-        """Draws the bounds of each output as bounds of its distribution function, numerical error included.
+    def plot(self, *outputs: str, ax: Any = None) -> matplotlib.figure.Figure:
+        """Draws the bounds of outputs (all of them where none is named) as bounds of its distribution function, numerical error included.
 
-        "cdf" is a band, a quantile a bar at its probability, a probability a bar at its limit, the mean a vertical band. output: one
-        output alone. ax: an axis that is drawn on instead of a new figure, for one output. Raises ValueError where nothing can be drawn.
+        "cdf" is a band, a quantile a bar at its probability, a probability a bar at its limit, the mean a vertical band. ax: axes
+        of matplotlib to draw into, one for each output; a new figure if omitted. Raises ValueError where nothing can be drawn.
         """
-        names = [name for name in self.outputs if output in (None, name)]
-        if not names:
-            raise ValueError(f"output {output!r}; must be one of {', '.join(self.outputs)}")
-        if ax is not None and len(names) > 1:
-            raise ValueError(f"ax is one axis for {len(names)} outputs\nhint: name one with output=")
+        for name in outputs:
+            if name not in self.outputs:
+                raise KeyError(f"there is no output {name!r}; must be one of {', '.join(self.outputs)}")
         boxes = {box.output: (box.values, box.lower, box.upper) for box in self.boxes}
-        return distribution_figure([(name, boxes.get(name), self.select(output=name)) for name in names], ax)
+        return distribution_figure([(name, boxes.get(name), self.select(output=name)) for name in outputs or self.outputs], ax)
 
     def to_pandas(self) -> pandas.DataFrame:
         """One bound a row."""
@@ -208,8 +205,9 @@ def bounds(
         lp.bounds(lambda x, u: x + u, {"x": lp.Normal(0, 1), "u": lp.Interval(-1, 1)}, ["mean", {"quantile": 0.975}])
 
     function: is called with one NumPy array for each input, by its name as a keyword, each with one entry for each run; it returns
-    an array with one entry for each run, or one row for each run and one column for each of `outputs`. Not-a-number is a run
-    that failed: it widens the bounds. What the function raises comes out unchanged.
+    an array with one entry for each run, or one row for each run and one column for each of `outputs`. A number that is
+    not finite, or is masked, is a run that failed: it widens bounds of quantiles and probabilities; the mean and the standard deviation are
+    those of the finished runs. What the function raises comes out unchanged.
     inputs: what is known of each, a distribution such as `Normal` or a kind of ignorance such as `Interval`. A frozen distribution of
     SciPy, scipy.stats.norm(3, 1), is taken as its counterpart; one without a counterpart is refused, none is approximated.
     correlation: rank correlations of random inputs, {("x", "y"): 0.6}.
@@ -227,6 +225,8 @@ def bounds(
     must_be("an int", outer=outer, inner=inner, replicates=replicates, mixture=mixture, extreme=extreme)
     must_be("a number", confidence=confidence)
     names = texts("outputs", outputs)
+    if len(set(names)) < len(names):
+        raise ValueError(f"outputs: two have the same name, {', '.join(names)}")
     asked = requests(statistics, len(names))
     stated = [(name, from_scipy(name, known)) for name, known in inputs.items()]
     ordered = sorted(stated, key=lambda item: _is_unknown(item[1]))
@@ -331,7 +331,7 @@ def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, s
 
 def table(returned: Any, rows: int, outputs: list[str]) -> Array:
     """Return value of a function, as one row for each run and one column for each output."""
-    given = np.asarray(returned)
+    given = np.asarray(np.ma.filled(returned, np.nan) if np.ma.is_masked(returned) else returned)
     if given.dtype.kind not in "biuf":
         raise TypeError(f"function has returned {given.dtype} in place of numbers; must be an array of numbers, one for each run")
     values = given.astype(np.float64, copy=False)

@@ -20,8 +20,8 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._html import simulation_html
-from ._objects.arguments import must_be, paths, settings
-from ._objects.arrays import NoArray, frozen
+from ._objects.arguments import item_named, must_be, paths, settings
+from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.pickles import check_version, pickled
 from ._objects.records import Record
 from ._progress import Listener
@@ -325,7 +325,7 @@ class Model(NoArray):
         return {}
 
     def _settings(self, set: Mapping[str, str | float] | None) -> list[str]:
-        return settings("set", set, self._native.text_of_value)
+        return settings("set", set, self._native)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (_loosepin.__version__, self._native.texts())
@@ -399,7 +399,7 @@ class Simulation(NoArray, Mapping[str, Array]):
         """SI unit of each output."""
 
     def __getitem__(self, name: str) -> Array:
-        return self._values[name]
+        return item_named(self._values, name, "output")
 
     def __iter__(self) -> Any:
         return iter(self._values)
@@ -471,9 +471,10 @@ class Simulation(NoArray, Mapping[str, Array]):
     def to_xarray(self) -> xarray.Dataset:
         """The outputs over `time_s` as a Dataset: `slider`, `slider_ideal`, `slider_deviation`; units in the attributes."""
         xarray_ = need("xarray", "to_xarray()")
-        variables = {}
+        variables: dict[str, Any] = {}
         for suffix, columns in (("", self._values), ("_ideal", self.ideal), ("_deviation", self.deviation)):
             for name, values in columns.items():
+                refuse_taken(name + suffix, [*variables, "time_s", "drive_angle_rad"])
                 variables[name + suffix] = ("time_s", values, {"units": self.units[name]})
         coordinates = {
             "time_s": ("time_s", self.time_s, {"units": "s"}),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -202,3 +202,11 @@ def curve(record: dict[str, Any]) -> Curve:
 def numbers(values: Iterable[Any]) -> Array:
     """Numbers of `summary.json`, where those that are not finite are words."""
     return read_only(np.array([float(value) for value in values], dtype=np.float64))
+
+
+def selected(bounds: Iterable[Bound], properties: Mapping[str, Any]) -> list[Bound]:
+    """The bounds with these properties. Raises TypeError for one that no bound has."""
+    for name in properties:
+        if name not in Bound.__annotations__:
+            raise TypeError(f"a bound has no property {name!r}; must be one of {', '.join(Bound.__annotations__)}")
+    return [each for each in bounds if all(getattr(each, name) == properties[name] for name in properties)]

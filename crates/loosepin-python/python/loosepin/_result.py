@@ -17,11 +17,11 @@ from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
 from ._html import study_html
-from ._objects.arguments import must_be
+from ._objects.arguments import item_named, must_be
 from ._objects.arrays import NoArray, read_only
 from ._objects.pickles import pickled
 from ._objects.records import Record, are_same
-from ._records import Array, Bound, Curve, bound, curve
+from ._records import Array, Bound, Curve, bound, curve, selected
 from ._surrogates import Surrogates
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Samples(Record, Mapping[str, Any]):
         """The scalar outputs, NaN where a run has none."""
 
     def __getitem__(self, name: str) -> Any:
-        return self._columns[name]
+        return item_named(self._columns, name, "column")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
@@ -109,10 +109,7 @@ class StudyResult(NoArray):
 
     def select(self, **properties: Any) -> list[Bound]:
         """The bounds with these properties: result.select(output="slider", of="total", statistic="mean", at="reduced")."""
-        for name in properties:
-            if name not in Bound.__annotations__:
-                raise TypeError(f"a bound has no property {name!r}; must be one of {', '.join(Bound.__annotations__)}")
-        return [each for each in self.bounds if all(getattr(each, name) == properties[name] for name in properties)]
+        return selected(self.bounds, properties)
 
     @property
     def requirements(self) -> list[dict[str, Any]]:

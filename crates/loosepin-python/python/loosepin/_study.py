@@ -121,6 +121,10 @@ class Study(NoArray):
         must_be("True or False", resume=resume, force=force)
         must_be("an int or None", threads=threads)
         must_be("a str or None", budget=budget)
+        if resume and force:
+            raise ValueError("resume and force exclude each other: one keeps the runs in the folder, the other replaces them")
+        if resume and folder is None:
+            raise ValueError("resume needs the folder with the runs")
         accuracies = texts("accuracy", accuracy)
         place = None if folder is None else os.fspath(folder)
         with long_run(f"study {self.name!r}", listener(progress)) as told:
@@ -134,7 +138,7 @@ class Study(NoArray):
 
         Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`.
         """
-        return Motion(self._native.motion(settings("set", set, self.model._native.text_of_value)))
+        return Motion(self._native.motion(settings("set", set, self.model._native)))
 
     def check(self) -> Check:
         """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.

@@ -205,8 +205,8 @@ fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
     let mut live = server.live();
-    // 41 bodies at 720 positions: ten seconds and more.
-    let model = chain(20);
+    // 81 bodies at 720 positions: ten seconds and more.
+    let model = chain(40);
     let look = |seq: u64, model: &str, positions: usize| {
         let text = serde_json::json!({"path": "model.toml", "text": model});
         serde_json::json!({"kind": "look", "seq": seq, "model": text, "study": null, "positions": positions, "grip": null})

@@ -97,11 +97,11 @@ impl ColumnPlan {
                 Where::Poses { angles_rad, .. } => angles_rad
                     .iter()
                     .map(|asked_rad| {
-                        // The first time that the drive comes by in the recorded part.
-                        let ahead = drive_sign * (asked_rad - angle(0.0)) / std::f64::consts::TAU;
-                        let mut turns = ahead - ahead.floor();
+                        // Counted as the angles of a whole curve are. One that lies before the recorded part is where the drive comes by first.
+                        let ahead = drive_sign * (asked_rad - (angle(0.0) - whole_turns_rad)) / std::f64::consts::TAU;
+                        let mut turns = if ahead < 0.0 { ahead - ahead.floor() } else { ahead };
                         // An angle at the very start comes out as a whole turn by round-off.
-                        if turns > 1.0 - 1e-12 {
+                        if ahead < 0.0 && turns > 1.0 - 1e-12 {
                             turns = 0.0;
                         }
                         Location::Pose { turns, angle_rad: *asked_rad }

@@ -45,7 +45,7 @@ problems! {
         /// A pose that the recorded part does not reach.
         PoseNotRecorded { output: String, angle_deg: f64, recorded_turns: f64 } => Code::AskNotPossible,
             says("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there"),
-            hint("record at least one whole turn, or ask for an angle that is passed");
+            hint("record more turns, or ask for an angle that is passed");
         /// More poses than a study can bound.
         TooManyPoses { poses: f64 } => Code::AskNotPossible,
             says("the curves have {poses} poses; must be at most {MAX_POSES}"),

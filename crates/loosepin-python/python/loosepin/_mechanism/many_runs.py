@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .. import _loosepin
 from .._extras import need
-from .._objects.arrays import read_only, read_only_copy
+from .._objects.arrays import read_only, read_only_copy, refuse_taken
 from .._objects.logs import long_run
 from .._objects.records import Record
 from .._progress import Listener, listener
@@ -75,12 +75,14 @@ class Simulations(Record, Sequence["RunT | None"], Generic[RunT]):
         def variable(read: Callable[[RunT], Array], unit: str) -> tuple[tuple[str, str], Array, dict[str, str]]:
             return ("run", "row"), np.array([nothing if run is None else read(run) for run in self._runs]), {"units": unit}
 
-        variables = {}
+        variables: dict[str, Any] = {}
         for name in first:
             variables[name] = variable(lambda run: run[name], first.units[name])
-            if name in first.ideal:
-                variables[f"{name}_ideal"] = variable(lambda run: run.ideal[name], first.units[name])
-                variables[f"{name}_deviation"] = variable(lambda run: run.deviation[name], first.units[name])
+        for name in first.ideal:
+            refuse_taken(f"{name}_ideal", variables)
+            refuse_taken(f"{name}_deviation", variables)
+            variables[f"{name}_ideal"] = variable(lambda run: run.ideal[name], first.units[name])
+            variables[f"{name}_deviation"] = variable(lambda run: run.deviation[name], first.units[name])
         coordinates: dict[str, Any] = {name: ("run", values, {"units": self.units[name]}) for name, values in self.inputs.items()}
         coordinates["failed"] = ("run", self.failed)
         coordinates["time_s"] = variable(lambda run: run.time_s, "s")

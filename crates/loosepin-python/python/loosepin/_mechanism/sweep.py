@@ -18,7 +18,8 @@ from .. import _loosepin
 from .._extras import need
 from .._figures import shown, sweep_figure
 from .._progress import Listener, listener
-from .._objects.arrays import NoArray, read_only
+from .._objects.arguments import item_named
+from .._objects.arrays import NoArray, read_only, refuse_masked
 from .._objects.logs import long_run
 from .._objects.pickles import pickled
 from .._objects.records import Record
@@ -47,6 +48,7 @@ class SweptJoint(Record):
 
 
 _OF_JOINT = tuple(SweptJoint.__dataclass_fields__)
+_UNITS = {"impacts_per_turn": "1", "flight_share": "1", "losses_per_turn": "1", "peak_force_n": "N", "largest_penetration_m": "m"}
 
 
 class Sweep(NoArray, Mapping[str, Array]):
@@ -83,7 +85,7 @@ class Sweep(NoArray, Mapping[str, Array]):
         """The joints with play, by name."""
 
     def __getitem__(self, name: str) -> Array:
-        return self._sections[name]
+        return item_named(self._sections, name, "output")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._sections)
@@ -115,7 +117,7 @@ class Sweep(NoArray, Mapping[str, Array]):
         variables: dict[str, Any] = {name: (("run", "turn"), values, {"units": self.units[name]}) for name, values in self.items()}
         variables["period_turns"] = ("run", self.period_turns)
         for joint, of_joint in self.joints.items():
-            variables |= {f"{joint}.{what}": ("run", getattr(of_joint, what)) for what in _OF_JOINT}
+            variables |= {f"{joint}.{what}": ("run", getattr(of_joint, what), {"units": _UNITS[what]}) for what in _OF_JOINT}
         coordinates = {
             self.path: ("run", self.values_si, {"units": self.units[self.path]}),
             "turn": np.arange(1, self.summary["recorded_turns"] + 1),
@@ -196,6 +198,7 @@ def swept(
 
 def _ends(native: _loosepin.Model, over: str, between: Any) -> list[str]:
     """The ends of a range as texts with units."""
+    between = between.tolist() if isinstance(between, np.ndarray) else between
     if not isinstance(between, Sequence) or isinstance(between, str) or len(between) != 2:
         raise ValueError(f"between {between!r}; must be two values, from and to")
     return [end if isinstance(end, str) else native.text_of_value("over", over, float(end)) for end in between]
@@ -203,6 +206,7 @@ def _ends(native: _loosepin.Model, over: str, between: Any) -> list[str]:
 
 def _listed(values: Any) -> list[float]:
     """Values in SI."""
+    refuse_masked("values", values)
     array = np.asarray(values)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"values: values of type {array.dtype}; must be numbers in SI units")

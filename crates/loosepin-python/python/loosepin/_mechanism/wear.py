@@ -13,6 +13,7 @@ import numpy as np
 
 from .. import _loosepin
 from .._extras import need
+from .._objects.arguments import item_named
 from .._objects.arrays import NoArray, read_only
 from .._objects.pickles import pickled
 from .._objects.records import Record
@@ -103,7 +104,7 @@ class Wear(NoArray, Mapping[str, JointWear], Generic[RunT]):
         self._joints = {record["joint"]: _joint(record, lives.get(record["joint"])) for record in simulation.summary["wear"]}
 
     def __getitem__(self, name: str) -> JointWear:
-        return self._joints[name]
+        return item_named(self._joints, name, "joint that wears")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._joints)

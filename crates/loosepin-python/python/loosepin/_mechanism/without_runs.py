@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from .. import _loosepin
 from .._extras import need
 from .._figures import motion_figure, shown
+from .._objects.arguments import item_named
 from .._objects.arrays import NoArray
 from .._objects.pickles import pickled
 from .._objects.records import Record
@@ -82,7 +83,7 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         """SI unit of each output."""
 
     def __getitem__(self, name: str) -> OutputMotion:
-        return self._outputs[name]
+        return item_named(self._outputs, name, "position or angle")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._outputs)
@@ -227,7 +228,7 @@ class CheckSection(Record):
     """Names with what is said of each, line by line. The name of a sentence is empty."""
 
 
-class Check(Record):
+class Check(Record, Mapping[str, CheckSection]):
     """Description of a model or a study before it runs: `print(model.check())` shows what `loosepin check` prints."""
 
     def __init__(self, native: _loosepin.Check) -> None:
@@ -244,10 +245,13 @@ class Check(Record):
 
     def __getitem__(self, name: str) -> CheckSection:
         """The section of this name."""
-        found = next((section for section in self.sections if section.name == name), None)
-        if found is None:
-            raise KeyError(name)
-        return found
+        return item_named({section.name: section for section in self.sections}, name, "section")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dict.fromkeys(section.name for section in self.sections))
+
+    def __len__(self) -> int:
+        return len(dict.fromkeys(section.name for section in self.sections))
 
     def __str__(self) -> str:
         return self.text

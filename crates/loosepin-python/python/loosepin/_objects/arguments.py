@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from .. import _loosepin
 
 
 def _is_truth(value: Any) -> bool:
@@ -16,6 +20,9 @@ def _is_truth(value: Any) -> bool:
 def _is_single(value: Any, method: str) -> bool:
     return hasattr(value, method) and getattr(value, "ndim", 0) == 0 and not _is_truth(value)
 
+
+# Whole numbers from here on are none of the compiled part.
+_BEYOND = 2**63
 
 _KINDS: dict[str, Callable[[Any], bool]] = {
     "a str": lambda value: isinstance(value, str),
@@ -28,6 +35,16 @@ _KINDS: dict[str, Callable[[Any], bool]] = {
 }
 
 
+ValueT = TypeVar("ValueT")
+
+
+def item_named(values: Mapping[str, ValueT], name: object, what: str) -> ValueT:
+    """The value with this name. Raises KeyError with the names that there are."""
+    if isinstance(name, str) and name in values:
+        return values[name]
+    raise KeyError(f"there is no {what} {name!r}; must be one of {', '.join(values)}")
+
+
 def must_be(due: str, **arguments: Any) -> None:
     """Raises TypeError for the first of the arguments that is not `due`: one of "a str", "a number", "an int", "True or False",
     "a path", "a function" and "a mapping", or of these with " or None".
@@ -36,6 +53,8 @@ def must_be(due: str, **arguments: Any) -> None:
     for name, value in arguments.items():
         if not (_KINDS[kind](value) or (value is None and due != kind)):
             raise TypeError(f"{name} is {_what(value)}; must be {due}")
+        if kind == "an int" and value is not None and abs(int(value)) >= _BEYOND:
+            raise ValueError(f"{name} is too large")
 
 
 def texts(name: str, value: Sequence[str]) -> list[str]:
@@ -66,15 +85,26 @@ def paths(name: str, value: Sequence[str | os.PathLike[str]]) -> list[str]:
     return [os.fspath(path) for path in value]
 
 
-def settings(name: str, value: Mapping[str, str | float] | None, text_of: Callable[[str, str, float], str]) -> list[str]:
-    """Values of a model by their path, as texts path=value; none for None. A number is SI; `text_of(name, path, number)` adds its unit."""
+def settings(name: str, value: Mapping[str, str | float] | None, native: _loosepin.Model) -> list[str]:
+    """Values of a model by their path, as texts path=value; none for None. A number is SI."""
     if value is None:
         return []
     names_of(name, value)
     for path, stated in value.items():
         if not (isinstance(stated, str) or _KINDS["a number"](stated)):
             raise TypeError(f"{name}: '{path}' is {_what(stated)}; must be a str with a unit or a number")
-    return [f"{path}={stated if isinstance(stated, str) else text_of(name, path, float(stated))}" for path, stated in value.items()]
+        if not isinstance(stated, str) and native.is_path_of_law(path):
+            raise TypeError(f"{name}: '{path}' is {_what(stated)}; must be the name of a contact law")
+        if not isinstance(stated, str) and not _is_finite(stated):
+            raise ValueError(f"{name}: '{path}' is {stated}; must be finite")
+    return [f"{path}={stated if isinstance(stated, str) else native.text_of_value(name, path, float(stated))}" for path, stated in value.items()]
+
+
+def _is_finite(number: Any) -> bool:
+    try:
+        return math.isfinite(number)
+    except OverflowError:
+        return False
 
 
 def _what(value: Any) -> str:

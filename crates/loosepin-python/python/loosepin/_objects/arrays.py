@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
@@ -33,6 +33,18 @@ def frozen(value: Any) -> Any:
         for each in value.values():
             frozen(each)
     return value
+
+
+def refuse_masked(name: str, value: Any) -> None:
+    """Refuses an array with masked values, which would be taken for the numbers under the mask."""
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: some values are masked; fill them or leave them out")
+
+
+def refuse_taken(name: str, taken: Iterable[str]) -> None:
+    """Refuses a second variable of this name in a Dataset."""
+    if name in taken:
+        raise ValueError(f"two variables of the Dataset would be called '{name}'\nhint: rename an output")
 
 
 def with_article(name: str) -> str:
