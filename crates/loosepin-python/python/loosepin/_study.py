@@ -47,6 +47,7 @@ class Study(NoArray):
     def from_text(cls, text: str, model: Model | None = None, name: str = "study") -> Study:
         """Reads a study from the text of a study file, of `model` or else of the model file that its key `model` names.
 
+        The key must be there in any case; where a `model` is given, its value is not looked at.
         Messages call the text `name`; files that it names are looked for beside it.
         """
         must_be("a str", text=text, name=name)
