@@ -4,16 +4,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin::identify::{MotionValues, Options, SpecimenStudy, identify, plan_motion, record};
 use loosepin::report::{identification_page, identification_text, motion_plan_text};
-use loosepin::result::json::{Stored, to_json};
-use loosepin::study::files::FilesError;
+use loosepin::result::json::to_json;
 use loosepin::study::{self, Progress};
 use loosepin::units::DisplayUnits;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::Path;
 
-use crate::error::{raise, raise_problem};
+use crate::error::raise;
 use crate::run_rows::{Texts, study_texts};
+use crate::stored_json::from_pickle;
 use crate::waiting::{RunCounts, wait_for};
 
 /// The answer of an identification.
@@ -39,9 +39,7 @@ impl Identification {
     /// The answer with these parts, by which it was pickled: its JSON, and the texts of its study. Nothing is run again.
     #[staticmethod]
     fn from_parts(json: &str, texts: Texts) -> PyResult<Self> {
-        let answer = record::Identification::from_json(json).map_err(|source| {
-            raise_problem(&FilesError::Layout { what: "a pickled identification".to_owned(), source })
-        })?;
+        let answer = from_pickle::<record::Identification>("identification", json)?;
         Ok(Self { answer, study: study::Study::from_texts(&study_texts(texts)).map_err(raise)? })
     }
 

@@ -17,6 +17,7 @@ mod python_run_provider;
 mod result;
 mod results_folder;
 mod run_rows;
+mod stored_json;
 mod study;
 mod study_inputs;
 mod surrogates;

@@ -4,15 +4,15 @@ use std::path::PathBuf;
 
 use loosepin::diagnostics::Diagnostics;
 use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
-use loosepin::result::json::Stored;
 use loosepin::results::{FinishedResult, write_whole};
-use loosepin::study::files::{FilesError, bounds_csv, surrogates_json};
+use loosepin::study::files::{bounds_csv, surrogates_json};
 use loosepin::study::{self, SavedSurrogates, StudyRun, read_study};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::column::Column;
 use crate::error::{raise, raise_problem};
+use crate::stored_json::{from_pickle, to_json};
 
 /// Result of a study with its runs.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -43,8 +43,7 @@ impl StudyResult {
         samples: Vec<(String, String, Py<PyAny>)>,
         surrogates: Option<&str>,
     ) -> PyResult<Self> {
-        let result = study::result::StudyResult::from_json(summary)
-            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled result".to_owned(), source }))?;
+        let result = from_pickle::<study::result::StudyResult>("result", summary)?;
         let surrogates = surrogates.map(SavedSurrogates::from_json).transpose();
         let samples =
             samples.into_iter().map(|(name, unit, values)| Py::new(py, Column::of_values(name, unit, values)));
@@ -78,7 +77,7 @@ impl StudyResult {
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        self.result.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+        to_json(&self.result)
     }
 
     /// The bytes of `bounds.csv`.

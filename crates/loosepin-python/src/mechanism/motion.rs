@@ -4,13 +4,12 @@ use std::path::PathBuf;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::report::{mechanism_picture, motion_page, motion_text};
-use loosepin::result::json::Stored;
 use loosepin::results::write_whole;
 use loosepin::study::InputFile;
-use loosepin::study::files::FilesError;
 use pyo3::prelude::*;
 
 use crate::error::{raise, raise_problem};
+use crate::stored_json::{from_pickle, to_json};
 use crate::waiting::without_gil;
 
 /// The ideal motion, and the quasi-static effect of play and scatter on it.
@@ -29,14 +28,12 @@ impl Motion {
     /// The one with this text of `summary.json`, by which it was pickled; nothing is computed again.
     #[staticmethod]
     fn from_json(summary: &str) -> PyResult<Self> {
-        let record = MotionRecord::from_json(summary)
-            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled motion".to_owned(), source }))?;
-        Ok(Self(record))
+        from_pickle("motion", summary).map(Self)
     }
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        self.0.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+        to_json(&self.0)
     }
 
     /// The tables of the terminal.

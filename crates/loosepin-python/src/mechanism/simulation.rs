@@ -2,18 +2,17 @@
 
 use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text, wear_text};
-use loosepin::result::json::Stored;
 use loosepin::simulate::record::{OutputHistory, SimulationRecord};
 use loosepin::simulate::{
     self, BodyStates, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns,
 };
-use loosepin::study::files::FilesError;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
 use crate::column::Column;
-use crate::error::{Diagnostic, raise, raise_problem};
+use crate::error::{Diagnostic, raise};
+use crate::stored_json::{from_pickle, to_json};
 
 /// Everything that tables and pages are made of.
 struct RecordedRun {
@@ -58,8 +57,7 @@ impl Simulation {
     #[staticmethod]
     fn from_parts(parts: Parts) -> PyResult<Self> {
         let (json, states) = parts;
-        let record = SimulationRecord::from_json(&json)
-            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled simulation".to_owned(), source }))?;
+        let record = from_pickle::<SimulationRecord>("simulation", &json)?;
         let states = states.map(|(bodies, rows)| BodyStates { bodies, rows });
         Ok(Self(RecordedRun { record, states }, None, Vec::new()))
     }
@@ -137,7 +135,7 @@ impl Simulation {
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        self.0.record.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+        to_json(&self.0.record)
     }
 
     /// The text of `history.csv`.

@@ -6,10 +6,8 @@ use std::sync::atomic::AtomicBool;
 use loosepin::diagnostics::{self, Code};
 use loosepin::model::Model;
 use loosepin::report::{sweep_page, sweep_text};
-use loosepin::result::json::Stored;
 use loosepin::results::write_whole;
 use loosepin::study::Progress;
-use loosepin::study::files::FilesError;
 use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SweepError, SweepRequest, SweptValues, sweep};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -17,6 +15,7 @@ use pyo3::prelude::*;
 
 use crate::error::{Diagnostic, of_argument, raise, raise_problem};
 use crate::mechanism::single_run::check_tolerance;
+use crate::stored_json::{from_pickle, to_json};
 use crate::waiting::{RunCounts, wait_for};
 
 /// A finished sweep.
@@ -28,14 +27,12 @@ impl Sweep {
     /// The one with this text of `summary.json`, by which it was pickled; nothing is computed again.
     #[staticmethod]
     fn from_json(summary: &str) -> PyResult<Self> {
-        let record = SweepRecord::from_json(summary)
-            .map_err(|source| raise_problem(&FilesError::Layout { what: "a pickled sweep".to_owned(), source }))?;
-        Ok(Self(record))
+        from_pickle("sweep", summary).map(Self)
     }
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        self.0.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
+        to_json(&self.0)
     }
 
     /// The tables of the terminal.
