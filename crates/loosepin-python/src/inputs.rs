@@ -111,7 +111,8 @@ impl Inputs {
 pub fn certain_law(law: &Bound<'_, PyAny>) -> PyResult<RandomVariable> {
     let name = law.get_type().name()?.to_string();
     for parameter in Parameter::ALL {
-        let Ok(stated) = law.getattr(parameter.key()) else { continue };
+        // A law has only some of the parameters.
+        let Some(stated) = law.getattr_opt(parameter.key())? else { continue };
         if epistemic(&name, &stated)?.is_some() {
             return Err(PyValueError::new_err(format!(
                 "{} of {name} is unknown (epistemic), so it has no single distribution function; must be a number",
