@@ -75,11 +75,11 @@ fn place(place: &Place) -> Place {
 pub fn sentence(text: &str) -> String {
     // A command that repeats a run is of no use in Python; the reason of the run stands in the message.
     let text = text.split_once("` repeats one; ").map_or(text, |(_, rest)| rest);
-    let mut told = text.to_owned();
+    let mut reworded = text.to_owned();
     for (of_command, of_python) in SENTENCES {
-        told = told.replace(of_command, of_python);
+        reworded = reworded.replace(of_command, of_python);
     }
-    with_arguments(&without_explain(told))
+    with_arguments(&without_explain(reworded))
 }
 
 /// What `loosepin explain CODE` prints is an attribute of the diagnostic.
@@ -94,24 +94,24 @@ fn without_explain(mut text: String) -> String {
 
 /// `--resume` as `resume=True`, `--most-failed` as `most_failed`. What is quoted is of the user and stays.
 fn with_arguments(text: &str) -> String {
-    let mut told = String::with_capacity(text.len());
+    let mut reworded = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find("--") {
         let is_word =
-            rest[..at].chars().next_back().or(told.chars().next_back()).is_none_or(|before| " (`".contains(before));
+            rest[..at].chars().next_back().or(reworded.chars().next_back()).is_none_or(|before| " (`".contains(before));
         let behind = &rest[at + 2..];
         let length =
             behind.find(|letter: char| !(letter.is_ascii_lowercase() || letter == '-')).unwrap_or(behind.len());
-        told.push_str(&rest[..at]);
+        reworded.push_str(&rest[..at]);
         if is_word && behind.starts_with(|letter: char| letter.is_ascii_lowercase()) {
             let option = &behind[..length];
-            told.push_str(&option.replace('-', "_"));
-            told.push_str(if SWITCHES.contains(&option) { "=True" } else { "" });
+            reworded.push_str(&option.replace('-', "_"));
+            reworded.push_str(if SWITCHES.contains(&option) { "=True" } else { "" });
         } else {
-            told.push_str(&rest[at..at + 2 + length]);
+            reworded.push_str(&rest[at..at + 2 + length]);
         }
         rest = &behind[length..];
     }
-    told.push_str(rest);
-    told
+    reworded.push_str(rest);
+    reworded
 }

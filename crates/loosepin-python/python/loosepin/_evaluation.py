@@ -133,8 +133,8 @@ def evaluated(
 ) -> Evaluation:
     """Runs at a table of inputs, whose names and units come before it; `recorded` is what of each row is given, by name."""
     names, input_units, table = inputs
-    with long_run(f"evaluation of {len(table)} runs", listener(progress)) as told:
-        rows, reasons, counters, coarse = native.evaluate(table, threads, told)
+    with long_run(f"evaluation of {len(table)} runs", listener(progress)) as notify:
+        rows, reasons, counters, coarse = native.evaluate(table, threads, notify)
     if coarse is not None:
         LOGGER.warning("%s", coarse)
         warn(LoosepinWarning(coarse))

@@ -29,14 +29,14 @@ def listener(progress: bool | Listener, counted: str = "runs") -> _Line | _Calla
 
 
 class _Callable:
-    def __init__(self, told: Listener) -> None:
-        self._told = told
+    def __init__(self, notify: Listener) -> None:
+        self._notify = notify
         self._last = (-1, -1)
 
     def __call__(self, finished: int, most: int) -> None:
         if (finished, most) != self._last:
             self._last = (finished, most)
-            self._told(finished, most)
+            self._notify(finished, most)
 
     def close(self) -> None:
         """Nothing is left to do."""

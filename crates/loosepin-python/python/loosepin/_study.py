@@ -111,7 +111,7 @@ class Study(NoArray):
         folder: where the files of the results go, those of the command `loosepin study`, and where finished runs are kept within a
         second, so that nothing is lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
         resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
-        progress: True shows a line in a terminal or a notebook; a callable is told (finished, at most) runs.
+        progress: True shows a line in a terminal or a notebook; a callable gets (finished, at most) runs.
         accuracy, budget: in addition to those of the study, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
         client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
         installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
@@ -128,9 +128,9 @@ class Study(NoArray):
             raise ValueError("resume needs the folder with the runs")
         accuracies = texts("accuracy", accuracy)
         place = None if folder is None else os.fspath(folder)
-        with long_run(f"study {self.name!r}", listener(progress)) as told:
+        with long_run(f"study {self.name!r}", listener(progress)) as notify:
             made = None if client is None else run_provider(client, self._native, tuple(accuracies), budget)
-            native = self._native.run(place, resume, force, threads, told, accuracies, budget, made)
+            native = self._native.run(place, resume, force, threads, notify, accuracies, budget, made)
         return StudyResult(native)
 
     def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
@@ -165,7 +165,7 @@ class Study(NoArray):
         specimen hold together. specimen: the one whose readings and features count; all, each by itself, where it is left out.
         posterior: whether the posterior distribution of the unknowns of a motion is given as well, by the same runs.
         lengths: whether mechanisms whose lengths agree with the motion are drawn; `narrowed` then is a study of these.
-        progress: as for `run`; a callable is told (finished, at most) values.
+        progress: as for `run`; a callable gets (finished, at most) values.
 
         Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
         """
@@ -174,8 +174,8 @@ class Study(NoArray):
         must_be("a str or None", specimen=specimen)
         must_be("True or False", posterior=posterior, lengths=lengths)
         must_be("an int or None", threads=threads)
-        with long_run(f"identification of study {self.name!r}", listener(progress, "values")) as told:
-            return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told), Study)
+        with long_run(f"identification of study {self.name!r}", listener(progress, "values")) as notify:
+            return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, notify), Study)
 
     def plan_motion(
         self,
@@ -189,8 +189,8 @@ class Study(NoArray):
         must_be("a number", confidence=confidence)
         must_be("a str or None", specimen=specimen)
         must_be("an int or None", threads=threads)
-        with long_run(f"plan of a motion of study {self.name!r}", listener(progress, "values")) as told:
-            record, text = self._native.plan_motion(confidence, specimen, threads, told)
+        with long_run(f"plan of a motion of study {self.name!r}", listener(progress, "values")) as notify:
+            record, text = self._native.plan_motion(confidence, specimen, threads, notify)
         return MotionPlan(text, record)
 
     @cached_property
@@ -269,9 +269,9 @@ class Study(NoArray):
         def evaluate(run: dict[str, Array], rows: int) -> Array:
             return table(function(run), rows, names)
 
-        with long_run(f"bounds of a function of study {self.name!r}", listener(progress)) as told:
+        with long_run(f"bounds of a function of study {self.name!r}", listener(progress)) as notify:
             made = None if client is None else run_provider(client, self._native, (), None)
-            record = self._native.bounds(evaluate, names, asked, limits, threads, told, made)
+            record = self._native.bounds(evaluate, names, asked, limits, threads, notify, made)
         return FunctionBounds(record, names)
 
     def __reduce__(self) -> tuple[Any, ...]:

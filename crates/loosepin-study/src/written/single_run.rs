@@ -124,7 +124,7 @@ pub fn check_measured(mechanism: &Mechanism, measured: &[MeasuredTable]) -> Resu
 }
 
 /// As [`run_and_compare`], and writes what came of it into its folder; `page` makes its report. Where it comes to no end, the folder is
-/// left to whoever has taken it.
+/// left to the process that has taken it.
 ///
 /// # Errors
 /// As for [`run_and_compare`]; what the file system refuses.

@@ -112,7 +112,7 @@ def simulated(
     if threads is not None and threads < 1:
         raise ValueError(f"threads {threads}; must be at least 1")
     workers = ThreadPoolExecutor(threads or os.cpu_count() or 1)
-    with long_run(f"{count} simulations", listener(progress)) as told:
+    with long_run(f"{count} simulations", listener(progress)) as notify:
         waiting = {workers.submit(simulate, run): run for run in range(count)}
         try:
             for finished, future in enumerate(as_completed(waiting), 1):
@@ -121,8 +121,8 @@ def simulated(
                     made[run] = future.result()
                 except _loosepin.LoosepinError as error:
                     reasons[run] = str(error)
-                if told is not None:
-                    told(finished, count)
+                if notify is not None:
+                    notify(finished, count)
         finally:
             # After Ctrl-C the runs under way are waited for, and no other begins.
             workers.shutdown(cancel_futures=True)

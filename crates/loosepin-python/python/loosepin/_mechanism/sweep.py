@@ -191,8 +191,8 @@ def swept(
         raise ValueError("sweep needs either between or values")
     ends = None if between is None else _ends(native, over, between)
     listed = [] if values is None else _listed(values)
-    with long_run(f"sweep of {over}", listener(progress)) as told:
-        made, warnings = native.sweep(over, ends, listed, points, *turns, tolerance, settings, threads, told)
+    with long_run(f"sweep of {over}", listener(progress)) as notify:
+        made, warnings = native.sweep(over, ends, listed, points, *turns, tolerance, settings, threads, notify)
     return Sweep(made), warnings
 
 

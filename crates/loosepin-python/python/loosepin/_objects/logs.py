@@ -15,7 +15,7 @@ LOGGER.addHandler(logging.NullHandler())
 _EVERY_S = 10.0
 
 
-class Told(Protocol):
+class ProgressListener(Protocol):
     """A listener of progress that is closed in the end."""
 
     def __call__(self, finished: int, most: int) -> None: ...
@@ -23,31 +23,31 @@ class Told(Protocol):
 
 
 @contextmanager
-def long_run(what: str, told: Told | None) -> Iterator[Callable[[int, int], None] | None]:
-    """Writes to the log when `what` begins, how far it is, and how it ends; gives the listener to tell, and closes `told`."""
+def long_run(what: str, notify: ProgressListener | None) -> Iterator[Callable[[int, int], None] | None]:
+    """Writes to the log when `what` begins, how far it is, and how it ends; gives the listener to call, and closes `notify`."""
     began_s = time.monotonic()
     LOGGER.info("%s begins", what)
     try:
-        yield _Logged(what, told) if LOGGER.isEnabledFor(logging.INFO) else told
+        yield _Logged(what, notify) if LOGGER.isEnabledFor(logging.INFO) else notify
     except BaseException as error:
         LOGGER.info("%s ended after %.1f s by %s", what, time.monotonic() - began_s, type(error).__name__)
         raise
     else:
         LOGGER.info("%s is finished after %.1f s", what, time.monotonic() - began_s)
     finally:
-        if told is not None:
-            told.close()
+        if notify is not None:
+            notify.close()
 
 
 class _Logged:
-    def __init__(self, what: str, told: Told | None) -> None:
+    def __init__(self, what: str, notify: ProgressListener | None) -> None:
         self._what = what
-        self._told = told
+        self._notify = notify
         self._next_s = time.monotonic() + _EVERY_S
 
     def __call__(self, finished: int, most: int) -> None:
-        if self._told is not None:
-            self._told(finished, most)
+        if self._notify is not None:
+            self._notify(finished, most)
         now_s = time.monotonic()
         if now_s >= self._next_s:
             self._next_s = now_s + _EVERY_S
