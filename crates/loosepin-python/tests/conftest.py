@@ -63,12 +63,17 @@ def write_study(folder: Path, text: str = STUDY) -> Path:
     return folder / "study.toml"
 
 
-def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+def program() -> Path:
     """The command `loosepin` of the same tree."""
-    program = os.environ.get("LOOSEPIN", str(REPOSITORY / "target/debug/loosepin"))
-    if not Path(program).exists():
-        pytest.fail(f"{program} is not there; `just python-tests` builds it")
-    return subprocess.run([program, *arguments], cwd=cwd, capture_output=True, text=True, timeout=120)
+    path = Path(os.environ.get("LOOSEPIN", REPOSITORY / "target/debug/loosepin"))
+    if not path.exists():
+        pytest.fail(f"{path} is not there; `just python-tests` builds it")
+    return path
+
+
+def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """What it prints."""
+    return subprocess.run([program(), *arguments], cwd=cwd, capture_output=True, text=True, timeout=120)
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""The Python of the documentation runs: the blocks of every page in their order, and the notebook.
+"""The Python of the documentation runs: the blocks of every page in their order. docs/research.md runs as a notebook (test_research.py).
 
 A block whose first line begins with `# not run by the tests:` is not run; NOT_RUN lists these.
 """
@@ -7,8 +7,6 @@ import re
 
 import loosepin as lp
 import matplotlib
-import nbclient
-import nbformat
 import numpy as np
 import pytest
 
@@ -24,12 +22,8 @@ NOT_RUN: set[tuple[str, str]] = {
 MARK = "# not run by the tests: "
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
 PAGES = sorted(path.relative_to(REPOSITORY).as_posix() for path in (REPOSITORY / "docs").rglob("*.md"))
-WITH_PYTHON = [page for page in PAGES if BLOCK.search((REPOSITORY / page).read_text(encoding="utf-8"))]
-NOTEBOOK = REPOSITORY / "docs/tutorial.ipynb"
-# The notebook takes seconds with an optimised library; the tests have one that is not.
-NOTEBOOK_LIMIT_S = 300
-SAMPLES_OF_THE_NOTEBOOK = {"outer = 10": "outer = 4", "inner = 64": "inner = 8"}
-
+ELSEWHERE = {"docs/research.md"}
+WITH_PYTHON = [page for page in PAGES if page not in ELSEWHERE and BLOCK.search((REPOSITORY / page).read_text(encoding="utf-8"))]
 # Surrogates beside the bounds, so that the page finds some to load, over the inputs that it names.
 CRANK = '"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.02 mm" } }\n'
 WITH_SURROGATES = 'surrogate = { kind = "chaos", training_runs = 24, confirming_runs = 8 }\n' + STUDY.replace(CRANK, "")
@@ -51,20 +45,3 @@ def test_blocks_of_a_page(page, tmp_path, monkeypatch):
             assert (page, block.splitlines()[0].removeprefix(MARK)) in NOT_RUN
             continue
         exec(compile(block, page, "exec"), names)
-
-
-def test_the_notebook_runs(tmp_path):
-    notebook = nbformat.read(NOTEBOOK, as_version=4)
-    nbformat.validate(notebook)
-    for cell in notebook.cells:
-        assert not cell.get("outputs"), "outputs are stripped"
-        for stated, fewer in SAMPLES_OF_THE_NOTEBOOK.items():
-            cell.source = cell.source.replace(stated, fewer)
-    client = nbclient.NotebookClient(
-        notebook, timeout=NOTEBOOK_LIMIT_S, resources={"metadata": {"path": str(tmp_path)}}
-    )
-    client.execute()
-    pictures = [output for cell in notebook.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
-    assert len(pictures) == 7
-    text = "".join(output.text for cell in notebook.cells for output in cell.get("outputs", []) if output.output_type == "stream")
-    assert "within 0.5 mm in 95 % of mechanisms:" in text and "probability_only" in text
