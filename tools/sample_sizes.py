@@ -32,8 +32,8 @@ probability_at_least = 0.95
 # Study, its name on the page, output, a limit that some mechanisms exceed, an accuracy of the mean, unit, units in one of SI.
 STUDIES = [
     ("worn-pin", "worn pin", "slider", "0.65 mm", "20 um", "mm", 1e3),
-    ("four-bar", "four-bar", "rocker", "0.15 deg", "0.001 deg", "°", 57.29577951308232),
-    ("toggle-press", "toggle press", "ram", "0.32 mm", "1 um", "mm", 1e3),
+    ("four-bar", "four-bar", "rocker", "0.15 deg", "0.005 deg", "°", 57.29577951308232),
+    ("offset-slider-crank", "offset slider-crank", "plunger", "0.3 mm", "5 um", "mm", 1e3),
 ]
 
 
@@ -128,7 +128,7 @@ def main(program: Path, write: bool) -> None:
     if write:
         page = PAGE.read_text(encoding="utf-8")
         pattern = re.compile(r"(?<=<!-- sample sizes -->\n\n)(.|\n)*(?=<!-- end of sample sizes -->)")
-        PAGE.write_text(pattern.sub(lambda _: "\n".join(lines), page), encoding="utf-8")
+        PAGE.write_text(pattern.sub(lambda _: "\n".join(lines) + "\n", page), encoding="utf-8")
 
 
 if __name__ == "__main__":
