@@ -38,7 +38,7 @@ pub(super) fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, wri
 }
 
 /// Whole turns before the recorded part, rad.
-fn before_rad(record: &SimulationRecord) -> f64 {
+pub(super) fn before_rad(record: &SimulationRecord) -> f64 {
     let first_rad = record.drive_angle_rad.first().copied().unwrap_or_default();
     (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
 }
