@@ -3,6 +3,7 @@
 import sys
 import types
 
+import IPython
 import loosepin as lp
 import nbclient
 import nbformat
@@ -23,9 +24,7 @@ def run():
 @pytest.fixture
 def kernel(monkeypatch):
     """This process taken for the kernel of a notebook."""
-    ipython = types.ModuleType("IPython")
-    ipython.get_ipython = lambda: types.SimpleNamespace(kernel=object())
-    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    monkeypatch.setattr(IPython, "get_ipython", lambda: types.SimpleNamespace(kernel=object()))
 
 
 def test_outside_of_notebooks_no_widget_is_made(run):
@@ -85,7 +84,8 @@ def test_a_kernel_shows_run_and_study_and_ends_its_bar(tmp_path, desk):
     nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}}).execute()
     _, run, study = (cell.outputs for cell in notebook.cells)
     assert [output.output_type for output in run] == ["execute_result"]
-    bar, shown = study
+    # Warnings go to the stream of errors.
+    bar, shown = (output for output in study if output.output_type != "stream")
     assert bar.output_type == "display_data" and bar.data == {"text/plain": "", "text/html": ""}
     states = notebook.metadata.widgets[STATE]["state"]
     for output in (run[0], shown):

@@ -7,13 +7,13 @@
     const turnsBeforeDeg = Number(main?.dataset.turnsBefore ?? 0);
     const poses = document.querySelector('[data-mechanism] script[type="application/json"]')?.textContent;
     const motion = poses ? JSON.parse(poses) : null;
-    const startDeg = motion?.angle_deg[motion.start] ?? null;
-    const firstDeg = startDeg === null ? null : ((startDeg % 360) + 360) % 360;
+    const firstDeg = motion?.angle_deg[motion.start] ?? null;
     // The colours follow the notebook, not the system.
     const darkRules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
         .filter((rule) => rule instanceof CSSMediaRule && rule.media.mediaText.includes('prefers-color-scheme'));
     // Any window may show the figure: what it says about itself is no secret.
     const send = (message) => parent.postMessage(message, '*');
+    const sendHeight = () => send({ kind: 'loosepin-height', heightPx: Math.ceil(document.body.getBoundingClientRect().height) });
     function setColours(isDark) {
         // Paper is light.
         darkRules.forEach((rule) => { rule.media.mediaText = isDark ? 'screen' : 'not all'; });
@@ -50,9 +50,9 @@
             pageCursor.set(event.data.angleDeg - turnsBeforeDeg, fromWidget, 'opened');
     });
     addEventListener('load', () => {
-        new ResizeObserver(() => {
-            send({ kind: 'loosepin-height', heightPx: Math.ceil(document.body.getBoundingClientRect().height) });
-        }).observe(document.body);
+        // An observer sleeps while the frame is out of sight.
+        sendHeight();
+        new ResizeObserver(sendHeight).observe(document.body);
         send({ kind: 'loosepin-ready', angleDeg: firstDeg === null ? null : turnsBeforeDeg + firstDeg });
     });
 })();

@@ -7,13 +7,13 @@ function isDark(element) {
 }
 function render({ model, el }) {
     const frame = document.createElement('iframe');
-    frame.title = String(model.get('title'));
+    frame.title = String(model.get('_title'));
     frame.setAttribute('sandbox', 'allow-scripts allow-downloads');
     // Seen as soon as it has the colours of the notebook.
     Object.assign(frame.style, { display: 'block', width: '100%', height: '30rem', border: '0', visibility: 'hidden' });
     // A change of the theme, however it is made, is a change of this colour: it ends a transition.
     el.style.transition = 'color 1ms';
-    frame.srcdoc = String(model.get('document'));
+    frame.srcdoc = String(model.get('_document'));
     const send = (message) => frame.contentWindow?.postMessage(message, '*');
     const sendColours = () => {
         // A frame of another scheme than its document would have an opaque ground.

@@ -9,14 +9,15 @@
   const turnsBeforeDeg = Number(main?.dataset.turnsBefore ?? 0);
   const poses = document.querySelector('[data-mechanism] script[type="application/json"]')?.textContent;
   const motion = poses ? JSON.parse(poses) as { angle_deg: number[]; start: number } : null;
-  const startDeg = motion?.angle_deg[motion.start] ?? null;
-  const firstDeg = startDeg === null ? null : ((startDeg % 360) + 360) % 360;
+  const firstDeg = motion?.angle_deg[motion.start] ?? null;
   // The colours follow the notebook, not the system.
   const darkRules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
     .filter((rule): rule is CSSMediaRule => rule instanceof CSSMediaRule && rule.media.mediaText.includes('prefers-color-scheme'));
 
   // Any window may show the figure: what it says about itself is no secret.
   const send = (message: FrameMessage): void => parent.postMessage(message, '*');
+
+  const sendHeight = (): void => send({ kind: 'loosepin-height', heightPx: Math.ceil(document.body.getBoundingClientRect().height) });
 
   function setColours(isDark: boolean): void {
     // Paper is light.
@@ -51,9 +52,9 @@
     if (event.data?.kind === 'loosepin-angle') pageCursor.set(event.data.angleDeg - turnsBeforeDeg, fromWidget, 'opened');
   });
   addEventListener('load', () => {
-    new ResizeObserver(() => {
-      send({ kind: 'loosepin-height', heightPx: Math.ceil(document.body.getBoundingClientRect().height) });
-    }).observe(document.body);
+    // An observer sleeps while the frame is out of sight.
+    sendHeight();
+    new ResizeObserver(sendHeight).observe(document.body);
     send({ kind: 'loosepin-ready', angleDeg: firstDeg === null ? null : turnsBeforeDeg + firstDeg });
   });
 })();

@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
+use crate::charts::chart::turns_before_rad;
 use crate::charts::figure::Picture;
 use crate::mechanism::bends::{Bend, bend_words, bends, bent, is_drawn_by_its_axis};
 use crate::mechanism::labels::{Label, Sizes, frame_with, labels};
@@ -333,7 +334,8 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
             }
         })
         .collect();
-    let angle_deg = pick(&|pose| reference.drive_angle_rad[pose].to_degrees());
+    let before_rad = turns_before_rad(&reference.drive_angle_rad);
+    let angle_deg = pick(&|pose| (reference.drive_angle_rad[pose] - before_rad).to_degrees());
     let start = angle_deg.len() / FIRST_POSE;
     Motion { angle_deg, magnification, start, bodies, bends: bends(drawing, count, step) }
 }

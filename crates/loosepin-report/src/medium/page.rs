@@ -12,9 +12,8 @@ const STYLE: &str = include_str!("../../assets/report.css");
 /// In the head, before anything is shown.
 const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
-const SCRIPTS: [&str; 7] = [
-    include_str!("../../assets/ticks.js"),
-    include_str!("../../assets/cursor.js"),
+const SHARED_SCRIPTS: [&str; 2] = [include_str!("../../assets/ticks.js"), include_str!("../../assets/cursor.js")];
+const FIGURE_SCRIPTS: [&str; 5] = [
     // Takes the figures as they are before the next ones make them live.
     include_str!("../../assets/save.js"),
     include_str!("../../assets/chart.js"),
@@ -32,7 +31,7 @@ const CONTENT_POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'";
 
 /// The JavaScript module of anywidget that shows the document of a frame (`simulation_frame`, `study_frame`) in a notebook. Its model has
-/// the document, a title, and the angle of the cursor in rad: `document`, `title`, `drive_angle_rad`.
+/// the document, a title, and the angle of the cursor in rad: `_document`, `_title`, `drive_angle_rad`.
 pub fn widget_script() -> &'static str {
     WIDGET_SCRIPT
 }
@@ -110,7 +109,7 @@ impl Page {
                 p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
             }
         };
-        self.document(&foot_of_sheets(&self.title, &self.identity), &body, &SCRIPTS)
+        self.document(&foot_of_sheets(&self.title, &self.identity), &body, &[])
     }
 
     /// The first screen of the page and those of its sections that are named, for a frame in a notebook. The script of the frame exchanges
@@ -123,8 +122,7 @@ impl Page {
                 @for section in self.sections.iter().filter(|section| sections.contains(&section.id)) { (section.element()) }
             }
         };
-        let scripts: Vec<&str> = SCRIPTS.into_iter().chain([FRAME_SCRIPT]).collect();
-        self.document(FRAME_STYLE, &body, &scripts)
+        self.document(FRAME_STYLE, &body, &[FRAME_SCRIPT])
     }
 
     /// The first screen: the answer, the mechanism, the chart.
@@ -138,8 +136,9 @@ impl Page {
         }
     }
 
-    /// The frame of every document; `style` stands behind the styles of all of them.
+    /// What all documents have; `style` stands behind its styles, and `scripts` run before the figures become live.
     fn document(&self, style: &str, body: &Markup, scripts: &[&str]) -> String {
+        let scripts = SHARED_SCRIPTS.iter().chain(scripts).chain(&FIGURE_SCRIPTS);
         let document = html! {
             (DOCTYPE)
             html lang="en" data-origin=(format!("{} (loosepin {})", self.identity, self.version)) {
