@@ -39,7 +39,8 @@ function render({ model, el }) {
         const message = event.data;
         if (message === null)
             return;
-        if (message.kind === 'loosepin-height')
+        // A notebook takes cells that are out of sight off the page: there they have no height.
+        if (message.kind === 'loosepin-height' && message.heightPx > 0 && frame.clientWidth > 0)
             frame.style.height = message.heightPx + 'px';
         if (message.kind === 'loosepin-angle')
             setTrait(message.angleDeg);

@@ -51,7 +51,8 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     if (event.source !== frame.contentWindow) return;
     const message = event.data;
     if (message === null) return;
-    if (message.kind === 'loosepin-height') frame.style.height = message.heightPx + 'px';
+    // A notebook takes cells that are out of sight off the page: there they have no height.
+    if (message.kind === 'loosepin-height' && message.heightPx > 0 && frame.clientWidth > 0) frame.style.height = message.heightPx + 'px';
     if (message.kind === 'loosepin-angle') setTrait(message.angleDeg);
     if (message.kind === 'loosepin-ready') {
       sendColours();
