@@ -9,6 +9,7 @@ import pytest
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from check_pages import AXE, SIDEWAYS, seen_by_axe  # noqa: E402
 from chromium import Chromium  # noqa: E402
 from notebook_page import Notebook  # noqa: E402
 
@@ -90,16 +91,14 @@ def test_a_run_is_a_live_figure_whose_cursor_python_sees(notebook, run):
     figure = run.widget()
     seen = []
     figure.observe(lambda change: seen.append(change["new"]), "drive_angle_rad")
-    assert figure.drive_angle_rad is None
+    start = figure.drive_angle_rad
     notebook.show("one", figure)
     shown = notebook.inside("one", SHOWN)
     # It begins at the pose that the still picture shows, and rests there; Python counts turns as the run does.
     assert shown["are_drawn"] == 2 and shown["is_cursor_shown"] and not shown["is_playing"]
-    notebook.wait(lambda: seen)
     assert run.drive_angle_rad[0] <= figure.drive_angle_rad <= run.drive_angle_rad[-1]
     assert is_turned_to(shown, figure.drive_angle_rad)
     # The slider of the mechanism moves the cursor of the chart, and the trait.
-    start = figure.drive_angle_rad
     notebook.inside("one", SLIDER % 40)
     notebook.wait(lambda: figure.drive_angle_rad != start)
     moved = notebook.inside("one", SHOWN)
@@ -111,7 +110,7 @@ def test_a_run_is_a_live_figure_whose_cursor_python_sees(notebook, run):
     stepped = notebook.inside("one", SHOWN)
     assert is_turned_to(stepped, figure.drive_angle_rad) and stepped["crank_deg"] != moved["crank_deg"]
     assert figure.drive_angle_rad - before == pytest.approx(run.drive_angle_rad[1] - run.drive_angle_rad[0], rel=1e-3)
-    assert seen == [start, before, figure.drive_angle_rad]
+    assert seen == [before, figure.drive_angle_rad]
     assert not notebook.browser.diagnostics() and not notebook.browser.requests()
 
 
@@ -151,8 +150,9 @@ def test_two_figures_do_not_meet(notebook, run, result):
     assert one["outline"] == two["outline"] == "none"
     assert notebook.browser.evaluate("typeof pageCursor === 'undefined' && location.hash === ''")
     assert notebook.browser.evaluate("document.querySelectorAll('style').length") == 1
-    # Each is as high as what is in it.
+    # Each is as high as what is in it, once it is seen: a browser lays out nothing anew that is out of sight.
     for name in ("one", "two"):
+        notebook.browser.evaluate(f"document.getElementById({name!r}).scrollIntoView()")
         height = f"document.querySelector('#{name} iframe').clientHeight"
         notebook.wait(lambda: 0 <= notebook.browser.evaluate(height) - notebook.inside(name, SHOWN)["height"] < 2)
     assert not notebook.browser.diagnostics()
@@ -181,6 +181,18 @@ def test_the_figure_has_the_colours_of_the_notebook(notebook, result):
     assert (light, notebook.inside("one", SHOWN)["page"]) == ("rgb(27, 36, 48)", "rgb(229, 233, 238)")
     notebook.browser.evaluate("document.body.className = 'light'")
     notebook.wait(lambda: notebook.inside("one", SHOWN)["page"] == light)
+
+
+@pytest.mark.parametrize("width", [1000, 400])
+def test_everybody_can_use_the_figure(browser, run, result, tmp_path, width):
+    browser.view(width, reduced_motion=True)
+    for shown in (run, result):
+        page = tmp_path / "frame.html"
+        page.write_text(shown._figure().document, encoding="utf-8")
+        browser.open(page)
+        assert browser.evaluate(SIDEWAYS) == [] and seen_by_axe(browser, AXE.read_text(encoding="utf-8")) == []
+        assert not browser.diagnostics() and not browser.requests()
+    browser.view(1000)
 
 
 def test_a_closed_figure_hears_nothing(notebook, run):

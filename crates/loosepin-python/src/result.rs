@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::Diagnostics;
-use loosepin::report::{study_excerpt, study_frame, study_page, study_text};
+use loosepin::report::{Frame, study_excerpt, study_frame, study_page, study_text};
 use loosepin::results::{FinishedResult, write_whole};
 use loosepin::study::files::{bounds_csv, surrogates_json};
 use loosepin::study::{self, SavedSurrogates, StudyRun, read_study};
@@ -101,9 +101,10 @@ impl StudyResult {
         study_page(&self.result)
     }
 
-    /// The first screen of `report.html`, for a frame in a notebook.
-    fn frame(&self) -> String {
-        study_frame(&self.result)
+    /// The first screen of `report.html` for a frame in a notebook, and the angle of its cursor, rad.
+    fn frame(&self) -> (String, Option<f64>) {
+        let Frame { document, drive_angle_rad } = study_frame(&self.result);
+        (document, drive_angle_rad)
     }
 
     /// The answer, the mechanism, the curves and the key table as HTML without styles and scripts.

@@ -62,7 +62,8 @@ def test_without_anywidget_the_figure_stands_still(run, kernel, monkeypatch):
 
 def test_the_angle_is_a_number(run):
     figure = run.widget()
-    assert figure.drive_angle_rad is None
+    # It begins at the pose of the still drawing: after a sixth of the rows of a turn. Pages have 8 digits.
+    assert figure.drive_angle_rad == pytest.approx(run.drive_angle_rad[len(run.time_s) // 6], rel=1e-7)
     figure.drive_angle_rad = run.drive_angle_rad[3]
     assert figure.drive_angle_rad == run.drive_angle_rad[3]
     figure.drive_angle_rad = 1

@@ -21,11 +21,6 @@ function render({ model, el }) {
         send({ kind: 'loosepin-colours', isDark: isDark(el) });
     };
     let known = null;
-    const setTrait = (angleDeg) => {
-        known = angleDeg * radPerDeg;
-        model.set(trait, known);
-        model.save_changes();
-    };
     const sendAngle = () => {
         const angle = model.get(trait);
         if (angle === known || typeof angle !== 'number')
@@ -42,16 +37,16 @@ function render({ model, el }) {
         // A notebook takes cells that are out of sight off the page: there they have no height.
         if (message.kind === 'loosepin-height' && message.heightPx > 0 && frame.clientWidth > 0)
             frame.style.height = message.heightPx + 'px';
-        if (message.kind === 'loosepin-angle')
-            setTrait(message.angleDeg);
+        if (message.kind === 'loosepin-angle') {
+            known = message.angleDeg * radPerDeg;
+            model.set(trait, known);
+            model.save_changes();
+        }
         if (message.kind === 'loosepin-ready') {
             sendColours();
             // A frame that is moved in the page loads again.
             known = null;
-            if (model.get(trait) !== null)
-                sendAngle();
-            else if (message.angleDeg !== null)
-                setTrait(message.angleDeg);
+            sendAngle();
             frame.style.visibility = 'visible';
         }
     };

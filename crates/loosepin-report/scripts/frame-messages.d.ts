@@ -2,7 +2,7 @@
 
 /** From the figure to the widget. */
 export type FrameMessage =
-  | { kind: 'loosepin-ready'; angleDeg: number | null }
+  | { kind: 'loosepin-ready' }
   | { kind: 'loosepin-angle'; angleDeg: number }
   | { kind: 'loosepin-height'; heightPx: number };
 

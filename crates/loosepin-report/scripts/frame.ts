@@ -55,6 +55,6 @@
     // An observer sleeps while the frame is out of sight.
     sendHeight();
     new ResizeObserver(sendHeight).observe(document.body);
-    send({ kind: 'loosepin-ready', angleDeg: firstDeg === null ? null : turnsBeforeDeg + firstDeg });
+    send({ kind: 'loosepin-ready' });
   });
 })();

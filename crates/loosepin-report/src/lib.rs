@@ -50,7 +50,7 @@ pub use compare::{
 pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use mechanism::figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
 pub use medium::article_text::article_text;
-pub use medium::page::widget_script;
+pub use medium::page::{Frame, widget_script};
 pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{motion_page, motion_text};

@@ -20,7 +20,7 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._notebook.html import simulation_html
-from ._notebook.shown import Shown
+from ._notebook.shown import Figure, Shown
 from ._objects.arguments import item_named, must_be, paths, settings
 from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.pickles import check_version, pickled
@@ -525,8 +525,8 @@ class Simulation(Shown, NoArray, Mapping[str, Array]):
         counts = f"{len(self.time_s)} rows, {len(self.impacts)} impacts"
         return simulation_html(self._native.model, counts, self.extremes, self._native.excerpt(), self.summary["display_units"])
 
-    def _figure(self) -> tuple[str, str]:
-        return self._native.model, self._native.frame()
+    def _figure(self) -> Figure:
+        return Figure(self._native.model, *self._native.frame())
 
 
 def _restored(parts: Any) -> Simulation:

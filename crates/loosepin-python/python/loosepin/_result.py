@@ -17,7 +17,7 @@ from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
 from ._notebook.html import study_html
-from ._notebook.shown import Shown
+from ._notebook.shown import Figure, Shown
 from ._objects.arguments import item_named, must_be
 from ._objects.arrays import NoArray, read_only
 from ._objects.pickles import pickled
@@ -236,8 +236,8 @@ class StudyResult(Shown, NoArray):
     def _repr_html_(self) -> str:
         return study_html(self.name, self._native.excerpt())
 
-    def _figure(self) -> tuple[str, str]:
-        return self.name, self._native.frame()
+    def _figure(self) -> Figure:
+        return Figure(self.name, *self._native.frame())
 
 
 def _restored(summary: str, samples: list[tuple[str, str, Any]], surrogates: str | None) -> StudyResult:

@@ -125,6 +125,12 @@ pub fn moving_drawing(drawing: &Drawing, drive: &str) -> Option<MovingDrawing> {
     Some(MovingDrawing { svg: picture.document(&[]), motion })
 }
 
+/// Angle of the drive in the pose that [`mechanism_figure`] shows first, degrees; `None` where the record holds no poses.
+pub(crate) fn start_deg(drawing: &Drawing) -> Option<f64> {
+    let Moving { motion, .. } = moving(drawing, "", false)?;
+    motion.angle_deg[motion.start]
+}
+
 /// The figure, or nothing where the record holds no poses.
 pub(crate) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     let Some(Moving { picture, motion, has_play, has_signs }) = moving(drawing, drive, false) else { return html! {} };

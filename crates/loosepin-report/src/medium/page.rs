@@ -2,10 +2,12 @@
 
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use loosepin_result::simulation::Drawing;
 use loosepin_text::date::date_for_reading;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::charts::figure::with_unique_names;
+use crate::mechanism::figure::start_deg;
 use crate::medium::styles::{COLOURS, FIGURE_STYLE, saved_style};
 
 const STYLE: &str = include_str!("../../assets/report.css");
@@ -34,6 +36,14 @@ const CONTENT_POLICY: &str =
 /// the document, a title, and the angle of the cursor in rad: `_document`, `_title`, `drive_angle_rad`.
 pub fn widget_script() -> &'static str {
     WIDGET_SCRIPT
+}
+
+/// The first screen of a page as a document for a frame in a notebook.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    pub document: String,
+    /// Where its cursor stands at first, rad, in the angles of the record; `None` if it draws no mechanism.
+    pub drive_angle_rad: Option<f64>,
 }
 
 /// One section of a page.
@@ -114,7 +124,7 @@ impl Page {
 
     /// The first screen of the page and those of its sections that are named, for a frame in a notebook. The script of the frame exchanges
     /// the angle of the cursor with the notebook, in the angles of the record: `turns_before_deg` more than those of the charts.
-    pub fn into_frame(self, sections: &[&str], turns_before_deg: f64) -> String {
+    pub fn into_frame(self, sections: &[&str], turns_before_deg: f64, drawing: &Drawing) -> Frame {
         let body = html! {
             main id="content" data-turns-before=(turns_before_deg) {
                 h1 { (self.title) }
@@ -122,7 +132,10 @@ impl Page {
                 @for section in self.sections.iter().filter(|section| sections.contains(&section.id)) { (section.element()) }
             }
         };
-        self.document(FRAME_STYLE, &body, &[FRAME_SCRIPT])
+        Frame {
+            document: self.document(FRAME_STYLE, &body, &[FRAME_SCRIPT]),
+            drive_angle_rad: start_deg(drawing).map(|start_deg| (turns_before_deg + start_deg).to_radians()),
+        }
     }
 
     /// The first screen: the answer, the mechanism, the chart.

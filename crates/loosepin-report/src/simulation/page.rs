@@ -6,7 +6,7 @@ use crate::charts::figure::images;
 use crate::charts::still_figures::orbit_figure;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::page_section;
-use crate::medium::page::{Page, Section, sentences};
+use crate::medium::page::{Frame, Page, Section, sentences};
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
@@ -31,8 +31,8 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
 }
 
 /// The first screen of [`simulation_page`] and its extremes, as a document for a frame in a notebook.
-pub fn simulation_frame(record: &SimulationRecord) -> String {
-    page(record).into_frame(&["extremes"], before_rad(record).to_degrees())
+pub fn simulation_frame(record: &SimulationRecord) -> Frame {
+    page(record).into_frame(&["extremes"], before_rad(record).to_degrees(), &record.drawing)
 }
 
 /// The mechanism and the first chart of [`simulation_page`] as HTML to stand inside another page, such as a notebook; without scripts.

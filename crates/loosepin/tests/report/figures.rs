@@ -124,10 +124,10 @@ fn identity_a_frame_is_the_first_screen_of_its_page() {
         rest.split_once(from).expect("its end").0.to_owned()
     };
     let result = report_fixture::study::worn_pin();
-    let (page, frame) = (study_page(&result), study_frame(&result));
+    let (page, frame) = (study_page(&result), study_frame(&result).document);
     assert_eq!(opening(&frame, "<section id=\"bounds\""), opening(&page, "<nav"));
     let run = report_fixture::simulation::worn_pin();
-    let (page, frame) = (simulation_page(&run), simulation_frame(&run));
+    let (page, frame) = (simulation_page(&run), simulation_frame(&run).document);
     assert_eq!(opening(&frame, "<section id=\"extremes\""), opening(&page, "<nav"));
     assert_eq!(frame.matches("<section ").count(), 2, "the answer and the extremes");
     // Every script of the page, and one more.

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 import importlib.util
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .._extras import need
 from .kernel import has_kernel
 
 if TYPE_CHECKING:
     from .widget import FigureWidget
+
+
+class Figure(NamedTuple):
+    """What a widget shows."""
+
+    title: str
+    document: str
+    drive_angle_rad: float | None
+    """Angle of the drive at the cursor, rad; None without a drawing of the mechanism."""
 
 
 class Shown:
@@ -28,11 +37,12 @@ class Shown:
         need("anywidget", "widget()")
         from .widget import FigureWidget
 
-        return FigureWidget(*self._figure(), self._repr_html_())
+        title, document, drive_angle_rad = self._figure()
+        return FigureWidget(title, document, drive_angle_rad, self._repr_html_())
 
     @abstractmethod
-    def _figure(self) -> tuple[str, str]:
-        """Title and document of the figure."""
+    def _figure(self) -> Figure:
+        """The live figure."""
 
     @abstractmethod
     def _repr_html_(self) -> str:

@@ -21,13 +21,13 @@ class FigureWidget(anywidget.AnyWidget):
     _document = traitlets.Unicode().tag(sync=True)
     _title = traitlets.Unicode().tag(sync=True)
     drive_angle_rad = traitlets.Float(
-        None, allow_none=True, help="Angle of the drive at the cursor, rad, as in `Simulation.drive_angle_rad`; None before it is shown."
+        None, allow_none=True, help="Angle of the drive at the cursor, rad, as in `Simulation.drive_angle_rad`; None without a mechanism."
     ).tag(sync=True)
 
-    def __init__(self, title: str, document: str, still: str) -> None:
+    def __init__(self, title: str, document: str, drive_angle_rad: float | None, still: str) -> None:
         """Use `Simulation.widget` or `StudyResult.widget`."""
         self._still = still
-        super().__init__(_title=title, _document=document)
+        super().__init__(_title=title, _document=document, drive_angle_rad=drive_angle_rad)
 
     @traitlets.validate("drive_angle_rad")
     def _check_angle(self, proposal: Any) -> float | None:

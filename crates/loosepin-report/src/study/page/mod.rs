@@ -13,7 +13,7 @@ use crate::charts::figure::images;
 use crate::charts::still_figures::orbit_figure;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{blocks, page_section};
-use crate::medium::page::{Page, Section};
+use crate::medium::page::{Frame, Page, Section};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
@@ -36,8 +36,8 @@ pub fn study_page(result: &StudyResult) -> String {
 }
 
 /// The first screen of [`study_page`] and its table of bounds, as a document for a frame in a notebook.
-pub fn study_frame(result: &StudyResult) -> String {
-    page(result).into_frame(&["bounds"], 0.0)
+pub fn study_frame(result: &StudyResult) -> Frame {
+    page(result).into_frame(&["bounds"], 0.0, &result.drawing)
 }
 
 fn page(result: &StudyResult) -> Page {
