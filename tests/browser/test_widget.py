@@ -103,6 +103,8 @@ def test_a_run_is_a_live_figure_whose_cursor_python_sees(notebook, run):
     notebook.wait(lambda: figure.drive_angle_rad != start)
     moved = notebook.inside("one", SHOWN)
     assert is_turned_to(moved, figure.drive_angle_rad) and moved["cursor"] != shown["cursor"]
+    # The pose of the drawing is the row of the run, turns of start-up included.
+    assert figure.drive_angle_rad == pytest.approx(run.drive_angle_rad[40], rel=1e-7)
     # A key in the chart moves the mechanism, by a row of the run.
     before = figure.drive_angle_rad
     notebook.inside("one", KEY % "ArrowRight")

@@ -20,7 +20,7 @@ from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
 from ._notebook.html import simulation_html
-from ._notebook.shown import Figure, Shown
+from ._notebook.display import Figure, NotebookDisplay
 from ._objects.arguments import item_named, must_be, paths, settings
 from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.pickles import check_version, pickled
@@ -366,7 +366,7 @@ def _unpickled(version: str, texts: Any) -> Model:
     return Model(_loosepin.Model.from_texts(texts))
 
 
-class Simulation(Shown, NoArray, Mapping[str, Array]):
+class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
     """One run: `simulation["slider"]` holds the values of an output at `simulation.time_s`, SI.
 
     All arrays have one entry for each row of `history.csv`, and are read-only.

@@ -19,7 +19,7 @@ _WIDTH = 30
 _EVERY_S = 0.25
 
 
-def listener(progress: bool | Listener, counted: str = "runs") -> _Shown | _Callable | None:
+def listener(progress: bool | Listener, counted: str = "runs") -> _ProgressDisplay | _Callable | None:
     """Listener for the progress of `Study.run`, or of other work that is `counted` otherwise."""
     if callable(progress):
         return _Callable(progress)
@@ -28,9 +28,9 @@ def listener(progress: bool | Listener, counted: str = "runs") -> _Shown | _Call
     if not progress:
         return None
     if has_kernel():
-        return _Shown(_Notebook(), counted)
+        return _ProgressDisplay(_Notebook(), counted)
     stream = sys.stderr
-    return _Shown(_Terminal(stream), counted) if stream is not None and stream.isatty() else None
+    return _ProgressDisplay(_Terminal(stream), counted) if stream is not None and stream.isatty() else None
 
 
 class _Callable:
@@ -47,7 +47,7 @@ class _Callable:
         """Nothing is left to do."""
 
 
-class _Shown:
+class _ProgressDisplay:
     """Shows the progress now and then, with the time that is left."""
 
     def __init__(self, place: _Terminal | _Notebook, counted: str) -> None:

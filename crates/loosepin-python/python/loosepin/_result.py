@@ -17,7 +17,7 @@ from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
 from ._notebook.html import study_html
-from ._notebook.shown import Figure, Shown
+from ._notebook.display import Figure, NotebookDisplay
 from ._objects.arguments import item_named, must_be
 from ._objects.arrays import NoArray, read_only
 from ._objects.pickles import pickled
@@ -76,7 +76,7 @@ class Samples(Record, Mapping[str, Any]):
         return f"<loosepin.Samples: {rows} runs, inputs {', '.join(self.inputs)}; outputs {', '.join(self.outputs)}>"
 
 
-class StudyResult(Shown, NoArray):
+class StudyResult(NotebookDisplay, NoArray):
     """A finished study: `print(result)` shows the tables of the terminal, `result.bounds` holds every bound."""
 
     def __init__(self, native: _loosepin.StudyResult) -> None:

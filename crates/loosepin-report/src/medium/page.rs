@@ -41,6 +41,7 @@ pub fn widget_script() -> &'static str {
 /// The first screen of a page as a document for a frame in a notebook.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
+    /// HTML that needs no network.
     pub document: String,
     /// Where its cursor stands at first, rad, in the angles of the record; `None` if it draws no mechanism.
     pub drive_angle_rad: Option<f64>,

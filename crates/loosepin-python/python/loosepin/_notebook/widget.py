@@ -24,9 +24,9 @@ class FigureWidget(anywidget.AnyWidget):
         None, allow_none=True, help="Angle of the drive at the cursor, rad, as in `Simulation.drive_angle_rad`; None without a mechanism."
     ).tag(sync=True)
 
-    def __init__(self, title: str, document: str, drive_angle_rad: float | None, still: str) -> None:
+    def __init__(self, title: str, document: str, drive_angle_rad: float | None, static_html: str) -> None:
         """Use `Simulation.widget` or `StudyResult.widget`."""
-        self._still = still
+        self._static_html = static_html
         super().__init__(_title=title, _document=document, drive_angle_rad=drive_angle_rad)
 
     @traitlets.validate("drive_angle_rad")
@@ -42,7 +42,7 @@ class FigureWidget(anywidget.AnyWidget):
         # Some versions give the metadata as well.
         data = bundle[0] if isinstance(bundle, tuple) else bundle
         if data is not None:
-            data["text/html"] = self._still
+            data["text/html"] = self._static_html
         return bundle
 
     def __repr__(self) -> str:

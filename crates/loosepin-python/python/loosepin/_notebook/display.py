@@ -22,7 +22,7 @@ class Figure(NamedTuple):
     """Angle of the drive at the cursor, rad; None without a drawing of the mechanism."""
 
 
-class Shown:
+class NotebookDisplay:
     """A run or a study. As the last line of a cell it is a widget; without a front end for widgets, a still figure."""
 
     def widget(self) -> FigureWidget:
@@ -57,7 +57,7 @@ class Shown:
 
     def _own_widget(self) -> FigureWidget:
         """The one that the object itself shows, however often."""
-        shown: FigureWidget | None = self.__dict__.get("_shown")
-        if shown is None or shown.comm is None:
-            shown = self.__dict__["_shown"] = self.widget()
-        return shown
+        widget: FigureWidget | None = self.__dict__.get("_displayed_widget")
+        if widget is None or widget.comm is None:
+            widget = self.__dict__["_displayed_widget"] = self.widget()
+        return widget
