@@ -130,6 +130,7 @@ python-tests: (tool "pytest") programs
 browser-tests: (tool "pytest") page-scripts programs
     #!/usr/bin/env bash
     set -euo pipefail
+    "{{ python }}" tools/python/install.py target/debug
     if [ ! -d tests/browser ]; then
         echo "there is no tests/browser" >&2
         exit 0

@@ -47,5 +47,12 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_cdf, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_ppf, module)?)?;
+    module.add_function(wrap_pyfunction!(widget_script, module)?)?;
     module.add_function(wrap_pyfunction!(function_bounds::evaluate, module)?)
+}
+
+/// The JavaScript module of the widget that shows a run or a study in a notebook.
+#[pyfunction]
+fn widget_script() -> &'static str {
+    loosepin::report::widget_script()
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::Diagnostics;
-use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
+use loosepin::report::{Frame, study_excerpt, study_frame, study_page, study_text};
 use loosepin::results::{FinishedResult, write_whole};
 use loosepin::study::files::{bounds_csv, surrogates_json};
 use loosepin::study::{self, SavedSurrogates, StudyRun, read_study};
@@ -101,7 +101,13 @@ impl StudyResult {
         study_page(&self.result)
     }
 
-    /// The answer and the key table as HTML without styles.
+    /// The first screen of `report.html` for a frame in a notebook, and the angle of its cursor, rad.
+    fn frame(&self) -> (String, Option<f64>) {
+        let Frame { document, drive_angle_rad } = study_frame(&self.result);
+        (document, drive_angle_rad)
+    }
+
+    /// The answer, the mechanism, the curves and the key table as HTML without styles and scripts.
     fn excerpt(&self) -> String {
         study_excerpt(&self.result)
     }
@@ -109,10 +115,5 @@ impl StudyResult {
     /// Writes `report.html`, whole or not at all.
     fn write_page(&self, path: PathBuf) -> PyResult<()> {
         write_whole(&path, study_page(&self.result).as_bytes()).map_err(|error| raise(Diagnostics::one(&error, None)))
-    }
-
-    /// The mechanism in one pose, as SVG.
-    fn picture(&self) -> String {
-        mechanism_picture(&self.result.drawing, &self.result.model)
     }
 }

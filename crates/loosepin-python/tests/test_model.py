@@ -70,7 +70,7 @@ def test_figures_and_notebook(simulation, model):
     figure = simulation.plot("slider", "gudgeon_force")
     assert [axis.get_ylabel() for axis in figure.axes] == ["slider [mm]", "gudgeon_force [N]"]
     assert simulation.plot("slider", deviation=True).axes[0].get_ylabel() == "slider, deviation [mm]"
-    assert "<svg" in simulation._repr_html_()
+    assert simulation._repr_html_().count('<img src="data:image/svg+xml') == 2
     assert "x of slider.pin" in model._repr_html_()
 
 

@@ -32,22 +32,30 @@ def test_nothing_is_shown_where_nobody_looks(monkeypatch):
     assert _progress.listener(False) is None
 
 
-def test_a_notebook_changes_what_it_shows(monkeypatch):
+def test_a_notebook_shows_a_bar_that_goes(monkeypatch):
     shown = []
 
     class Handle:
-        def update(self, what):
-            shown.append(what)
+        def update(self, data, raw):
+            assert raw
+            shown.append(data)
 
-    display = types.ModuleType("IPython.display")
-    display.Pretty = str
-    display.display = lambda *what, **options: Handle()
+    def display(data, raw, display_id):
+        assert raw and display_id
+        shown.append(data)
+        return Handle()
+
+    module = types.ModuleType("IPython.display")
+    module.display = display
     ipython = types.ModuleType("IPython")
     ipython.get_ipython = lambda: types.SimpleNamespace(kernel=object())
     monkeypatch.setitem(sys.modules, "IPython", ipython)
-    monkeypatch.setitem(sys.modules, "IPython.display", display)
-    line = _progress.listener(True)
-    line(30, 60)
-    line.close()
-    assert shown[0].startswith("[===============") and "30 of at most 60 runs" in shown[0]
-    assert shown[1] == ""
+    monkeypatch.setitem(sys.modules, "IPython.display", module)
+    _progress.listener(True).close()
+    assert not shown, "work without progress leaves no output"
+    bar = _progress.listener(True, "<values>")
+    bar(30, 60)
+    bar.close()
+    assert shown[0]["text/plain"].startswith("[===============" + " " * 15 + "] 30 of at most 60 <values>, ")
+    assert '<progress value="30" max="60"' in shown[0]["text/html"] and "30 of at most 60 &lt;values&gt;, " in shown[0]["text/html"]
+    assert shown[1:] == [{"text/plain": "", "text/html": ""}]

@@ -50,12 +50,13 @@ pub use compare::{
 pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use mechanism::figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
 pub use medium::article_text::article_text;
+pub use medium::page::{Frame, widget_script};
 pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{motion_page, motion_text};
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
-pub use simulation::{simulation_page, simulation_text, wear_text};
-pub use study::page::{KnownValue, known_values, study_excerpt, study_page};
+pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
+pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};
 pub use study::text::study_text;
 pub use sweep::{sweep_page, sweep_text};

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _loosepin
 from ._extras import need
-from ._html import evaluation_html
+from ._notebook.html import evaluation_html
 from ._objects.arguments import item_named
 from ._objects.arrays import frozen, read_only, read_only_copy
 from ._objects.logs import LOGGER, long_run

@@ -19,7 +19,8 @@ from ._design import InputReader, split_laws
 from ._evaluation import Evaluation, evaluated
 from ._extras import need
 from ._figures import Line, simulation_figure
-from ._html import simulation_html
+from ._notebook.html import simulation_html
+from ._notebook.display import Figure, NotebookDisplay
 from ._objects.arguments import item_named, must_be, paths, settings
 from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.pickles import check_version, pickled
@@ -365,7 +366,7 @@ def _unpickled(version: str, texts: Any) -> Model:
     return Model(_loosepin.Model.from_texts(texts))
 
 
-class Simulation(NoArray, Mapping[str, Array]):
+class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
     """One run: `simulation["slider"]` holds the values of an output at `simulation.time_s`, SI.
 
     All arrays have one entry for each row of `history.csv`, and are read-only.
@@ -522,7 +523,10 @@ class Simulation(NoArray, Mapping[str, Array]):
 
     def _repr_html_(self) -> str:
         counts = f"{len(self.time_s)} rows, {len(self.impacts)} impacts"
-        return simulation_html(self._native.model, counts, self.extremes, self._native.picture(), self.summary["display_units"])
+        return simulation_html(self._native.model, counts, self.extremes, self._native.excerpt(), self.summary["display_units"])
+
+    def _figure(self) -> Figure:
+        return Figure(self._native.model, *self._native.frame())
 
 
 def _restored(parts: Any) -> Simulation:

@@ -1,13 +1,16 @@
-"""Progress of a study: a line in a terminal, a line that changes in a notebook."""
+"""Progress of a study: a line in a terminal, a bar in a notebook."""
 
 from __future__ import annotations
 
 import sys
 import time
 from collections.abc import Callable
-from typing import Any
+from html import escape
+from typing import Any, TextIO
 
 import numpy as np
+
+from ._notebook.kernel import has_kernel
 
 Listener = Callable[[int, int], object]
 """Called with the number of finished runs and the largest number of runs."""
@@ -16,7 +19,7 @@ _WIDTH = 30
 _EVERY_S = 0.25
 
 
-def listener(progress: bool | Listener, counted: str = "runs") -> _Line | _Callable | None:
+def listener(progress: bool | Listener, counted: str = "runs") -> _ProgressDisplay | _Callable | None:
     """Listener for the progress of `Study.run`, or of other work that is `counted` otherwise."""
     if callable(progress):
         return _Callable(progress)
@@ -24,8 +27,10 @@ def listener(progress: bool | Listener, counted: str = "runs") -> _Line | _Calla
         raise TypeError(f"progress is a {type(progress).__name__}; must be True, False or a function")
     if not progress:
         return None
-    show = _notebook_line() or _terminal_line()
-    return None if show is None else _Line(show, counted)
+    if has_kernel():
+        return _ProgressDisplay(_Notebook(), counted)
+    stream = sys.stderr
+    return _ProgressDisplay(_Terminal(stream), counted) if stream is not None and stream.isatty() else None
 
 
 class _Callable:
@@ -42,9 +47,11 @@ class _Callable:
         """Nothing is left to do."""
 
 
-class _Line:
-    def __init__(self, show: Callable[[str], None], counted: str) -> None:
-        self._show = show
+class _ProgressDisplay:
+    """Shows the progress now and then, with the time that is left."""
+
+    def __init__(self, place: _Terminal | _Notebook, counted: str) -> None:
+        self._place = place
         self._counted = counted
         self._began = time.monotonic()
         self._next = self._began
@@ -54,52 +61,57 @@ class _Line:
         if now < self._next:
             return
         self._next = now + _EVERY_S
-        bar = ("=" * (_WIDTH * finished // most)).ljust(_WIDTH)
         if finished:
             left = f"at most {_duration((now - self._began) / finished * (most - finished))} left"
         else:
             left = "the first runs have started"
-        self._show(f"[{bar}] {finished} of at most {most} {self._counted}, {left}")
+        self._place.show(finished, most, f"{finished} of at most {most} {self._counted}, {left}")
 
     def close(self) -> None:
-        """Removes the line."""
-        self._show("")
+        """Removes what is shown."""
+        self._place.clear()
 
 
-def _terminal_line() -> Callable[[str], None] | None:
-    stream = sys.stderr
-    if stream is None or not stream.isatty():
-        return None
+class _Terminal:
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
 
-    def show(text: str) -> None:
-        stream.write("\r\x1b[K" + text)
-        stream.flush()
+    def show(self, finished: int, most: int, words: str) -> None:
+        self._write(f"[{_bar(finished, most)}] {words}")
 
-    return show
+    def clear(self) -> None:
+        self._write("")
 
-
-def _notebook_line() -> Callable[[str], None] | None:
-    ipython = sys.modules.get("IPython")
-    shell: Any = ipython.get_ipython() if ipython is not None else None
-    if shell is None or not hasattr(shell, "kernel"):
-        return None
-    from IPython.display import Pretty, display
-
-    handle = display(_Plain(""), display_id=True)
-
-    def show(text: str) -> None:
-        if handle is not None:
-            handle.update(Pretty(text))
-
-    return show
+    def _write(self, text: str) -> None:
+        self._stream.write("\r\x1b[K" + text)
+        self._stream.flush()
 
 
-class _Plain:
-    def __init__(self, text: str) -> None:
-        self._text = text
+class _Notebook:
+    """One output of the cell, which is changed in place and is empty in the end."""
 
-    def __repr__(self) -> str:
-        return self._text
+    def __init__(self) -> None:
+        self._handle: Any = None
+
+    def show(self, finished: int, most: int, words: str) -> None:
+        bar = f'<progress value="{finished}" max="{most}" aria-label="progress" style="width: 16em; vertical-align: middle"></progress>'
+        self._display({"text/plain": f"[{_bar(finished, most)}] {words}", "text/html": f"{bar} {escape(words)}"})
+
+    def clear(self) -> None:
+        if self._handle is not None:
+            self._display({"text/plain": "", "text/html": ""})
+
+    def _display(self, data: dict[str, str]) -> None:
+        from IPython.display import display
+
+        if self._handle is None:
+            self._handle = display(data, raw=True, display_id=True)
+        else:
+            self._handle.update(data, raw=True)
+
+
+def _bar(finished: int, most: int) -> str:
+    return ("=" * (_WIDTH * finished // most)).ljust(_WIDTH)
 
 
 def _duration(seconds: float) -> str:

@@ -16,7 +16,8 @@ import numpy as np
 from . import _loosepin
 from ._extras import need
 from ._figures import study_figure
-from ._html import study_html
+from ._notebook.html import study_html
+from ._notebook.display import Figure, NotebookDisplay
 from ._objects.arguments import item_named, must_be
 from ._objects.arrays import NoArray, read_only
 from ._objects.pickles import pickled
@@ -75,7 +76,7 @@ class Samples(Record, Mapping[str, Any]):
         return f"<loosepin.Samples: {rows} runs, inputs {', '.join(self.inputs)}; outputs {', '.join(self.outputs)}>"
 
 
-class StudyResult(NoArray):
+class StudyResult(NotebookDisplay, NoArray):
     """A finished study: `print(result)` shows the tables of the terminal, `result.bounds` holds every bound."""
 
     def __init__(self, native: _loosepin.StudyResult) -> None:
@@ -233,7 +234,10 @@ class StudyResult(NoArray):
         return f"<loosepin.StudyResult {self.name!r}: {len(self.bounds)} bounds from {runs} runs; print() shows them>"
 
     def _repr_html_(self) -> str:
-        return study_html(self.name, self._native.excerpt(), self.curves, self.summary["display_units"])
+        return study_html(self.name, self._native.excerpt())
+
+    def _figure(self) -> Figure:
+        return Figure(self.name, *self._native.frame())
 
 
 def _restored(summary: str, samples: list[tuple[str, str, Any]], surrogates: str | None) -> StudyResult:

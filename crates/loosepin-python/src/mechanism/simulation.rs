@@ -1,7 +1,7 @@
 //! One run, recorded.
 
 use loosepin::diagnostics::{self, Diagnostics};
-use loosepin::report::{mechanism_picture, simulation_page, simulation_text, wear_text};
+use loosepin::report::{Frame, simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
 use loosepin::simulate::record::{OutputHistory, SimulationRecord};
 use loosepin::simulate::{
     self, BodyStates, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns,
@@ -163,8 +163,14 @@ impl Simulation {
         simulation_page(&self.0.record)
     }
 
-    /// The mechanism in one pose, as SVG.
-    fn picture(&self) -> String {
-        mechanism_picture(&self.0.record.drawing, &self.0.record.model)
+    /// The first screen of `report.html` for a frame in a notebook, and the angle of its cursor, rad.
+    fn frame(&self) -> (String, Option<f64>) {
+        let Frame { document, drive_angle_rad } = simulation_frame(&self.0.record);
+        (document, drive_angle_rad)
+    }
+
+    /// The mechanism and the first chart as HTML without scripts.
+    fn excerpt(&self) -> String {
+        simulation_excerpt(&self.0.record)
     }
 }

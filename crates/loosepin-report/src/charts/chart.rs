@@ -1,6 +1,7 @@
 //! Charts over one axis: what is in them.
 
 use maud::Markup;
+use std::f64::consts::TAU;
 
 use crate::medium::script_data::{rounded, rounded_distinct};
 use crate::numbers::number::NumberWriter;
@@ -8,6 +9,14 @@ use loosepin_text::units::SiUnit;
 
 /// A turn of a drive, degrees.
 pub(crate) const TURN_DEG: f64 = 360.0;
+/// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
+const SHARE_OF_TURN: f64 = 1e-9;
+
+/// Whole turns before the recorded part, rad: charts and drawings count from there.
+pub(crate) fn turns_before_rad(drive_angle_rad: &[f64]) -> f64 {
+    let first_rad = drive_angle_rad.first().copied().unwrap_or_default();
+    (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
+}
 
 /// Kind of the horizontal axis; decides on the ticks.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

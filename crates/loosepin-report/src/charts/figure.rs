@@ -184,6 +184,11 @@ pub fn figures(page: &str) -> Vec<Figure> {
     figures
 }
 
+/// The figures of a part of a page as image elements.
+pub(crate) fn images(part: Markup) -> Markup {
+    html! { @for figure in figures(&part.into_string()) { (figure.image()) } }
+}
+
 /// The text of an attribute after `after`, as it is written in the page.
 fn attribute(text: &str, after: &str, name: &str) -> Option<String> {
     let (_, rest) = text.split_once(after)?;
@@ -220,11 +225,14 @@ impl Figure {
     }
 
     /// The figure as an image element, which keeps its style to itself.
-    pub(crate) fn image(&self) -> Markup {
+    fn image(&self) -> Markup {
         let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~ =:/;,()".contains(&byte);
         let encode = |byte: u8| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
         let source: String = self.to_svg(None).bytes().map(encode).collect();
-        html! { img src=(format!("data:image/svg+xml;charset=utf-8,{source}")) alt=(self.title()) style="max-width: 100%"; }
+        // Its letters are dark: the ground of who shows it may be, too.
+        html! {
+            img src=(format!("data:image/svg+xml;charset=utf-8,{source}")) alt=(self.title()) style="max-width: 100%; background: #ffffff";
+        }
     }
 
     /// The numbers behind the figure as comma-separated values, after a line on where they are from; `None` for a picture that

@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
+use crate::charts::chart::turns_before_rad;
 use crate::charts::figure::Picture;
 use crate::mechanism::bends::{Bend, bend_words, bends, bent, is_drawn_by_its_axis};
 use crate::mechanism::labels::{Label, Sizes, frame_with, labels};
@@ -122,6 +123,12 @@ pub struct MovingDrawing {
 pub fn moving_drawing(drawing: &Drawing, drive: &str) -> Option<MovingDrawing> {
     let Moving { picture, motion, .. } = moving(drawing, drive, true)?;
     Some(MovingDrawing { svg: picture.document(&[]), motion })
+}
+
+/// Angle of the drive in the pose that [`mechanism_figure`] shows first, degrees; `None` where the record holds no poses.
+pub(crate) fn start_deg(drawing: &Drawing) -> Option<f64> {
+    let Moving { motion, .. } = moving(drawing, "", false)?;
+    motion.angle_deg[motion.start]
 }
 
 /// The figure, or nothing where the record holds no poses.
@@ -333,7 +340,8 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
             }
         })
         .collect();
-    let angle_deg = pick(&|pose| reference.drive_angle_rad[pose].to_degrees());
+    let before_rad = turns_before_rad(&reference.drive_angle_rad);
+    let angle_deg = pick(&|pose| (reference.drive_angle_rad[pose] - before_rad).to_degrees());
     let start = angle_deg.len() / FIRST_POSE;
     Motion { angle_deg, magnification, start, bodies, bends: bends(drawing, count, step) }
 }

@@ -2,19 +2,20 @@
 
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use loosepin_result::simulation::Drawing;
 use loosepin_text::date::date_for_reading;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::charts::figure::with_unique_names;
+use crate::mechanism::figure::start_deg;
 use crate::medium::styles::{COLOURS, FIGURE_STYLE, saved_style};
 
 const STYLE: &str = include_str!("../../assets/report.css");
 /// In the head, before anything is shown.
 const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
-const SCRIPTS: [&str; 7] = [
-    include_str!("../../assets/ticks.js"),
-    include_str!("../../assets/cursor.js"),
+const SHARED_SCRIPTS: [&str; 2] = [include_str!("../../assets/ticks.js"), include_str!("../../assets/cursor.js")];
+const FIGURE_SCRIPTS: [&str; 5] = [
     // Takes the figures as they are before the next ones make them live.
     include_str!("../../assets/save.js"),
     include_str!("../../assets/chart.js"),
@@ -22,9 +23,29 @@ const SCRIPTS: [&str; 7] = [
     include_str!("../../assets/mechanism.js"),
     include_str!("../../assets/what-if.js"),
 ];
+/// What a document in a frame of a notebook has on top.
+const FRAME_STYLE: &str = include_str!("../../assets/frame.css");
+const FRAME_SCRIPT: &str = include_str!("../../assets/frame.js");
+/// The widget around the frame, a module of its own.
+const WIDGET_SCRIPT: &str = include_str!("../../assets/widget.js");
 /// A browser must not fetch anything for these pages, even if text in them asked for it.
 const CONTENT_POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'";
+
+/// The JavaScript module of anywidget that shows the document of a frame (`simulation_frame`, `study_frame`) in a notebook. Its model has
+/// the document, a title, and the angle of the cursor in rad: `_document`, `_title`, `drive_angle_rad`.
+pub fn widget_script() -> &'static str {
+    WIDGET_SCRIPT
+}
+
+/// The first screen of a page as a document for a frame in a notebook.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// HTML that needs no network.
+    pub document: String,
+    /// Where its cursor stands at first, rad, in the angles of the record; `None` if it draws no mechanism.
+    pub drive_angle_rad: Option<f64>,
+}
 
 /// One section of a page.
 pub(crate) struct Section {
@@ -36,6 +57,15 @@ pub(crate) struct Section {
 impl Section {
     pub fn new(id: &'static str, title: impl Into<String>, body: Markup) -> Self {
         Section { id, title: title.into(), body }
+    }
+
+    fn element(&self) -> Markup {
+        html! {
+            section id=(self.id) aria-labelledby={ (self.id) "-title" } {
+                h2 id={ (self.id) "-title" } { (self.title) }
+                (self.body)
+            }
+        }
     }
 }
 
@@ -64,7 +94,66 @@ pub(crate) struct Page {
 impl Page {
     pub fn into_html(self) -> String {
         let date = written_at();
-        let page = html! {
+        let body = html! {
+            a.skip href="#content" { "Skip to the answer" }
+            header {
+                p.kicker { (self.kicker) @if let Some(date) = &date { span.date { " · " (date) } } }
+                h1 { (self.title) }
+                p.subtitle { (self.subtitle) }
+            }
+            main id="content" {
+                (self.opening())
+                nav aria-label="On this page" {
+                    ol {
+                        @for section in &self.sections {
+                            li { a href={ "#" (section.id) } { (section.title) } }
+                        }
+                    }
+                }
+                @for section in &self.sections { (section.element()) }
+            }
+            footer {
+                p.help {
+                    "Charts: drag to zoom in, double-click to zoom out. Click a name below a chart to hide or show its \
+                     curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all. One cursor moves mechanism and charts."
+                }
+                p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
+            }
+        };
+        self.document(&foot_of_sheets(&self.title, &self.identity), &body, &[])
+    }
+
+    /// The first screen of the page and those of its sections that are named, for a frame in a notebook. The script of the frame exchanges
+    /// the angle of the cursor with the notebook, in the angles of the record: `turns_before_deg` more than those of the charts.
+    pub fn into_frame(self, sections: &[&str], turns_before_deg: f64, drawing: &Drawing) -> Frame {
+        let body = html! {
+            main id="content" data-turns-before=(turns_before_deg) {
+                h1 { (self.title) }
+                (self.opening())
+                @for section in self.sections.iter().filter(|section| sections.contains(&section.id)) { (section.element()) }
+            }
+        };
+        Frame {
+            document: self.document(FRAME_STYLE, &body, &[FRAME_SCRIPT]),
+            drive_angle_rad: start_deg(drawing).map(|start_deg| (turns_before_deg + start_deg).to_radians()),
+        }
+    }
+
+    /// The first screen: the answer, the mechanism, the chart.
+    fn opening(&self) -> Markup {
+        html! {
+            div class=(if self.is_answer_short { "opening short" } else { "opening" }) {
+                section.answer id="answer" aria-label="The answer" { (self.answer) }
+                div.beside { (self.beside) }
+                div.below { (self.below) }
+            }
+        }
+    }
+
+    /// What all documents have; `style` stands behind its styles, and `scripts` run before the figures become live.
+    fn document(&self, style: &str, body: &Markup, scripts: &[&str]) -> String {
+        let scripts = SHARED_SCRIPTS.iter().chain(scripts).chain(&FIGURE_SCRIPTS);
+        let document = html! {
             (DOCTYPE)
             html lang="en" data-origin=(format!("{} (loosepin {})", self.identity, self.version)) {
                 head {
@@ -74,52 +163,17 @@ impl Page {
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(format!("loosepin {}", self.version));
                     title { (self.title) }
-                    style {
-                        (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE))
-                        (PreEscaped(foot_of_sheets(&self.title, &self.identity)))
-                    }
+                    style { (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE)) (PreEscaped(style)) }
                     script { (PreEscaped(FIRST_SCRIPT)) }
                 }
                 body {
-                    a.skip href="#content" { "Skip to the answer" }
-                    header {
-                        p.kicker { (self.kicker) @if let Some(date) = &date { span.date { " · " (date) } } }
-                        h1 { (self.title) }
-                        p.subtitle { (self.subtitle) }
-                    }
-                    main id="content" {
-                        div class=(if self.is_answer_short { "opening short" } else { "opening" }) {
-                            section.answer id="answer" aria-label="The answer" { (self.answer) }
-                            div.beside { (self.beside) }
-                            div.below { (self.below) }
-                        }
-                        nav aria-label="On this page" {
-                            ol {
-                                @for section in &self.sections {
-                                    li { a href={ "#" (section.id) } { (section.title) } }
-                                }
-                            }
-                        }
-                        @for section in &self.sections {
-                            section id=(section.id) aria-labelledby={ (section.id) "-title" } {
-                                h2 id={ (section.id) "-title" } { (section.title) }
-                                (section.body)
-                            }
-                        }
-                    }
-                    footer {
-                        p.help {
-                            "Charts: drag to zoom in, double-click to zoom out. Click a name below a chart to hide or show its \
-                             curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all. One cursor moves mechanism and charts."
-                        }
-                        p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
-                    }
+                    (body)
                     script type="text/css" id="saved-style" { (PreEscaped(saved_style())) }
-                    @for script in SCRIPTS { script { (PreEscaped(script)) } }
+                    @for script in scripts { script { (PreEscaped(script)) } }
                 }
             }
         };
-        with_unique_names(&page.into_string())
+        with_unique_names(&document.into_string())
     }
 }
 

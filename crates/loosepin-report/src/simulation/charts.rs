@@ -1,18 +1,14 @@
 //! Charts of a run over the angle of the drive or over time: outputs, deviations, controls, the energy balance.
 
 use maud::{Markup, html};
-use std::f64::consts::TAU;
 
-use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::chart::{Chart, Entry, Role, turns_before_rad};
 use crate::charts::figure::name_of;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::named_words;
 use loosepin_result::simulation::{ImpactRecord, OutputHistory, SimulationRecord};
 use loosepin_text::units::SiUnit;
-
-/// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
-const SHARE_OF_TURN: f64 = 1e-9;
 
 /// Whether the charts of a run are over the angle of the drive: where it turns forwards at constant speed. Others are over time.
 fn is_over_angle(record: &SimulationRecord) -> bool {
@@ -38,9 +34,8 @@ pub(super) fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, wri
 }
 
 /// Whole turns before the recorded part, rad.
-fn before_rad(record: &SimulationRecord) -> f64 {
-    let first_rad = record.drive_angle_rad.first().copied().unwrap_or_default();
-    (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
+pub(super) fn before_rad(record: &SimulationRecord) -> f64 {
+    turns_before_rad(&record.drive_angle_rad)
 }
 
 /// Words for the abscissa of the charts of a run.

@@ -29,5 +29,5 @@ mod wear;
 mod wear_picture;
 mod wear_words;
 
-pub use page::simulation_page;
+pub use page::{simulation_excerpt, simulation_frame, simulation_page};
 pub use text::{simulation_text, wear_text};

@@ -2,10 +2,11 @@
 
 use maud::{Markup, html};
 
+use crate::charts::figure::images;
 use crate::charts::still_figures::orbit_figure;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::page_section;
-use crate::medium::page::{Page, Section, sentences};
+use crate::medium::page::{Frame, Page, Section, sentences};
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
@@ -14,7 +15,7 @@ use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::units::SiUnit;
 
 use super::answer::{headline_sentences, trusted_run};
-use super::charts::{controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation};
+use super::charts::{before_rad, controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation};
 use super::contact::contact_section;
 use super::extremes::extremes_section;
 use super::kind::kind_section;
@@ -26,6 +27,21 @@ use super::wear::wear_section;
 /// The page of one run as one HTML text that needs no network: outputs and their deviation over time, impacts, contact
 /// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
 pub fn simulation_page(record: &SimulationRecord) -> String {
+    page(record).into_html()
+}
+
+/// The first screen of [`simulation_page`] and its extremes, as a document for a frame in a notebook.
+pub fn simulation_frame(record: &SimulationRecord) -> Frame {
+    page(record).into_frame(&["extremes"], before_rad(record).to_degrees(), &record.drawing)
+}
+
+/// The mechanism and the first chart of [`simulation_page`] as HTML to stand inside another page, such as a notebook; without scripts.
+pub fn simulation_excerpt(record: &SimulationRecord) -> String {
+    let Page { beside, below, .. } = page(record);
+    images(html! { (beside) (below) }).into_string()
+}
+
+fn page(record: &SimulationRecord) -> Page {
     let writer = &NumberWriter::for_page(&record.display_units);
     let first = outputs_with_deviation(record).next();
     let own =
@@ -70,7 +86,6 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         identity: "simulation".to_owned(),
         version: record.version.clone(),
     }
-    .into_html()
 }
 
 fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use loosepin::report::{figures, motion_page, simulation_page, study_excerpt, study_page};
+use loosepin::report::{
+    figures, motion_page, simulation_excerpt, simulation_frame, simulation_page, study_excerpt, study_frame, study_page,
+};
 use loosepin::simulate::record::DriveSense;
 
 use crate::report_fixture;
@@ -100,19 +102,50 @@ fn a_mechanism_tells_signs_that_it_has() {
 }
 
 #[test]
-fn identity_a_notebook_shows_the_first_chart() {
+fn identity_a_notebook_shows_the_mechanism_and_the_curves() {
     let result = report_fixture::study::worn_pin();
+    let of_page = figures(&study_page(&result));
     let excerpt = study_excerpt(&result);
-    let (_, rest) = excerpt.split_once("<img src=\"data:image/svg+xml;charset=utf-8,").expect("a picture");
-    let (encoded, _) = rest.split_once('"').expect("its end");
-    let mut bytes = Vec::new();
-    let mut parts = encoded.split('%');
-    bytes.extend_from_slice(parts.next().expect("a beginning").as_bytes());
+    let curves = of_page.iter().filter(|figure| figure.name.starts_with("deviation."));
+    let mechanism = of_page.iter().filter(|figure| figure.name == "mechanism");
+    let due: Vec<String> = mechanism.chain(curves).map(|figure| figure.to_svg(None)).collect();
+    assert_eq!(pictures(&excerpt), due);
+    assert!(due.len() >= 2 && !excerpt.contains("<script"));
+    let run = report_fixture::simulation::worn_pin();
+    let of_page = figures(&simulation_page(&run));
+    assert_eq!(pictures(&simulation_excerpt(&run)), [of_page[0].to_svg(None), of_page[1].to_svg(None)]);
+    assert!(of_page[0].name == "mechanism" && of_page[1].name.starts_with("deviation."));
+}
+
+#[test]
+fn identity_a_frame_is_the_first_screen_of_its_page() {
+    let opening = |page: &str, from: &str| {
+        let (_, rest) = page.split_once("<div class=\"opening").expect("the first screen");
+        rest.split_once(from).expect("its end").0.to_owned()
+    };
+    let result = report_fixture::study::worn_pin();
+    let (page, frame) = (study_page(&result), study_frame(&result).document);
+    assert_eq!(opening(&frame, "<section id=\"bounds\""), opening(&page, "<nav"));
+    let run = report_fixture::simulation::worn_pin();
+    let (page, frame) = (simulation_page(&run), simulation_frame(&run).document);
+    assert_eq!(opening(&frame, "<section id=\"extremes\""), opening(&page, "<nav"));
+    assert_eq!(frame.matches("<section ").count(), 2, "the answer and the extremes");
+    // Every script of the page, and one more.
+    assert_eq!(frame.matches("<script>").count(), page.matches("<script>").count() + 1);
+}
+
+/// The pictures of a part of a page, decoded.
+fn pictures(part: &str) -> Vec<String> {
+    let sources = part.split("<img src=\"data:image/svg+xml;charset=utf-8,").skip(1);
+    sources.map(|rest| decoded(rest.split_once('"').expect("its end").0)).collect()
+}
+
+fn decoded(source: &str) -> String {
+    let mut parts = source.split('%');
+    let mut bytes = parts.next().expect("a beginning").as_bytes().to_vec();
     for part in parts {
         bytes.push(u8::from_str_radix(&part[..2], 16).expect("two digits"));
         bytes.extend_from_slice(&part.as_bytes()[2..]);
     }
-    let figures = figures(&study_page(&result));
-    let band = figures.iter().find(|figure| figure.name == "deviation.slider").expect("the band");
-    assert_eq!(String::from_utf8(bytes).expect("UTF-8"), band.to_svg(None));
+    String::from_utf8(bytes).expect("UTF-8")
 }

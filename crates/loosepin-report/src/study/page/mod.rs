@@ -9,11 +9,11 @@ use maud::{Markup, html};
 
 pub use curves::{KnownValue, known_values};
 
-use crate::charts::figure::figures;
+use crate::charts::figure::images;
 use crate::charts::still_figures::orbit_figure;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{blocks, page_section};
-use crate::medium::page::{Page, Section};
+use crate::medium::page::{Frame, Page, Section};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
@@ -32,6 +32,15 @@ use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
 /// journals' paths, failed runs, energy residuals, and how all of it was computed. Text from files is escaped.
 pub fn study_page(result: &StudyResult) -> String {
+    page(result).into_html()
+}
+
+/// The first screen of [`study_page`] and its table of bounds, as a document for a frame in a notebook.
+pub fn study_frame(result: &StudyResult) -> Frame {
+    page(result).into_frame(&["bounds"], 0.0, &result.drawing)
+}
+
+fn page(result: &StudyResult) -> Page {
     let writer = NumberWriter::for_page(&result.display_units);
     let answer = answer(result, &writer);
     let first = curves::first_chart(result, &writer);
@@ -80,17 +89,20 @@ pub fn study_page(result: &StudyResult) -> String {
         identity: format!("study {}", short_hash(&result.input_hash)),
         version: result.version.clone(),
     }
-    .into_html()
 }
 
-/// The answer, the first chart and the key table of [`study_page`] as HTML to stand inside another page, such as a notebook; without styles.
-/// Text from files is escaped.
+/// The answer, the mechanism, the deviations over the cycle and the key table of [`study_page`] as HTML to stand inside another page, such as
+/// a notebook; without styles and scripts. Text from files is escaped.
 pub fn study_excerpt(result: &StudyResult) -> String {
     let writer = NumberWriter::for_page(&result.display_units);
     let answer = answer_markup(&answer(result, &writer));
     let table = bounds_section(result, &writer).as_ref().map_or_else(Markup::default, blocks);
-    let first = curves::first_chart(result, &writer).markup.into_string();
-    html! { (answer) @for figure in figures(&first).iter().take(1) { (figure.image()) } (table) }.into_string()
+    let figures = images(html! {
+        (mechanism_figure(&result.drawing, &result.cycle.drive))
+        (curves::first_chart(result, &writer).markup)
+        (curves::other_charts(result, &writer))
+    });
+    html! { (answer) (figures) (table) }.into_string()
 }
 
 fn short_hash(hash: &str) -> String {

@@ -1,0 +1,1 @@
+"""How objects and progress look in a notebook."""
