@@ -78,7 +78,10 @@ def pages(program: Path) -> dict[str, bytes]:
 
 def built_package(program: Path, written: dict[str, bytes], sources: Path, variables: dict[str, str], tools: Tools) -> Path:
     """The Debian package; its files are listed in crates/loosepin-cli/Cargo.toml."""
-    for name, content in written.items():
+    manual = {f"{name}.gz": archive.compressed(content) for name, content in written.items() if name.startswith("man/")}
+    completions = {name: content for name, content in written.items() if name.startswith("completions/")}
+    changes = {"CHANGELOG.md.gz": archive.compressed((sources / "CHANGELOG.md").read_bytes())}
+    for name, content in (manual | completions | changes).items():
         path = program.parent / name
         path.parent.mkdir(exist_ok=True)
         path.write_bytes(content)

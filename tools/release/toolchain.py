@@ -4,6 +4,7 @@ maturin, Zig and cargo-zigbuild come as Python packages (requirements.txt); carg
 """
 
 import platform
+import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -59,5 +60,8 @@ def prepare() -> Tools:
             f"a release is built on Linux on x86-64; this is {platform.system()} on {platform.machine()}",
             "docs/release.md says what is known of other platforms",
         )
+    for program, hint in (("cargo", "install Rust from https://rustup.rs"), ("cc", "apt-get install gcc libc6-dev"), ("git", "apt-get install git")):
+        if shutil.which(program) is None:
+            raise ReleaseError(f"{program} is not on the PATH", hint)
     TOOLS.mkdir(parents=True, exist_ok=True)
     return Tools(install_python_tools(), install_cargo_deb())
