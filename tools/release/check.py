@@ -11,12 +11,12 @@ from build import GLIBC, WHEEL_PLATFORM
 from errors import ReleaseError
 from paths import released
 
-# In bytes. The wheel's is from the project's plan; the others leave an eighth to what was measured (docs/release.md).
+# In bytes. The wheel's is a promise to those who download it; the others are a tenth more than was measured (docs/release.md).
 MAX_BYTES = {
-    "loosepin": 30_000_000,
     "loosepin-*.whl": 11_000_000,
-    "loosepin-*.tar.gz": 11_000_000,
-    "loosepin_*.deb": 9_000_000,
+    "loosepin-*.tar.gz": 14_000_000,
+    "loosepin_*.deb": 10_000_000,
+    "loosepin": 37_000_000,
 }
 
 
