@@ -62,6 +62,8 @@ def built_wheel(sources: Path, wheels: Path, variables: dict[str, str], tools: T
     shutil.rmtree(wheels, ignore_errors=True)
     command = [tools.python, "-m", "maturin", "build", "--release", "--locked", "--zig", "--target", TARGET, "--interpreter", tools.python]
     command += ["--compatibility", WHEEL_PLATFORM.removesuffix("_x86_64"), "--out", wheels]
+    # Level 6, the default, gives a wheel of 11.2 MB instead of 10.8 MB.
+    command += ["--compression-level", "9"]
     subprocess.run([str(part) for part in command], cwd=sources / "crates/loosepin-python", env=variables, check=True)
     [wheel] = wheels.glob("*.whl")
     return wheel
