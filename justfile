@@ -2,7 +2,7 @@
 
 set shell := ["bash", "-euo", "pipefail", "-c"]
 
-# The Python with maturin, numpy, pyarrow and pytest that ./test prepares.
+# The Python with numpy, pyarrow and pytest that ./test prepares.
 python := justfile_directory() / ".venv/bin/python"
 
 # The list of recipes.
@@ -103,9 +103,9 @@ studio-bench:
 site:
     "{{ python }}" tools/site/site.py
 
-# Program, wheel, manual pages and completions of a release; with --twice also that two builds have the same bytes (docs/release.md).
-release *ARGUMENTS: (tool "maturin")
-    "{{ python }}" tools/release/release.py {{ ARGUMENTS }}
+# Builds program, archive, wheel and Debian package of a release, and tries them in clean roots (docs/release.md).
+release *ARGUMENTS:
+    python3 tools/release/release.py {{ ARGUMENTS }}
 
 # Who imports whom, file sizes, dependencies named: the rules of docs/architecture.md.
 architecture:

@@ -1,113 +1,101 @@
 #!/usr/bin/env python3
-"""Builds what a release consists of, from the present commit: `just release`; docs/release.md says what and how.
+"""Builds what a release consists of, from the present commit, and tries it in clean roots: `just release`; docs/release.md says what and how.
 
-The sources are taken from git into a folder of their own, so that nothing else of the working tree enters. With --twice it builds in two folders
-with names of different lengths and compares the bytes of every file. Exit status: 0 built (and equal), 1 different bytes, 2 not built.
+With --twice it builds in two folders with names of different lengths and compares the bytes of every file. Exit status: 0 built (and equal),
+1 different bytes, 2 not built, or a check failed.
 """
 
 import argparse
 import hashlib
-import os
 import shutil
 import subprocess
 import sys
-import tarfile
-from io import BytesIO
+import time
 from pathlib import Path
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-FILES = REPOSITORY / "target/release-files"
+import check
+import installed
+import roots
+import toolchain
+from build import build, git
+from errors import ReleaseError
+from paths import FILES, REPOSITORY
+
 FOLDERS = (REPOSITORY / "target/release-build", REPOSITORY / "target/release-build-in-another-folder")
-SHELLS = ("bash", "zsh", "fish", "powershell", "elvish")
-COMMIT_DIGITS = 10
-
-
-def output(*command: str | Path, **options: object) -> bytes:
-    return subprocess.run([str(part) for part in command], check=True, stdout=subprocess.PIPE, **options).stdout  # type: ignore[call-overload,no-any-return]
-
-
-def git(*arguments: str) -> str:
-    return output("git", *arguments, cwd=REPOSITORY).decode().strip()
-
-
-def environment(folder: Path, commit: str) -> dict[str, str]:
-    """What makes the bytes depend on the commit and the tools alone."""
-    sources, target = folder / "sources", folder / "target"
-    cargo_home = Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
-    places = ((sources, "/loosepin"), (target, "/target"), (cargo_home, "/cargo"))
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("CARGO_PROFILE", "RUSTFLAGS", "CARGO_BUILD_RUSTFLAGS"))}
-    return kept | {
-        "CARGO_TARGET_DIR": str(target),
-        "CARGO_INCREMENTAL": "0",
-        "CARGO_PROFILE_RELEASE_DEBUG": "false",
-        "CARGO_PROFILE_RELEASE_STRIP": "symbols",
-        "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(f"--remap-path-prefix={place}={name}" for place, name in places),
-        "CFLAGS": " ".join(f"-ffile-prefix-map={place}={name}" for place, name in places),
-        "LOOSEPIN_COMMIT": commit[:COMMIT_DIGITS],
-        "SOURCE_DATE_EPOCH": git("log", "-1", "--format=%ct", commit),
-        "ZERO_AR_DATE": "1",
-    }
-
-
-def build(folder: Path, commit: str, quick: bool) -> dict[str, bytes]:
-    """The files of a release by their names."""
-    sources = folder / "sources"
-    shutil.rmtree(sources, ignore_errors=True)
-    sources.mkdir(parents=True)
-    with tarfile.open(fileobj=BytesIO(output("git", "archive", commit, cwd=REPOSITORY))) as archive:
-        archive.extractall(sources, filter="data")
-    variables = environment(folder, commit)
-    if quick:
-        variables["CARGO_PROFILE_RELEASE_OPT_LEVEL"] = "0"
-    subprocess.run(["cargo", "build", "--release", "--locked", "--package", "loosepin-cli"], cwd=sources, env=variables, check=True)
-    wheels = folder / "wheels"
-    shutil.rmtree(wheels, ignore_errors=True)
-    maturin = (sys.executable, "-m", "maturin", "build", "--release", "--locked", "--interpreter", sys.executable, "--out", str(wheels))
-    subprocess.run(maturin, cwd=sources / "crates/loosepin-python", env=variables, check=True)
-    program = folder / "target/release/loosepin"
-    files = {"loosepin": program.read_bytes()}
-    files |= {wheel.name: wheel.read_bytes() for wheel in wheels.glob("*.whl")}
-    files |= {f"completions/loosepin.{shell}": output(program, "completions", shell) for shell in SHELLS}
-    files["man/loosepin.1"] = output(program, "manual")
-    listed = output(program, "--help").decode().split("Commands:\n")[1].split("\n\n")[0]
-    commands = [line.split()[0] for line in listed.splitlines() if line.startswith("  ") and not line.startswith("   ")]
-    files |= {f"man/loosepin-{command}.1": output(program, "manual", command) for command in commands}
-    files["RUSTC"] = output("rustc", "--version", "--verbose")
-    return files
 
 
 def sums(files: dict[str, bytes]) -> dict[str, str]:
     return {name: hashlib.sha256(files[name]).hexdigest() for name in sorted(files)}
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--twice", action="store_true", help="build in two folders and compare the bytes")
-    parser.add_argument("--quick", action="store_true", help="without optimisation: only to try --twice")
-    options = parser.parse_args()
-    if changes := git("status", "--porcelain"):
-        print(f"error: the working tree has changes, and the version names the commit\n{changes}\nhint: commit or stash them", file=sys.stderr)
-        return 2
-    commit = git("rev-parse", "HEAD")
-    try:
-        files = build(FOLDERS[0], commit, options.quick)
-        others = sums(build(FOLDERS[1], commit, options.quick)) if options.twice else None
-    except subprocess.CalledProcessError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    own = sums(files)
+def write(files: dict[str, bytes]) -> None:
     shutil.rmtree(FILES, ignore_errors=True)
     for name, content in files.items():
         (FILES / name).parent.mkdir(parents=True, exist_ok=True)
         (FILES / name).write_bytes(content)
     (FILES / "loosepin").chmod(0o755)
-    (FILES / "SHA256SUMS").write_text("".join(f"{digest}  {name}\n" for name, digest in own.items()), encoding="utf-8")
+    listed = "".join(f"{digest}  {name}\n" for name, digest in sums(files).items())
+    (FILES / "SHA256SUMS").write_text(listed, encoding="utf-8")
+
+
+def build_all(twice: bool, quick: bool) -> bool:
+    """Writes the files; whether two builds, where there are two, gave the same bytes."""
+    if changes := git("status", "--porcelain"):
+        raise ReleaseError(f"the working tree has changes, and the version names the commit\n{changes}", "commit or stash them")
+    commit = git("rev-parse", "HEAD")
+    tools = toolchain.prepare()
+    started = time.monotonic()
+    files = build(FOLDERS[0], commit, tools, quick)
+    print(f"built in {time.monotonic() - started:.0f} s")
+    others = sums(build(FOLDERS[1], commit, tools, quick)) if twice else None
+    own = sums(files)
+    write(files)
     for name, digest in own.items():
         compared = "" if others is None else ("equal      " if others.get(name) == digest else "DIFFERENT  ")
         print(f"{compared}{digest}  {len(files[name]):>10}  {name}")
-    if others is not None and others != own:
-        print("error: two builds of one commit differ", file=sys.stderr)
-        return 1
+    return others is None or others == own
+
+
+def check_files() -> None:
+    for name, needed in check.glibc().items():
+        print(f"glibc {needed:<6} is what {name} needs at least")
+    for name, size, limit in check.sizes():
+        print(f"{size / 1e6:5.1f} MB of at most {limit / 1e6:4.1f} MB  {name}")
+
+
+def check_roots() -> None:
+    print(f"{'seconds':>8}  in a clean root")
+    for suite, checks in installed.CHECKS:
+        for one in checks:
+            for step in one(suite):
+                print(f"{step.seconds:8.1f}  {step.system}  {step.what}", flush=True)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--twice", action="store_true", help="build in two folders and compare the bytes")
+    parser.add_argument("--quick", action="store_true", help="without optimisation: only to try --twice; sizes are not checked")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--only-checks", action="store_true", help="check what an earlier call has built")
+    which.add_argument("--without-roots", action="store_true", help="build, without trying the files in clean roots")
+    options = parser.parse_args()
+    try:
+        # Before minutes of building.
+        if not options.without_roots:
+            roots.refuse_without_means()
+        if not options.only_checks and not build_all(options.twice, options.quick):
+            print("error: two builds of one commit differ", file=sys.stderr)
+            return 1
+        if not options.quick:
+            check_files()
+        if not options.without_roots:
+            check_roots()
+    except ReleaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except subprocess.CalledProcessError as error:
+        print(f"error: {error}\nhint: its own message stands above", file=sys.stderr)
+        return 2
     return 0
 
 
