@@ -4,8 +4,8 @@
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::simulate::{Plan, simulate};
+use loosepin_bench::Watch;
 use std::path::Path;
-use std::time::Instant;
 
 fn main() {
     let repeats: u32 = std::env::args().nth(1).map_or(20, |word| word.parse().expect("a number"));
@@ -17,14 +17,14 @@ fn main() {
         plan.cycle.samples_per_turn = samples;
         plan.settings.tolerance_m = 1e-8;
         plan.second_run = second_run;
-        let started = Instant::now();
+        let started = Watch::start();
         for _ in 0..repeats {
             let values = model.quantities.nominal();
             let mechanism = Mechanism::new(&model, &values).expect("the case is whole");
             let simulation = simulate(&mechanism, &values, &plan).expect("the case runs");
             assert!(simulation.failure.is_none());
         }
-        let each_ms = 1e3 * started.elapsed().as_secs_f64() / f64::from(repeats);
+        let each_ms = 1e3 * started.processor_s() / f64::from(repeats);
         println!("{samples:5} samples a turn, second run {second_run:5}: {each_ms:.2} ms");
     }
 }

@@ -305,7 +305,7 @@ impl Follower {
 }
 
 /// The longest step of a run, s.
-fn longest_step_s(mechanism: &Mechanism, sample: &Sample<f64>, window: &Window) -> f64 {
+pub(super) fn longest_step_s(mechanism: &Mechanism, sample: &Sample<f64>, window: &Window) -> f64 {
     MAX_STEP_TURNS * std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s)
 }
 

@@ -2,6 +2,7 @@
 //! Worst cases and scatter of the ideal mechanism stand in `accuracy`.
 
 pub(crate) mod column;
+pub(crate) mod column_table;
 pub(crate) mod curve;
 pub(crate) mod free_motion;
 pub(crate) mod path_error;

@@ -83,6 +83,16 @@ impl<'a> IdealReference<'a> {
         }
     }
 
+    /// Whether its loops are solved at each instant.
+    pub fn is_solved(&self) -> bool {
+        matches!(self.source, Source::Solved(_))
+    }
+
+    /// The first time after `time_s` at which pieces of its drives or loads meet, s.
+    pub fn next_break_s(&self, time_s: f64) -> f64 {
+        self.motion.dynamics.sample().next_break_s(time_s)
+    }
+
     /// Positions and velocities at `time_s`, and forces and accelerations where asked for.
     ///
     /// # Errors

@@ -71,10 +71,9 @@ impl<'a> Core<'a> {
         arms: &Arms,
         follow: &Follow,
         settings: &Settings,
-        execution: Execution,
+        (execution, lanes): (Execution, usize),
     ) -> Self {
         let pass = Pass::new(mechanism, sample, follow, settings);
-        let lanes = execution.lanes();
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
         let backend = match execution {

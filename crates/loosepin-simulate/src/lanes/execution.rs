@@ -41,9 +41,14 @@ impl Execution {
         }
     }
 
-    /// Runs side by side.
+    /// Runs side by side of a batch.
     pub(crate) fn lanes(self) -> usize {
         if self == Self::Scalar { 1 } else { LANES }
+    }
+
+    /// Lanes of a run by itself: programs for one vector take half as long to translate as those for several.
+    pub(crate) fn lanes_alone(self) -> usize {
+        if self == Self::Scalar { 1 } else { LANES_OF_A_VECTOR }
     }
 
     /// The instructions of the machine code.

@@ -1,15 +1,17 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
-use crate::engine::{least_evaluations, run};
+use crate::engine::{least_evaluations, longest_step_s, run};
 use crate::failure::RunFailure;
-use crate::ideal::column::{Column, columns};
+use crate::ideal::column::columns;
 use crate::ideal::reference::IdealReference;
 use crate::input_files::input_files;
 use crate::observer::{Observer, Onset, Separation, Step};
 use crate::recording::bending::BendingRecorder;
+use crate::recording::column_reader::{ColumnReader, Ideal};
 use crate::recording::contact_basis::{contact_basis, long_pin_force};
 use crate::recording::control_history::ControlRecorder;
 use crate::recording::drawing::{add_bending, add_pose, skeleton};
+use crate::recording::extremes::{ExtremeRecorder, times_s};
 use crate::recording::flight::FlightClock;
 use crate::recording::report::RunReport;
 use crate::repeats::lyapunov::{ExponentPlan, largest_exponent};
@@ -18,19 +20,18 @@ use crate::repeats::trust::{PositionHistory, measure_trust};
 use crate::repeats::turns::Turns;
 use crate::settings::{Integrator, Settings, Window};
 use crate::stepping::motion::EnergyTotals;
-use crate::stepping::search::{Peak, maximum_within, may_exceed};
+use crate::stepping::search::maximum_within;
 use crate::stoppable_observer::StoppableObserver;
 use crate::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample, SampleError, acceleration_at};
+use loosepin_mechanics::mechanism::{Mechanism, Sample, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
-    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
-    JournalOrbit, OutputHistory, Override, SimulationRecord, SimulationSettings, StopReason, Trust,
+    ContactForceHistory, Drawing, EnergyAccount, ImpactRecord, JointSummary, JointWearRecord, JournalOrbit,
+    OutputHistory, Override, SimulationRecord, SimulationSettings, StopReason, Trust,
 };
-use loosepin_result::study::Deviation;
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;
 
@@ -197,14 +198,17 @@ fn record_until(
     let (turns, settings) = (plan.cycle.recorded_turns, &plan.settings);
     let life = worn_life(mechanism, &mut sample, &LifePlan { values, window, turns, settings }, stop)?;
     let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
-    let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
+    let columns = columns(&mechanism.model);
+    let longest_s = longest_step_s(mechanism, &sample, &window);
+    let reader = ColumnReader::new((mechanism, values), columns, reference, plan.with_states, longest_s);
+    let mut recorder = Recorder::new(mechanism, values, reader, input.clone(), plan, &window);
     recorder.wear.life = life;
     if sought == Extremes::LeftOut {
-        recorder.extremes.clear();
+        recorder.extremes = ExtremeRecorder::new(0);
     }
     let mut watched = StoppableObserver { observer: &mut recorder, stop };
     let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
-    if let Some(failure) = recorder.failure {
+    if let Some(failure) = recorder.reader.failure {
         return Err(failure.into());
     }
     let wear = recorder.wear.records(mechanism, &report)?;
@@ -230,16 +234,10 @@ fn record_until(
     Ok(simulation)
 }
 
-/// Points at which each step is looked at for extremes, the ends included.
-const POINTS_PER_STEP: usize = 5;
-
 struct Recorder<'a> {
     mechanism: &'a Mechanism,
     values: &'a Values,
-    arms: Arms,
-    columns: Vec<Column>,
-    reference: IdealReference<'a>,
-    failure: Option<SampleError>,
+    reader: ColumnReader<'a>,
     sample_times_s: Vec<f64>,
     next_sample: usize,
     window: Window,
@@ -247,8 +245,7 @@ struct Recorder<'a> {
     /// Values and ideal values by column.
     value_si: Vec<Vec<f64>>,
     ideal_si: Vec<Vec<f64>>,
-    /// Minimum (negated) and maximum of each column, then of each deviation; empty if they are left out.
-    extremes: Vec<[Peak; 2]>,
+    extremes: ExtremeRecorder,
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,
     contact_forces: Vec<Vec<f64>>,
@@ -267,7 +264,6 @@ struct Recorder<'a> {
     bending: BendingRecorder,
     /// What a second run is compared with, where there is one.
     positions: Option<PositionHistory>,
-    with_forces: bool,
     has_dampers: bool,
 }
 
@@ -275,12 +271,12 @@ impl<'a> Recorder<'a> {
     fn new(
         mechanism: &'a Mechanism,
         values: &'a Values,
-        reference: IdealReference<'a>,
+        reader: ColumnReader<'a>,
         input: CycleInput,
         plan: &Plan,
         window: &Window,
     ) -> Self {
-        let columns = columns(&mechanism.model);
+        let columns = reader.columns.len();
         let rows = (plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64).round().max(1.0) as usize;
         let span_s = window.end_s - window.start_s;
         let at =
@@ -288,21 +284,18 @@ impl<'a> Recorder<'a> {
         let (plays, contacts) = (mechanism.plays.len(), mechanism.contacts.len());
         let positions = || PositionHistory::new(mechanism, values, *window, input.turn_s(), rows);
         let positions = plan.second_run.then(positions);
-        let sections = SectionRecorder::new(Turns::within(*window, input.turn_s()), plays, columns.len());
+        let sections = SectionRecorder::new(Turns::within(*window, input.turn_s()), plays, columns);
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
         Self {
             mechanism,
             values,
-            arms: Arms::new(mechanism, values),
-            reference,
-            failure: None,
             sample_times_s: (0..=rows).map(at).collect(),
             next_sample: 0,
             window: *window,
             input,
-            value_si: vec![Vec::with_capacity(rows + 1); columns.len()],
-            ideal_si: vec![Vec::with_capacity(rows + 1); columns.len()],
-            extremes: vec![[Peak::none(); 2]; 2 * columns.len()],
+            value_si: vec![Vec::with_capacity(rows + 1); columns],
+            ideal_si: vec![Vec::with_capacity(rows + 1); columns],
+            extremes: ExtremeRecorder::new(reader.series()),
             energy: EnergyAccount::default(),
             energy_at_zero_j: None,
             contact_forces: vec![Vec::new(); contacts],
@@ -319,79 +312,20 @@ impl<'a> Recorder<'a> {
             wear: WearRecorder::new(mechanism, values),
             bending: BendingRecorder::new(mechanism),
             positions,
-            with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             has_dampers: mechanism.has_dampers(),
-            columns,
+            reader,
         }
     }
 
     fn record_sections(&mut self, step: &mut Step<'_, '_>) {
         while let Some(time_s) = self.sections.next_s().filter(|&time_s| time_s <= step.end_s) {
-            let looks = self.look(step, time_s);
-            self.sections.look(step.set_state(time_s), &looks[self.columns.len()..]);
+            let looks = self.reader.look(step, time_s, Ideal::Solved);
+            self.sections.look(step.set_state(time_s), &looks[self.reader.columns.len()..]);
         }
     }
 
     fn drive_angle_rad(&self, time_s: f64) -> f64 {
         self.input.angle_rad(time_s)
-    }
-
-    /// Values of all columns, then of all deviations, at `time_s` within the step.
-    fn look(&mut self, step: &mut Step<'_, '_>, time_s: f64) -> Vec<f64> {
-        let dynamics = if self.with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
-        let mut values: Vec<f64> =
-            self.columns.iter().map(|column| column.reading.value(&self.arms, dynamics)).collect();
-        match self.reference.at(time_s, self.with_forces) {
-            Ok(ideal) => {
-                for (index, column) in self.columns.iter().enumerate() {
-                    let ideal_si = column.reading.value(&self.arms, ideal);
-                    values.push(values[index] - ideal_si);
-                }
-            }
-            Err(error) => {
-                self.failure.get_or_insert(error);
-                values.resize(2 * self.columns.len(), f64::NAN);
-            }
-        }
-        values
-    }
-
-    /// The value of one column at `time_s` within the step, or of the deviation that follows the columns in [`Self::look`].
-    fn look_at(&mut self, step: &mut Step<'_, '_>, time_s: f64, series: usize) -> f64 {
-        let column = &self.columns[series % self.columns.len()];
-        let with_forces = column.reading.needs_forces();
-        let dynamics = if with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
-        let value_si = column.reading.value(&self.arms, dynamics);
-        if series < self.columns.len() {
-            return value_si;
-        }
-        match self.reference.at(time_s, with_forces) {
-            Ok(ideal) => value_si - column.reading.value(&self.arms, ideal),
-            Err(error) => {
-                self.failure.get_or_insert(error);
-                f64::NAN
-            }
-        }
-    }
-
-    fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
-        let (start_s, end_s) = (step.start_s, step.end_s);
-        if self.extremes.is_empty() {
-            return;
-        }
-        let time = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
-        let looks: Vec<Vec<f64>> = (0..POINTS_PER_STEP).map(|k| self.look(step, time(k))).collect();
-        for series in 0..self.extremes.len() {
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let points: Vec<(f64, f64)> =
-                    looks.iter().enumerate().map(|(k, look)| (time(k), sign * look[series])).collect();
-                if !may_exceed(&points, self.extremes[series][side].value) {
-                    continue;
-                }
-                let peak = maximum_within(&points, |time_s| sign * self.look_at(step, time_s, series));
-                self.extremes[series][side].raise(peak.value, peak.time_s);
-            }
-        }
     }
 
     /// The largest forces of a step.
@@ -400,11 +334,7 @@ impl<'a> Recorder<'a> {
             if !step.is_in_contact(contact) {
                 continue;
             }
-            let (start_s, end_s) = (step.start_s, step.end_s);
-            let points: Vec<(f64, f64)> = (0..POINTS_PER_STEP)
-                .map(|k| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64)
-                .map(|time_s| (time_s, step.normal_force_n(contact, time_s)))
-                .collect();
+            let points = times_s(step).map(|time_s| (time_s, step.normal_force_n(contact, time_s)));
             let peak = maximum_within(&points, |time_s| step.normal_force_n(contact, time_s));
             let largest_n = &mut self.peak_forces_n[contact];
             *largest_n = largest_n.max(peak.value);
@@ -423,8 +353,8 @@ impl<'a> Recorder<'a> {
     }
 
     fn record_sample(&mut self, step: &mut Step<'_, '_>, time_s: f64) {
-        let values = self.look(step, time_s);
-        let count = self.columns.len();
+        let values = self.reader.look(step, time_s, Ideal::Solved);
+        let count = self.reader.columns.len();
         for k in 0..count {
             self.value_si[k].push(values[k]);
             self.ideal_si[k].push(values[k] - values[count + k]);
@@ -470,7 +400,7 @@ impl<'a> Recorder<'a> {
             let dynamics = step.evaluate(time_s);
             states.rows.push(body_states(self.mechanism, self.values, dynamics));
         }
-        if let Ok(ideal) = self.reference.at(time_s, false) {
+        if let Ok(ideal) = self.reader.reference.at(time_s, false) {
             let tree = &self.mechanism.ideal;
             add_pose(&mut self.drawing.ideal_poses, tree, &ideal.kinematics, angle_rad);
         }
@@ -496,9 +426,10 @@ impl<'a> Recorder<'a> {
             })
             .collect();
         let joints = self.joint_summaries(sample, plan, &report);
-        let extremes = self.extreme_records();
+        let extremes = self.extremes.records(&self.reader.columns, |time_s| self.drive_angle_rad(time_s));
         let name_of = |play: usize| self.mechanism.model.play_name(self.mechanism.plays[play]).to_owned();
         let outputs = self
+            .reader
             .columns
             .iter()
             .enumerate()
@@ -516,7 +447,8 @@ impl<'a> Recorder<'a> {
                 ideal_si: self.ideal_si[k].clone(),
             })
             .collect();
-        let kind = self.sections.kind(self.mechanism, sample, &self.columns, self.drive_angle_rad(self.window.start_s));
+        let kind =
+            self.sections.kind(self.mechanism, sample, &self.reader.columns, self.drive_angle_rad(self.window.start_s));
         let drive_angle_rad: Vec<f64> =
             self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect();
         let record = SimulationRecord {
@@ -581,29 +513,6 @@ impl<'a> Recorder<'a> {
         Simulation { record, states: self.states, report, failure: None }
     }
 
-    fn extreme_records(&self) -> Vec<Extreme> {
-        let point = |peak: Peak, sign: f64| ExtremePoint {
-            value_si: sign * peak.value,
-            time_s: peak.time_s,
-            drive_angle_rad: self.drive_angle_rad(peak.time_s),
-        };
-        let count = self.columns.len();
-        (0..self.extremes.len())
-            .map(|series| {
-                let column = &self.columns[series % count];
-                let of = if series < count { Deviation::Value } else { Deviation::Total };
-                let [minimum, maximum] = self.extremes[series];
-                Extreme {
-                    name: column.name.clone(),
-                    of,
-                    unit: column.unit.clone(),
-                    minimum: point(minimum, -1.0),
-                    maximum: point(maximum, 1.0),
-                }
-            })
-            .collect()
-    }
-
     fn joint_summaries(&self, sample: &Sample<f64>, plan: &Plan, report: &RunReport) -> Vec<JointSummary> {
         let model = &self.mechanism.model;
         let turns = plan.cycle.recorded_turns;
@@ -641,11 +550,11 @@ impl<'a> Recorder<'a> {
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
-        self.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
+        self.reader.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
         self.flight.step(step);
         self.record_samples(step);
         self.record_sections(step);
-        self.note_extremes(step);
+        self.extremes.step(step, &mut self.reader);
         self.note_peak_forces(step);
         self.wear.step(step);
         self.bending.step(step);

@@ -3,10 +3,12 @@
 
 pub(crate) mod balance;
 pub(crate) mod bending;
+pub(crate) mod column_reader;
 pub(crate) mod contact_basis;
 pub(crate) mod control_history;
 pub(crate) mod controlled_drawing;
 pub(crate) mod drawing;
+pub(crate) mod extremes;
 pub(crate) mod flight;
 pub(crate) mod history;
 pub(crate) mod report;

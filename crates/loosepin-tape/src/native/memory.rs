@@ -14,7 +14,8 @@ use super::block_start::BlockStart;
 use super::error::NativeError;
 use super::evaluate::check_blocks;
 use super::program::Program;
-use super::translate::{KernelSize, translate};
+use super::recent::translate_once;
+use super::translate::KernelSize;
 use super::{Level, MAX_BLOCKS};
 
 /// Machine code as [`super::assemble`] writes it: of the table of the addresses of the blocks, and how often the instructions are to run.
@@ -48,8 +49,9 @@ impl Kernel {
     /// [`super::Sequence`] interprets the program and gives the same numbers. [`NativeError::UnevenLanes`],
     /// [`NativeError::TooManyBlocks`], [`NativeError::BlockTooLarge`] and [`NativeError::FrameTooLarge`] for what no processor can do.
     pub fn compile(program: &Program, level: Level, lanes: usize) -> Result<Self, NativeError> {
-        let (code, size) = translate(program, level, lanes)?;
-        Self::new(&code, size, program.values_per_block().to_vec(), level, lanes)
+        let translated = translate_once(program, level, lanes)?;
+        let (code, size) = &*translated;
+        Self::new(code, *size, program.values_per_block().to_vec(), level, lanes)
     }
 
     /// Compiles programs that run in turn, one behind the other in memory: each on pages of its own, they would drive each other
@@ -63,8 +65,9 @@ impl Kernel {
         const LINE_BYTES: usize = 64;
         let (mut bytes, mut parts) = (Vec::new(), Vec::new());
         for program in programs {
-            let (code, size) = translate(program, level, lanes)?;
-            parts.push((bytes.len(), size, program.values_per_block().to_vec()));
+            let translated = translate_once(program, level, lanes)?;
+            let (code, size) = &*translated;
+            parts.push((bytes.len(), *size, program.values_per_block().to_vec()));
             bytes.extend_from_slice(code.bytes());
             bytes.resize(bytes.len().next_multiple_of(LINE_BYTES), 0);
         }

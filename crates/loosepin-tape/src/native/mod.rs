@@ -48,6 +48,7 @@ mod lower;
 mod memory;
 mod node;
 mod program;
+mod recent;
 mod registers;
 mod schedule;
 mod sequence;

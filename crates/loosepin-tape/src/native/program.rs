@@ -11,7 +11,7 @@ use super::node::{BinaryOperation, Node, NodeIndex, Slot, UnaryOperation};
 ///
 /// A program is run on blocks of memory: value `i` of block `b` in lane `l` is `blocks[b][i * lanes + l]`. All inputs are
 /// read before any output that takes the place of an input is written, so a program may update its inputs in place.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Program {
     nodes: Vec<Node>,
     outputs: Vec<(Slot, NodeIndex)>,

@@ -4,6 +4,7 @@
 //! decided lane by lane: try again, accept, begin or end a contact, finish.
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
+mod compiled_lately;
 mod depth;
 mod follow;
 mod queue;
@@ -16,6 +17,7 @@ pub(crate) use seats::{HandledQueue, QueueOfHandles, RunHandle};
 use crate::depth_limit::DepthLimit;
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
+use crate::lanes::batch::compiled_lately::Fingerprint;
 use crate::lanes::core::{Core, PendingInstant, lanes_of, move_flag};
 use crate::lanes::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::lanes::lane::{Decision, Event, LaneRun, Phase};
@@ -48,6 +50,8 @@ const MIN_STEP_TURNS: f64 = 1e-14;
 /// Evaluations after which a single run continues as machine code: about as many take as long as compiling it does (12,500 of
 /// `slider_crank_5000`, 11,200 of `six_bar`), so that no run takes more than twice as long as without.
 const EVALUATIONS_ALONE: u64 = 12_000;
+/// The same where such a run was compiled lately: about as many take as long as writing the programs down does.
+const EVALUATIONS_ALONE_IF_COMPILED: u64 = 3_000;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
@@ -140,10 +144,13 @@ impl<'a> Batch<'a> {
         queue: &mut dyn QueueOfHandles,
     ) {
         let Some(first) = queue.next() else { return };
+        let fingerprint = later.is_some().then(|| Fingerprint::new(mechanism, &first.sample, settings));
+        let is_known = fingerprint.is_some_and(Fingerprint::is_known);
+        let evaluations_alone = if is_known { EVALUATIONS_ALONE_IF_COMPILED } else { EVALUATIONS_ALONE };
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
-            core: Core::new(mechanism, &first.sample, &first.arms, follow, settings, execution),
+            core: Core::new(mechanism, &first.sample, &first.arms, follow, settings, (execution, execution.lanes())),
             follows: vec![LaneFollow::default(); execution.lanes()],
             runs: (0..execution.lanes()).map(|_| None).collect(),
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
@@ -175,9 +182,10 @@ impl<'a> Batch<'a> {
             if let Some((execution, kept)) = &mut later
                 && !is_by_later
                 && !kept.is_refused
-                && kept.evaluations + batch.core.evaluations(0) > EVALUATIONS_ALONE
+                && kept.evaluations + batch.core.evaluations(0) > evaluations_alone
             {
                 is_by_later = batch.go_on_later(*execution, kept);
+                fingerprint.filter(|_| is_by_later).into_iter().for_each(Fingerprint::remember);
             }
             if batch.is_exhausted {
                 batch.draw_together();
@@ -195,16 +203,17 @@ impl<'a> Batch<'a> {
     fn go_on_later(&mut self, execution: Execution, kept: &mut CompiledCodeCache<'a>) -> bool {
         let Some(run) = &self.runs[0] else { return false };
         let LaneRun { sample, arms, .. } = run;
-        let new = || Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
+        let lanes = execution.lanes_alone();
+        let new = || Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, (execution, lanes));
         let mut core = kept.core.take().unwrap_or_else(new);
         if !core.is_machine_code() {
             kept.is_refused = true;
             return false;
         }
-        core.use_lanes(execution.lanes());
+        core.use_lanes(lanes);
         core.take_over(&self.core, sample, arms);
         self.core = core;
-        self.used = execution.lanes();
+        self.used = lanes;
         self.runs.resize_with(self.used, || None);
         self.events.resize(self.used, None);
         self.follows.resize_with(self.used, LaneFollow::default);
