@@ -430,6 +430,9 @@ pub struct ServeArguments {
     /// Print the address and do not open a browser
     #[arg(long)]
     pub no_open: bool,
+    /// Serve in this process, for the one that reads its output
+    #[arg(long, hide = true)]
+    pub worker: bool,
 }
 
 /// Export the neural networks of a study as ONNX files

@@ -29,6 +29,8 @@ pub enum Failure {
     Diagnostics(Diagnostics),
     /// Standard output cannot be written.
     Output(io::Error),
+    /// A process that it started has reported why, and ended with this status.
+    Reported(u8),
 }
 
 /// The result of a command.

@@ -79,6 +79,7 @@ fn exit_code(ending: Ending) -> ExitCode {
             console::report(&diagnostics);
             ExitCode::from(if is_out_of_memory(&diagnostics) { system_limits::OUT_OF_MEMORY_STATUS } else { 2 })
         }
+        Err(Failure::Reported(status)) => ExitCode::from(status),
         Err(Failure::Output(error)) => {
             console::message(&format!(
                 "error: cannot write to standard output: {}",

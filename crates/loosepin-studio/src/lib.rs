@@ -35,3 +35,4 @@ mod view;
 
 pub use network::server::{Serving, StudioError, serve, serve_within};
 pub use network::times::Timeouts;
+pub use network::token::Token;

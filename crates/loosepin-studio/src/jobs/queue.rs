@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 use std::io;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -196,8 +195,7 @@ impl Jobs {
     fn work(&self, kind: JobKind) {
         while let Some((id, task, stop)) = self.next(kind) {
             let began = Instant::now();
-            let outcome = catch_unwind(AssertUnwindSafe(|| self.run(id, &task, &stop, began)));
-            let outcome = outcome.unwrap_or_else(|_| Err(vec!["loosepin failed with an internal error".to_owned()]));
+            let outcome = self.run(id, &task, &stop, began);
             self.state().running.retain(|(running, _)| *running != id);
             self.change(id, |job| {
                 job.seconds = began.elapsed().as_secs_f64();

@@ -61,12 +61,19 @@ pub struct Serving<'s> {
     pub folder: &'s Path,
 }
 
-/// Serves the studio of `folder` on this machine alone until `stop` is set; `port` 0 takes a free one. `ready` hears the address.
+/// Serves the studio of `folder` on this machine alone until `stop` is set; `port` 0 takes a free one, and without a `token` a new one is
+/// made. `ready` hears the address.
 ///
 /// # Errors
 /// The folder is not there; the port is in use.
-pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Serving<'_>)) -> Result<(), StudioError> {
-    serve_within(&Timeouts::default(), folder, port, stop, ready)
+pub fn serve(
+    folder: &Path,
+    port: u16,
+    token: Option<Token>,
+    stop: &AtomicBool,
+    ready: impl FnOnce(&Serving<'_>),
+) -> Result<(), StudioError> {
+    serve_within(&Timeouts::default(), folder, (port, token), stop, ready)
 }
 
 /// As [`serve`], waiting for clients as long as `times` says.
@@ -76,13 +83,14 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
 pub fn serve_within(
     times: &Timeouts,
     folder: &Path,
-    port: u16,
+    (port, token): (u16, Option<Token>),
     stop: &AtomicBool,
     ready: impl FnOnce(&Serving<'_>),
 ) -> Result<(), StudioError> {
     let system = |source| StudioError::System { source };
     let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
-    let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
+    let new_token = || Token::new().map_err(|error| system(io::Error::other(error.to_string())));
+    let token = token.map_or_else(new_token, Ok)?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)?;
     let (jobs, workers) = Jobs::begin(&served).map_err(|source| StudioError::Threads { source })?;
     let studio = Studio {

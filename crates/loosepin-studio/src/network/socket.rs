@@ -1,6 +1,5 @@
 //! A live connection: looks up, what is seen of them down, jobs to everybody.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -136,22 +135,16 @@ async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), 
     }
 }
 
-/// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
+/// Answers looks until the connection ends.
 fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
     while let Some(request) = mailbox.take() {
         let told = |seen: &LookAnswer| serde_json::to_string(&ToPage::LookAnswer(seen)).unwrap_or_default();
         let late = || {
             let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
         };
-        let text = catch_unwind(AssertUnwindSafe(|| {
-            within(LONGEST_LOOK, late, |stop| told(&answer_look(folder, &request, stop)))
-        }));
+        let text = within(LONGEST_LOOK, late, |stop| told(&answer_look(folder, &request, stop)));
         // What came too late is answered already.
-        let Some(text) = text.transpose() else { continue };
-        let text = text.unwrap_or_else(|_| {
-            let message = "loosepin failed with an internal error while it read these texts";
-            serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()
-        });
+        let Some(text) = text else { continue };
         if answers.send(text.into()).is_err() {
             return;
         }

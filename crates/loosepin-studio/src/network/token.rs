@@ -18,6 +18,11 @@ impl Token {
         Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
     }
 
+    /// One that [`Self::text`] gave before.
+    pub fn from_text(text: &str) -> Self {
+        Self(text.to_owned())
+    }
+
     /// As it stands in the address.
     pub fn text(&self) -> &str {
         &self.0

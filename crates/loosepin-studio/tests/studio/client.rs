@@ -36,7 +36,8 @@ impl Server {
         let (flag, folder) = (Arc::clone(&stop), folder.to_owned());
         let thread = std::thread::spawn(move || {
             let ready = |serving: &loosepin_studio::Serving<'_>| sender.send(serving.address.clone()).unwrap();
-            loosepin_studio::serve_within(&times, &folder, 0, &flag, ready).unwrap_or_else(|error| panic!("{error}"));
+            loosepin_studio::serve_within(&times, &folder, (0, None), &flag, ready)
+                .unwrap_or_else(|error| panic!("{error}"));
         });
         let address = receiver.recv_timeout(PATIENCE).expect("the address");
         let (host, token) = address.strip_prefix("http://").and_then(|rest| rest.split_once("/#token=")).unwrap();
