@@ -25,6 +25,8 @@ mod names;
 mod study;
 mod trial;
 
+use std::sync::atomic::AtomicBool;
+
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Model;
 use loosepin_study::{InputFile, Study};
@@ -44,13 +46,21 @@ pub fn warnings(file: &InputFile) -> &[Diagnostic] {
 /// # Errors
 /// What keeps it from running.
 pub fn check(file: &InputFile) -> Result<Article, Diagnostics> {
+    check_until(file, &AtomicBool::new(false))
+}
+
+/// As [`check`], until `stop` is set: it is looked at before each position and in the first steps of a run.
+///
+/// # Errors
+/// As for [`check`]; that it was stopped.
+pub fn check_until(file: &InputFile, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     match file {
-        InputFile::Model(model) => check_model(model),
-        InputFile::Study(study) => check_study(study),
+        InputFile::Model(model) => check_model(model, stop),
+        InputFile::Study(study) => check_study(study, stop),
     }
 }
 
-fn check_model(model: &Model) -> Result<Article, Diagnostics> {
+fn check_model(model: &Model, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if !mechanism.is_driven() {
@@ -59,18 +69,18 @@ fn check_model(model: &Model) -> Result<Article, Diagnostics> {
     }
     // A study has a cycle of its own, with limits of its own.
     trial::check_run(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
-    let tried = trial::run_trial(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
+    let tried = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
     Ok(mechanism::article(&mechanism, &values, &tried))
 }
 
-fn check_study(study: &Study) -> Result<Article, Diagnostics> {
+fn check_study(study: &Study, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     let values = study::middle_values(study)?;
     let model = &study.model;
     let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if study.needs_runs() || !mechanism.is_driven() {
         model.demand_dynamics()?;
     }
-    let tried = trial::run_trial(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
+    let tried = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
     study::article(study, &values, &tried)
 }
 

@@ -11,7 +11,7 @@ use loosepin_text::diagnostics::Colour;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-use super::check;
+use super::{check, check_until};
 
 /// Cases tried where the environment does not say.
 const DEFAULT_CASES: u32 = 100;
@@ -241,4 +241,13 @@ fn more_turns_than_a_run_can_have_are_refused_with_play_and_without() {
         .lines()
         .map(|line| if line.starts_with("radial_clearance") { "radial_clearance = \"0 mm\"" } else { line });
     assert_eq!(said(&ideal.collect::<Vec<_>>().join("\n")), expected);
+}
+
+#[test]
+fn a_check_ends_when_it_is_stopped() {
+    let text = include_str!("../../../cases/slider_crank_worn_pin/model.toml");
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let file = InputFile::Model(Box::new(model));
+    let stopped = check_until(&file, &std::sync::atomic::AtomicBool::new(true)).map(|_| ());
+    assert!(stopped.is_err_and(|diagnostics| diagnostics.to_string().contains("E0807")));
 }

@@ -1,6 +1,7 @@
 //! Moving a mechanism for the first time.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin_mechanics::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
 use loosepin_mechanics::model::{DriveId, Values};
@@ -57,12 +58,12 @@ pub fn check_run(mechanism: &Mechanism, values: &Values) -> Result<(), RunFailur
 /// Closes the ideal mechanism all around its cycle where drives move it, and runs the first stretch of the real one.
 ///
 /// # Errors
-/// The first position that does not close, or why the run failed.
-pub fn run_trial(mechanism: &Mechanism, values: &Values) -> Result<TrialResult, RunFailure> {
+/// The first position that does not close, or why the run failed; `stop` was set.
+pub fn run_trial(mechanism: &Mechanism, values: &Values, stop: &AtomicBool) -> Result<TrialResult, RunFailure> {
     let turn_s = input(mechanism, values, mechanism.model.cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
     let start = if mechanism.is_driven() {
-        close_all_round(mechanism, values, &sample, turn_s)?
+        close_all_round((mechanism, values, &sample), turn_s, stop)?
     } else {
         let (ideal, sample) = (mechanism.without_play(), sample.clone().without_play());
         let (coordinates, _) = ideal.start(&sample)?;
@@ -71,21 +72,20 @@ pub fn run_trial(mechanism: &Mechanism, values: &Values) -> Result<TrialResult, 
         let start = body_starts(mechanism, values, &kinematics);
         if !mechanism.plays.is_empty() {
             // What a run is compared with.
-            first_steps(&ideal, &sample, turn_s)?;
+            first_steps(&ideal, &sample, turn_s, stop)?;
         }
         start
     };
     let has_dynamics = mechanism.model.missing_for_runs.is_empty();
-    let is_run = has_dynamics && first_steps(mechanism, &sample, turn_s)?;
+    let is_run = has_dynamics && first_steps(mechanism, &sample, turn_s, stop)?;
     Ok(TrialResult { start, turn_s, is_run })
 }
 
 /// Closes the ideal mechanism in all positions of its cycle until they repeat themselves; gives where it starts.
 fn close_all_round(
-    mechanism: &Mechanism,
-    values: &Values,
-    sample: &Sample<f64>,
+    (mechanism, values, sample): (&Mechanism, &Values, &Sample<f64>),
     turn_s: f64,
+    stop: &AtomicBool,
 ) -> Result<Vec<BodyStart>, RunFailure> {
     let cycle = &mechanism.model.cycle;
     let mut motion = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
@@ -99,7 +99,11 @@ fn close_all_round(
     let positions = (turns * per_turn).ceil() as usize;
     let is_steady = (0..mechanism.model.drives.len()).all(|k| sample.drives.constant_speed(DriveId(k)).is_some());
     for position in 1..=positions {
-        motion.move_to(turns * turn_s * position as f64 / positions as f64)?;
+        let time_s = turns * turn_s * position as f64 / positions as f64;
+        if stop.load(Ordering::Relaxed) {
+            return Err(RunFailure::Stopped { time_s });
+        }
+        motion.move_to(time_s)?;
         let is_same = || {
             start.iter().zip(&motion.kinematics().poses).all(|(before, now)| {
                 let turned_rad = now.angle_rad - before.angle_rad;
@@ -115,14 +119,19 @@ fn close_all_round(
 }
 
 /// Runs the first stretch; false where an evaluation is too long for that.
-fn first_steps(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> Result<bool, RunFailure> {
+fn first_steps(
+    mechanism: &Mechanism,
+    sample: &Sample<f64>,
+    turn_s: f64,
+    stop: &AtomicBool,
+) -> Result<bool, RunFailure> {
     let evaluations = trial_evaluations(mechanism.is_ideal(), mechanism.multiplications());
     if evaluations < MIN_EVALUATIONS {
         return Ok(false);
     }
     let settings = Settings { largest_evaluations: evaluations as u64, ..Settings::for_simulation() };
     let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
-    match run(mechanism, sample, &window, &settings, &mut Unobserved) {
+    match run(mechanism, sample, &window, &settings, &mut UntilStopped(stop)) {
         Ok(_) => Ok(true),
         Err(RunFailure::TooManyEvaluations { time_s, .. }) => Ok(time_s > 0.0),
         Err(failure) => Err(failure),
@@ -167,8 +176,12 @@ fn body_starts(mechanism: &Mechanism, values: &Values, ideal: &Kinematics<f64>) 
         .collect()
 }
 
-struct Unobserved;
+/// Sees nothing of a run, until it is to be given up.
+struct UntilStopped<'s>(&'s AtomicBool);
 
-impl Observer for Unobserved {
+impl Observer for UntilStopped<'_> {
     fn step(&mut self, _step: &mut Step<'_, '_>) {}
+    fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
 }

@@ -3,7 +3,7 @@
 use std::io;
 
 use loosepin::diagnostics::{self, Code, Diagnostics, RefusedFile, Severity};
-use pyo3::exceptions::PyException;
+use pyo3::exceptions::{PyBaseException, PyException, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyTuple, PyType};
@@ -182,8 +182,25 @@ pub fn raise_problem(problem: &dyn diagnostics::Problem) -> PyErr {
     raise(Diagnostics::one(problem, None))
 }
 
+/// The exception of the Python part for an argument with an impossible value: `LoosepinValueError` with this code.
+#[pyfunction]
+#[pyo3(signature = (code, message, hint))]
+pub fn refusal(py: Python<'_>, code: &str, message: String, hint: Option<String>) -> PyResult<Py<PyBaseException>> {
+    let code = code.parse::<Code>().map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let (severity, place, labels, refused_file) = (Severity::Error, None, Vec::new(), None);
+    Ok(raise(diagnostics::Diagnostic { code, severity, message, hint, place, labels, refused_file }).into_value(py))
+}
+
 /// A diagnostic about an argument of Python: its name stands before the words, and no place, since nobody wrote the text that it is in.
 pub fn of_argument(argument: &str, diagnostic: diagnostics::Diagnostic) -> diagnostics::Diagnostic {
     let message = format!("{argument}: {}", diagnostic.message);
     diagnostics::Diagnostic { message, place: None, labels: Vec::new(), ..diagnostic }
+}
+
+/// The exception for the inputs of one run, before any run is made.
+pub fn of_run(run: usize, diagnostic: diagnostics::Diagnostic) -> PyErr {
+    let in_si = "numbers are in SI units";
+    let hint = diagnostic.hint.as_ref().map_or_else(|| in_si.to_owned(), |hint| format!("{hint}; {in_si}"));
+    let diagnostic = diagnostics::Diagnostic { hint: Some(hint), ..diagnostic };
+    raise(of_argument(&format!("inputs: run {run}"), diagnostic))
 }

@@ -9,9 +9,9 @@ use numpy::{IntoPyArray, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arguments::count_threads;
+use crate::arguments::{ArgumentProblem, count_threads};
 use crate::column::Column;
-use crate::error::{of_argument, raise};
+use crate::error::{of_argument, of_run, raise, raise_problem};
 use crate::model::Model;
 use crate::study::Study;
 use crate::waiting::{RunCounts, wait_for};
@@ -116,6 +116,11 @@ impl Evaluator {
                 return Err(PyValueError::new_err(text));
             }
         }
+        for (run, row) in rows.iter().enumerate() {
+            if let Some(error) = self.0.broken_rule(row) {
+                return Err(of_run(run, diagnostics::Diagnostic::error(&error, None)));
+            }
+        }
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         let work = || self.0.evaluate(&rows, threads, &counts, &stop);
         let (made, raised) = wait_for(py, &stop, |py| counts.tell(py, progress.as_ref()), work);
@@ -125,7 +130,7 @@ impl Evaluator {
         }
         let table = made.map_err(|error| self.refusal(&error))?;
         counts.tell(py, progress.as_ref())?;
-        let counters = self.0.counters(&table.rows).into_iter();
+        let counters = table.counters.into_iter();
         let counters = counters.map(|column| Column::of_run_column(py, column)).collect::<PyResult<_>>()?;
         let mut numbers = Array2::from_elem((rows.len(), self.0.columns()), f64::NAN);
         let mut reasons = Vec::with_capacity(rows.len());
@@ -158,7 +163,7 @@ fn recorded(output: RecordedOutput) -> Recorded {
 fn rows_of(table: &PyReadonlyArray2<'_, f64>, columns: usize) -> PyResult<Vec<Vec<f64>>> {
     let table = table.as_array();
     if table.ncols() != columns {
-        return Err(PyValueError::new_err(format!("{} columns; must be {columns}", table.ncols())));
+        return Err(raise_problem(&ArgumentProblem::Columns { found: table.ncols(), due: columns }));
     }
     Ok(table.rows().into_iter().map(|row| row.to_vec()).collect())
 }

@@ -45,6 +45,7 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<mechanism::sweep::Sweep>()?;
     module.add_class::<mechanism::check::Check>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
+    module.add_function(wrap_pyfunction!(error::refusal, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_cdf, module)?)?;
     module.add_function(wrap_pyfunction!(laws::law_ppf, module)?)?;
     module.add_function(wrap_pyfunction!(widget_script, module)?)?;

@@ -5,17 +5,17 @@ use std::sync::Arc;
 
 use loosepin::diagnostics;
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{self, Cycle, Quantity, QuantityId, Rule, SettingError};
+use loosepin::model::{self, Cycle, PathError, Quantity, QuantityId, Rule, SettingError};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, columns};
 use loosepin::study::{InputFile, NamedPlace, NamedQuestion, NamedText, exact_value, model_from_texts, model_texts};
 use loosepin::sweep::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS, SweepRequest, SweptValues};
 use loosepin::units::SiUnit;
-use pyo3::exceptions::PyValueError;
+use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
-use crate::arguments::{count, count_threads, integrator_named, lyapunov_turns, tolerance_m};
-use crate::error::{Diagnostic, of_argument, raise, raise_problem};
+use crate::arguments::{ArgumentProblem, count, count_threads, integrator_named, lyapunov_turns, tolerance_m};
+use crate::error::{Diagnostic, of_argument, of_run, raise, raise_problem};
 use crate::mechanism::check::Check;
 use crate::mechanism::motion::Motion;
 use crate::mechanism::simulation::Simulation;
@@ -45,18 +45,21 @@ impl Model {
     pub fn cycle(&self, turns: Option<f64>, transient: Option<f64>, samples: Option<i64>) -> PyResult<Cycle> {
         for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
             if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
-                return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
+                return Err(raise_problem(&ArgumentProblem::Turns { name, given: turns, rule }));
             }
         }
-        if let Some(samples) = samples.filter(|samples| !(1..=MAX_SAMPLES).contains(samples)) {
-            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MAX_SAMPLES}")));
-        }
+        let samples = samples.map(|samples| count("samples", samples, 1..=MAX_SAMPLES)).transpose()?;
         let mut cycle = self.0.cycle.clone();
         cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
         cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
         cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
         Ok(cycle)
     }
+}
+
+/// The diagnostic for a path in `argument` that names no quantity.
+fn of_unknown(argument: &str, error: PathError) -> diagnostics::Diagnostic {
+    of_argument(argument, diagnostics::Diagnostic::error(&SettingError::from(error), None))
 }
 
 #[pymethods]
@@ -138,6 +141,27 @@ impl Model {
         checked.map_err(|error| raise(of_argument("inputs", diagnostics::Diagnostic::error(&error, None))))
     }
 
+    /// Refuses settings `path=value` that the model does not take, and the first row of `values`, SI, whose inputs `names` it does not allow
+    /// with them.
+    fn check_rows(&self, names: Vec<String>, values: PyReadonlyArray2<'_, f64>, settings: Vec<String>) -> PyResult<()> {
+        let is_law =
+            |text: &String| text.split_once('=').is_some_and(|(path, _)| self.0.contact_of_law(path.trim()).is_some());
+        let (laws, numbers): (Vec<String>, Vec<String>) = settings.into_iter().partition(is_law);
+        let model = self.0.set_values(&laws).map_err(raise)?.model;
+        let parse = |text: &String| self.0.parse_setting(text).map_err(|error| raise(of_argument("set", error)));
+        let stated = numbers.iter().map(parse).collect::<PyResult<Vec<_>>>()?;
+        let find = |name: &String| self.0.find(name).map_err(|error| raise(of_unknown("inputs", error)));
+        let ids = names.iter().map(find).collect::<PyResult<Vec<QuantityId>>>()?;
+        for (run, row) in values.as_array().rows().into_iter().enumerate() {
+            let stated = stated.iter().map(|setting| (setting.id, setting.value_si));
+            let all: Vec<(QuantityId, f64)> = stated.chain(ids.iter().copied().zip(row.iter().copied())).collect();
+            if let Err(error) = model.quantities.evaluate(&all) {
+                return Err(of_run(run, diagnostics::Diagnostic::error(&error, None)));
+            }
+        }
+        Ok(())
+    }
+
     /// Whether `path` is that of the law of a contact, whatever its name.
     fn is_path_of_law(&self, path: &str) -> bool {
         self.0.contact_of_law(path).is_some()
@@ -158,7 +182,7 @@ impl Model {
 
     /// Runs it once. `set` holds texts `path=value`, `measured` paths of tables; what is left out is as the file has it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set, integrator, lyapunov, measured))]
+    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set, integrator, lyapunov, measured, start))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -172,9 +196,12 @@ impl Model {
         integrator: &str,
         lyapunov: Option<i64>,
         measured: Vec<PathBuf>,
+        start: Option<PyRef<'_, Simulation>>,
     ) -> PyResult<Simulation> {
+        let start = start.as_deref().map(Simulation::end_state).transpose()?;
         let plan = Plan {
-            cycle: self.cycle(turns, transient, samples)?,
+            // The run that is continued has settled already.
+            cycle: self.cycle(turns, transient.or(start.map(|_| 0.0)), samples)?,
             settings: Settings {
                 tolerance_m: tolerance_m(tolerance)?,
                 integrator: integrator_named(integrator)?,
@@ -185,7 +212,7 @@ impl Model {
             second_run,
             overrides: Override::from_settings(&set),
         };
-        single_run::simulate(py, &self.0, &set, &plan, &measured)
+        single_run::simulate(py, &self.0, &set, &plan, start, &measured)
     }
 
     /// Refuses a model in which no joint wears, or that lacks what a run needs.
@@ -205,9 +232,7 @@ impl Model {
 
     /// A value of the quantity `path`, SI, as a text with its unit that reads back to the same bits. Errors name the `argument`.
     fn text_of_value(&self, argument: &str, path: &str, value_si: f64) -> PyResult<String> {
-        let id = self.0.find(path).map_err(|error| {
-            raise(of_argument(argument, diagnostics::Diagnostic::error(&SettingError::from(error), None)))
-        })?;
+        let id = self.0.find(path).map_err(|error| raise(of_unknown(argument, error)))?;
         Ok(exact_value(value_si, &SiUnit::of_dimension(self.0.quantities[id].dimension)))
     }
 

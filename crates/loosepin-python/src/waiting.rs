@@ -73,6 +73,13 @@ pub fn wait_for<T: Send>(
     })
 }
 
+/// `work` without the lock of the interpreter, with a flag that a signal sets: the work then ends soon, and what the signal raises comes.
+pub fn until_interrupted<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+    let stop = AtomicBool::new(false);
+    let (result, raised) = wait_for(py, &stop, |_| Ok(()), || work(&stop));
+    raised.map_or(Ok(result), Err)
+}
+
 /// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
 pub fn without_gil<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);

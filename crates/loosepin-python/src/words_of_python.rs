@@ -1,9 +1,9 @@
 //! Diagnostics in the words of Python: arguments in place of the options of the command.
 
-use loosepin::diagnostics::{Diagnostic, Label, Place, Source};
+use loosepin::diagnostics::{Code, Diagnostic, Label, Place, Source};
 
 /// What a sentence says to users of the command, and what it says to those of Python. The longer ones first.
-const SENTENCES: [(&str, &str); 17] = [
+const SENTENCES: [(&str, &str); 18] = [
     ("; --resume --most-failed SHARE goes on with the runs that are kept", ""),
     (
         "--resume --most-failed SHARE goes on with the runs that are kept",
@@ -26,8 +26,9 @@ const SENTENCES: [(&str, &str); 17] = [
         "`--set joint.gudgeon.radial_clearance=0.3mm`. Quote it for the shell if the value contains spaces.",
         "set={\"joint.gudgeon.radial_clearance\": \"0.3 mm\"}.",
     ),
-    (", or in the folder given with --out", ", or in the folder that the study was given"),
+    (", or in the folder given with --out", ", or in the folder that was given for them"),
     (" with --out", ""),
+    ("run the command again with --force", "compute the result again into this folder with force=True"),
     ("run the command again", "make the call again"),
     ("the same command", "the same call"),
     ("--specimen NAME", "specimen=\"NAME\""),
@@ -51,7 +52,8 @@ pub fn in_python(diagnostic: &Diagnostic) -> Diagnostic {
     if is_of_set {
         // Nobody wrote the text that the place is in: it was put together from a path and a value.
         let message = format!("set: {}", sentence(&diagnostic.message));
-        let hint = diagnostic.hint.as_deref().map(sentence);
+        let in_si = if diagnostic.code == Code::MissingUnit { "; a number that is no text is in SI units" } else { "" };
+        let hint = diagnostic.hint.as_deref().map(|hint| sentence(hint) + in_si);
         return Diagnostic { message, hint, place: None, labels: Vec::new(), ..diagnostic.clone() };
     }
     Diagnostic {

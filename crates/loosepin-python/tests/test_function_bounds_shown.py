@@ -25,7 +25,9 @@ def found() -> lp.FunctionBounds:
 def test_selection(found):
     (quantile,) = found.select(output="triple", statistic="quantile", parameter=0.975)
     assert quantile.upper.value == pytest.approx(1.5 + 4.5 * NORMAL.inv_cdf(0.975), abs=3 * SHIFT_TOLERANCE)
-    assert len(found.select(output="sum")) == 3 and found.select(output="product") == []
+    assert len(found.select(output="sum")) == 3 and found.select(output="sum", parameter=3.5 - 0.5)[0].statistic == "probability_above"
+    with pytest.raises(lp.LoosepinValueError, match="no bound has output='product'; must be one of 'sum', 'triple'"):
+        found.select(output="product")
     with pytest.raises(TypeError, match="a bound has no property 'colour'; must be one of output"):
         found.select(colour="red")
 

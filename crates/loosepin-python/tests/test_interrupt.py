@@ -141,3 +141,88 @@ def test_other_threads_run_while_a_study_computes():
     # Were the lock held, the thread would have counted a few times in the ticks of a tenth of a second; a free one counts
     # hundreds of times a second, on a busy machine tens.
     assert after - before > 25 * elapsed_s, (after - before, elapsed_s)
+
+
+LONG_MOTION = """
+import sys
+import loosepin as lp
+
+model = lp.Model.load(sys.argv[1])
+print("running", flush=True)
+try:
+    model.motion()
+except KeyboardInterrupt:
+    print("stopped", flush=True)
+    sys.exit(130)
+"""
+
+LINKAGE = """
+[body.crank{k}]
+mass = "0.3 kg"
+inertia = "2e-4 kg m^2"
+points = {{ main = ["0 mm", "0 mm"], pin = ["68 mm", "0 mm"] }}
+[body.coupler{k}]
+mass = "0.4 kg"
+inertia = "2e-3 kg m^2"
+points = {{ crank_end = ["0 mm", "0 mm"], rocker_end = ["224 mm", "0 mm"] }}
+[body.rocker{k}]
+mass = "0.3 kg"
+inertia = "7e-4 kg m^2"
+points = {{ foot = ["0 mm", "0 mm"], tip = ["143 mm", "0 mm"] }}
+[joint.main{k}]
+kind = "revolute"
+bearing = "ground.crank_pivot"
+journal = "crank{k}.main"
+[joint.pin{k}]
+kind = "revolute"
+bearing = "crank{k}.pin"
+journal = "coupler{k}.crank_end"
+bearing_radius = "10 mm"
+radial_clearance = "0.28 mm"
+contact = "steel"
+[joint.tip{k}]
+kind = "revolute"
+bearing = "rocker{k}.tip"
+journal = "coupler{k}.rocker_end"
+bearing_radius = "9 mm"
+radial_clearance = "0.14 mm"
+contact = "steel"
+[joint.foot{k}]
+kind = "revolute"
+bearing = "ground.rocker_pivot"
+journal = "rocker{k}.foot"
+bearing_radius = "16 mm"
+radial_clearance = "0.09 mm"
+contact = "steel"
+[drive.crank{k}]
+joint = "main{k}"
+speed = "540 rpm"
+start_angle = "205 deg"
+[output.rocker{k}]
+angle_of = "rocker{k}"
+"""
+
+
+def many_linkages(count: int) -> str:
+    """So many four-bars beside each other, with play in three joints each: the worst cases of eight take half a minute."""
+    head = (
+        'name = "many linkages"\n[body.ground]\npoints = { crank_pivot = ["0 mm", "0 mm"], rocker_pivot = ["257 mm", "-15 mm"] }\n'
+        '[contact.steel]\nlaw = "hertz"\nrestitution = 0.9\nyoungs_modulus = "207 GPa"\npoisson_ratio = 0.3\n[cycle]\ndrive = "crank0"\n'
+    )
+    guess = ", ".join(f'rocker{k} = "145 deg"' for k in range(count))
+    return head + f"[assembly]\nguess = {{ {guess} }}\n" + "".join(LINKAGE.format(k=k) for k in range(count))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
+def test_ctrl_c_ends_worst_cases_at_once(tmp_path):
+    path = tmp_path / "model.toml"
+    path.write_text(many_linkages(8), encoding="utf-8")
+    child = subprocess.Popen([sys.executable, "-c", LONG_MOTION, str(path)], stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None and child.stdout.readline() == "running\n"
+    time.sleep(0.7)
+    assert child.poll() is None, "it ended by itself"
+    sent = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    printed, _ = child.communicate(timeout=SOON_S)
+    assert time.monotonic() - sent < AT_ONCE_S
+    assert (child.returncode, printed) == (130, "stopped\n")

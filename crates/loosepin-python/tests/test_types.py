@@ -68,7 +68,12 @@ extremes: tuple[lp.Extreme, ...] = run.extremes
 point: lp.ExtremePoint = extremes[0].maximum
 figure, axes = pyplot.subplots()
 run.plot("slider", ax=axes)
-runs: lp.Simulations[lp.Simulation] = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 3e-4, 5)})
+again: lp.Simulation = model.simulate(start=run, set={"contact.steel_pin.restitution": 0.6})
+again.save("run", force=True)
+stored: lp.Simulation = lp.Simulation.load("run")
+series: dict[str, tuple[NDArray[np.float64], str]] = stored.series()
+runs: lp.Simulations[lp.Simulation] = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 3e-4, 5)}, start=run)
+rows: int = len(runs.to_pandas())
 states: dict[str, lp.BodyStates] = run.states
 orbits: dict[str, lp.Orbit] = run.orbits
 spectra: dict[str, lp.Spectrum] = run.spectra
@@ -79,6 +84,9 @@ moved: lp.OutputMotion = motion["slider"]
 check: lp.Check = model.check()
 section: lp.CheckSection = check["joints"]
 sweep: lp.Sweep = model.sweep("joint.gudgeon.radial_clearance", between=("0.1 mm", 3e-4), points=3)
+sweep.save("sweep")
+motion.save("motion")
+loaded: tuple[lp.Sweep, lp.Motion] = lp.Sweep.load("sweep"), lp.Motion.load("motion")
 swept: lp.SweptJoint = sweep.joints["gudgeon"]
 wear: lp.Wear[lp.Simulation] = model.wear()
 worn: lp.JointWear = wear["gudgeon"]
@@ -87,7 +95,7 @@ lives: dict[str, lp.SurfaceLife] = worn.life
 study: lp.Study = lp.Study.from_dict({"model": model, "seed": None})
 inputs: tuple[lp.StudyInput, ...] = study.inputs
 evaluation: lp.Evaluation = study.evaluate(study.design(np.full((1, 3), 0.5)))
-result: lp.StudyResult = study.run(threads=2)
+result: lp.StudyResult = study.run(threads=2, accuracy={"slider.mean": 1e-6, "slider.quantile": "2 um"}, budget=20_000)
 samples: lp.Samples = result.samples
 bound: lp.Bound = result.bounds[0]
 end: lp.BoundEnd = bound.lower

@@ -3,6 +3,7 @@
 mod control;
 mod drawing;
 mod drawn_joint;
+mod end_state;
 mod life;
 mod measured;
 mod motion_kind;
@@ -20,6 +21,7 @@ pub use drawing::{
     PointReference, PoseTable,
 };
 pub use drawn_joint::{DrawnJointKind, DrawnPin};
+pub use end_state::EndState;
 pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
@@ -102,6 +104,9 @@ pub struct SimulationRecord {
     /// How far flexible bodies bend; empty, and not written, where there are none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bending: Vec<BendingRecord>,
+    /// State at the end, from which another run can continue; absent where the run failed, and in records of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_state: Option<EndState>,
 }
 
 /// How far a flexible body bends.
@@ -216,6 +221,9 @@ pub struct SimulationSettings {
     /// Speed of the drive where it is constant.
     #[serde(with = "extended")]
     pub drive_speed_rad_s: Option<f64>,
+    /// Time at which the run continued another one; absent for a run from the initial state of the model.
+    #[serde(with = "extended", default, skip_serializing_if = "Option::is_none")]
+    pub continued_at_s: Option<f64>,
     /// Turns that were run and thrown away.
     #[serde(with = "extended")]
     pub transient_turns: f64,

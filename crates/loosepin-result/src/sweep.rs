@@ -67,7 +67,7 @@ pub struct SweepPoint {
     pub joints: Vec<SweptJoint>,
 }
 
-/// A joint with play during the turns looked at.
+/// A joint with play during the turns looked at; all numbers are zero where its clearance is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SweptJoint {
     /// Located onsets faster than the floor of the law, a turn.
@@ -80,4 +80,18 @@ pub struct SweptJoint {
     pub peak_force_n: f64,
     /// Largest penetration, m.
     pub largest_penetration_m: f64,
+}
+
+impl SweptJoint {
+    /// In a run in which it has no play: its parts do not part.
+    pub fn without_play() -> Self {
+        let zero = 0.0;
+        Self {
+            impacts_per_turn: zero,
+            flight_share: zero,
+            losses_per_turn: zero,
+            peak_force_n: zero,
+            largest_penetration_m: zero,
+        }
+    }
 }

@@ -49,17 +49,18 @@ pub use recording::controlled_drawing::controlled_drawing;
 pub use recording::drawing::{add_pose, parts, skeleton};
 pub use recording::flight::FlightClock;
 pub use recording::history::{
-    BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
+    BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_from, simulate_poses, simulate_until,
 };
 pub use recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
 pub use recording::tables::{
-    HistoryColumn, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns, spectrum_csv,
+    HistoryColumn, HistoryError, SpectrumColumn, body_states_of_csv, history_columns, history_csv, impacts_csv,
+    spectrum_columns, spectrum_csv,
 };
 pub use repeats::lyapunov::{EXPONENT_TURNS, ExponentPlan, largest_exponent};
 pub use repeats::period::{period_turns, section, section_sizes};
 pub use repeats::trust::{PositionHistory, SecondRun, compare_positions, measure_trust};
 pub use repeats::turns::Turns;
-pub use resume::MotionState;
+pub use resume::{MotionState, StartProblem};
 pub use settings::{Integrator, MAX_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
 pub use start::bending_estimate::{BendingEstimate, estimate_bending};
 pub use stepping::resolution::{SmallestClearance, ToleranceProblem};

@@ -100,6 +100,13 @@ pub struct Window {
     pub end_s: f64,
 }
 
+impl Window {
+    /// The same part of a run that begins at `begins_s` instead of time zero.
+    pub fn later_by(self, begins_s: f64) -> Self {
+        Self { start_s: begins_s + self.start_s, end_s: begins_s + self.end_s }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -59,4 +59,5 @@ pub use written::input_file::{InputFile, InputFileProblem};
 pub use written::inputs::{add_model, add_study, study_inputs};
 pub use written::simulate_command::exact_value;
 pub use written::single_run::{FinishedRun, check_measured, run_and_compare, run_inputs, run_into, witness_run};
+pub use written::stored_records::{RecordFiles, read_record, read_run, run_tables};
 pub use written::texts::{NamedText, StudyTexts, model_from_texts, model_texts};

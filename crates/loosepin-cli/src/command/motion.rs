@@ -1,5 +1,7 @@
 //! `loosepin motion`.
 
+use std::sync::atomic::AtomicBool;
+
 use loosepin::accuracy::record::{MotionRecord, MotionVerdict};
 use loosepin::check::warnings;
 use loosepin::report::{motion_page, motion_text};
@@ -15,7 +17,7 @@ use crate::ending::{Done, Ending};
 pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     warn(warnings(&file));
-    let record = file.motion_answer(&arguments.set)?;
+    let record = file.motion_answer(&arguments.set, &AtomicBool::new(false))?;
     let claim = claim(ResultKind::Motion, &file.model().name, file.motion_inputs(&arguments.set), &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {

@@ -11,11 +11,12 @@ import numpy as np
 
 from . import _loosepin
 from ._objects.arrays import refuse_masked
+from ._objects.errors import refused
 from ._objects.records import Record
 from ._records import Array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StudyInput(Record):
     """An input of a study: one column of a design."""
 
@@ -58,10 +59,10 @@ class InputReader:
         """The table of `inputs`: an array with two dimensions, or a mapping with a number, a text or an array for each input."""
         table = self._of_mapping(inputs) if hasattr(inputs, "items") else self._of_array(inputs)
         if not len(table):
-            raise ValueError("inputs: the design has no runs; give at least one row")
+            raise refused("inputs: the design has no runs; give at least one row", "E0203")
         if not np.isfinite(table).all():
             run, column = (int(place) for place in np.argwhere(~np.isfinite(table))[0])
-            raise ValueError(f"inputs: '{self._names[column]}' is {table[run, column]} in run {run}; must be finite")
+            raise refused(f"inputs: '{self._names[column]}' is {table[run, column]} in run {run}; must be finite", "E0308")
         for name, words in self._laws.items():
             self._check_places(name, words, table[:, self._names.index(name)])
         return table
@@ -70,26 +71,26 @@ class InputReader:
         array = _numbers(inputs, "inputs")
         wanted = len(self._names)
         if array.ndim == 1 and len(array) == wanted:
-            raise ValueError(f"inputs: shape {array.shape}; must be (runs, {wanted})\nhint: for one run write inputs[np.newaxis]")
+            raise refused(f"inputs: shape {array.shape}; must be (runs, {wanted})\nhint: for one run write inputs[np.newaxis]", "E0203")
         if array.ndim != 2 or array.shape[1] != wanted:
             hint = f"the columns are {', '.join(self._names)}"
-            raise ValueError(f"inputs: shape {array.shape}; must be (runs, {wanted}), a column for each input\nhint: {hint}")
+            raise refused(f"inputs: shape {array.shape}; must be (runs, {wanted}), a column for each input\nhint: {hint}", "E0203")
         return np.ascontiguousarray(array)
 
     def _of_mapping(self, inputs: Any) -> Array:
         given = dict(inputs.items())
         for name in given:
             if name not in self._names:
-                raise ValueError(f"inputs: there is no input {name!r}\nhint: {self._meant(name)}")
+                raise refused(f"inputs: there is no input {name!r}\nhint: {self._meant(name)}", "E0405")
         missing = [name for name in self._names if name not in given]
         if missing:
-            raise ValueError(f"inputs: {', '.join(repr(name) for name in missing)} missing\nhint: one number stands for all runs")
+            raise refused(f"inputs: {', '.join(repr(name) for name in missing)} missing\nhint: one number stands for all runs", "E0202")
         columns = {name: self._column(name, given[name]) for name in self._names}
         lengths = {name: len(column) for name, column in columns.items() if column.ndim}
         first = next(iter(lengths), None)
         for name, length in lengths.items():
             if first is not None and length != lengths[first]:
-                raise ValueError(
+                raise refused(
                     f"inputs: '{name}' has {length} values, but '{first}' has {lengths[first]}; must be as many, or one number"
                 )
         table = np.empty((lengths[first] if first is not None else 1, len(self._names)))
@@ -106,7 +107,7 @@ class InputReader:
             return np.array([self._place(name, word) for word in value], dtype=float)
         column = _numbers(value, what)
         if column.ndim > 1:
-            raise ValueError(f"{what}: shape {column.shape}; must be one number, or an array with one dimension")
+            raise refused(f"{what}: shape {column.shape}; must be one number, or an array with one dimension", "E0203")
         if not column.ndim and words is None and np.isfinite(column):
             self._model.check_value(name, float(column))
         return column
@@ -114,7 +115,7 @@ class InputReader:
     def _place(self, name: str, word: str) -> int:
         words = self._laws[name]
         if word not in words:
-            raise ValueError(f"inputs: '{name}' is {word!r}; must be {_one_of(words)}")
+            raise refused(f"inputs: '{name}' is {word!r}; must be {_one_of(words)}", "E0204")
         return words.index(word)
 
     def _check_places(self, name: str, words: tuple[str, ...], column: Array) -> None:
@@ -122,7 +123,7 @@ class InputReader:
         if wrong.any():
             run = int(np.argmax(wrong))
             places = ", ".join(f"{place} for {word}" for place, word in enumerate(words))
-            raise ValueError(f"inputs: '{name}' is {column[run]:g} in run {run}; must be {places}")
+            raise refused(f"inputs: '{name}' is {column[run]:g} in run {run}; must be {places}", "E0204")
 
     def _meant(self, name: Any) -> str:
         near = get_close_matches(str(name), self._names, n=1)
@@ -133,9 +134,9 @@ def read_points(points: Any, names: Sequence[str]) -> Array:
     """Points of the unit cube, a row for each run and a column for each input."""
     array = _numbers(points, "points")
     if array.ndim != 2 or array.shape[1] != len(names):
-        raise ValueError(f"points: shape {array.shape}; must be (runs, {len(names)}), a column for each input")
+        raise refused(f"points: shape {array.shape}; must be (runs, {len(names)}), a column for each input", "E0203")
     if not len(array) or not ((array > 0) & (array < 1)).all():
-        raise ValueError("points: must be at least one row of numbers between 0 and 1, both excluded")
+        raise refused("points: must be at least one row of numbers between 0 and 1, both excluded")
     return np.ascontiguousarray(array)
 
 
@@ -159,7 +160,7 @@ def _numbers(value: Any, what: str) -> Array:
     try:
         array = np.asarray(value)
     except ValueError as error:
-        raise ValueError(f"{what}: {error}") from error
+        raise refused(f"{what}: {error}", "E0203") from error
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{what}: {_dtype_words(array)}; must be numbers in SI units")
     return array.astype(np.float64, copy=False)

@@ -57,7 +57,9 @@ class Evaluation(Record, Mapping[str, Array]):
         """Whether each run failed."""
         self.counters: dict[str, NDArray[Any]] = dict(counters)
         """What else was counted of each run, with the names of `runs.parquet`: `steps`, `evaluations`, `energy_residual`, and for each
-        joint with play `contacts`, `largest_penetration` and `peak_force`."""
+        joint with play `contacts`, `largest_penetration` and `peak_force`. The last is looked for at a few points of each step and may be
+        a few thousandths below the true peak; an output `force_in` with the reduction "maximum" has that. Where the clearance of a joint is
+        zero, it has no contacts, and the others are NaN."""
 
     def __getitem__(self, name: str) -> Array:
         return item_named(self._outputs, name, "output")

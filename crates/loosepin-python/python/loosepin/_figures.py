@@ -30,7 +30,7 @@ def shown(unit: str, display_units: dict[str, Any]) -> tuple[str, float]:
     return (unit, 1.0) if display is None else (display["symbol"], float(display["per_si"]))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Line:
     """An output of a run, or its deviation, over the angle of the drive."""
 

@@ -14,7 +14,9 @@ from ._extras import need
 from ._figures import distribution_figure
 from ._inputs import Input
 from ._objects.arguments import must_be, names_of, texts
+from ._objects.goals import Accuracy, accuracies, run_count
 from ._objects.arrays import frozen, read_only
+from ._objects.errors import refused
 from ._objects.records import Record
 from ._objects.scipy_laws import FrozenDistribution, from_scipy
 from ._objects.seeds import Seed, seed_number
@@ -29,7 +31,7 @@ Statistic = str | Mapping[str, float]
 """A statistic as study files write it, for example "mean", "cdf", {"quantile": 0.975} or {"probability_above": 0.4}."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Band(Record):
     """The central 95 % band of an output by one treatment, and the share of it that really stays inside."""
 
@@ -45,7 +47,7 @@ class Band(Record):
     """The least and the largest probability of staying inside, over what is not known."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Box(Record):
     """Bounds of a distribution function."""
 
@@ -59,7 +61,7 @@ class Box(Record):
     """The largest one."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AccuracyStep(Record):
     """The samples at one step towards an accuracy."""
 
@@ -73,7 +75,7 @@ class AccuracyStep(Record):
     """The largest numerical error over the one that was asked for; 1 or less where all are reached."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AccuracyReached(Record):
     """How an accuracy was approached."""
 
@@ -197,8 +199,8 @@ def bounds(
     extreme: int = 128,
     seed: Seed = 1,
     confidence: float = 0.99,
-    accuracy: float | Mapping[str, float] | None = None,
-    budget: int | None = None,
+    accuracy: Accuracy | None = None,
+    budget: int | str | None = None,
 ) -> FunctionBounds:
     """Bounds of statistics of a function's values, over everything about its inputs that is not known.
 
@@ -226,7 +228,7 @@ def bounds(
     must_be("a number", confidence=confidence)
     names = texts("outputs", outputs)
     if len(set(names)) < len(names):
-        raise ValueError(f"outputs: two have the same name, {', '.join(names)}")
+        raise refused(f"outputs: two have the same name, {', '.join(names)}", "E0206")
     asked = requests(statistics, len(names))
     stated = [(name, from_scipy(name, known)) for name, known in inputs.items()]
     ordered = sorted(stated, key=lambda item: _is_unknown(item[1]))
@@ -250,24 +252,38 @@ def bounds(
     }
     for name, number in runs.items():
         if number < 0:
-            raise ValueError(f"{name} {number}; must be >= 0")
+            raise refused(f"{name} {number}; must be >= 0")
     limits = growth(accuracy, budget, asked, names)
     return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs, limits), names, runs["seed"])
 
 
 def growth(
-    accuracy: float | Mapping[str, float] | None,
-    budget: int | None,
+    accuracy: Accuracy | None,
+    budget: int | str | None,
     asked: list[tuple[int, str, float | None]],
     outputs: list[str],
 ) -> dict[str, Any]:
     """How far the samples may grow: the largest numerical error of each statistic, and the largest number of runs."""
-    must_be("an int or None", budget=budget)
+    budget = run_count(budget)
+    accuracy = _as_numbers(accuracy)
     if budget is not None and accuracy is None:
-        raise ValueError("budget without accuracy; samples grow towards an accuracy only")
+        raise refused("budget without accuracy; samples grow towards an accuracy only", "E0205")
     if budget is not None and budget < 0:
-        raise ValueError(f"budget {budget}; must be >= 0")
+        raise refused(f"budget {budget}; must be >= 0")
     return {"most": _errors_allowed(accuracy, asked, outputs), "budget": budget}
+
+
+def _as_numbers(accuracy: Accuracy | None) -> float | Mapping[str, float] | None:
+    """An accuracy whose texts are read: a function has no units, so they are pure numbers."""
+    if not isinstance(accuracy, (list, tuple, Mapping)):
+        return accuracy  # type: ignore[return-value]
+    numbers: dict[str, Any] = {}
+    for name, most in accuracies(accuracy).items():
+        try:
+            numbers[name] = float(most) if isinstance(most, str) else most
+        except ValueError:
+            raise refused(f"accuracy of '{name}' is {most!r}; must be a number, since a function has no units", "E0301") from None
+    return numbers
 
 
 def _errors_allowed(
@@ -286,12 +302,12 @@ def _errors_allowed(
         must_be("a number", **{f"accuracy of '{name}'": most})
     for name, most in stated.items():
         if not 0 < most < float("inf"):
-            raise ValueError(f"accuracy {most} of '{name}'; must be a number above 0")
+            raise refused(f"accuracy {most} of '{name}'; must be a number above 0")
     of_each = [(f"{outputs[column]}.{statistic}", outputs[column]) for column, statistic, _ in asked]
     known = {name for names in of_each for name in names}
     strangers = [name for name in stated if name not in known]
     if strangers:
-        raise ValueError(f"accuracy of '{strangers[0]}'; must be of {', '.join(sorted(known))}")
+        raise refused(f"accuracy of '{strangers[0]}'; must be of {', '.join(sorted(known))}", "E0405")
     return [stated.get(own, stated.get(output)) for own, output in of_each]
 
 
@@ -325,7 +341,7 @@ def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, s
                 must_be("a number", **{f"statistic '{name}'": parameter})
             asked.extend((name, float(parameter)) for name, parameter in statistic.items())
         else:
-            raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
+            raise refused(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}", "E0203")
     return [(column, *request) for column in range(outputs) for request in asked]
 
 
@@ -338,7 +354,7 @@ def table(returned: Any, rows: int, outputs: list[str]) -> Array:
     if values.ndim == 1:
         values = values[:, np.newaxis]
     if values.shape != (rows, len(outputs)):
-        raise ValueError(
+        raise refused(
             f"the function returned an array of shape {values.shape} for {rows} runs; must be ({rows}, {len(outputs)}), one "
             f"column for each of outputs={outputs}"
         )

@@ -19,7 +19,7 @@ from ._objects.records import Record
 StudyT = TypeVar("StudyT")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Unknown(Record):
     """An input of the study before and after an identification, SI."""
 
@@ -42,7 +42,7 @@ class Unknown(Record):
         return self.after[0] > self.before[0] or self.after[1] < self.before[1]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Posterior(Record):
     """Posterior distribution of an unknown of a motion: prior uniform over the interval of the study."""
 

@@ -23,13 +23,14 @@ from ._notebook.html import simulation_html
 from ._notebook.display import Figure, NotebookDisplay
 from ._objects.arguments import item_named, must_be, paths, settings
 from ._objects.arrays import NoArray, frozen, refuse_taken
+from ._objects.errors import refused
 from ._objects.pickles import check_version, pickled
 from ._objects.records import Record
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array, Extreme, extreme
 from ._mechanism.many_runs import Simulations, simulated
-from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
+from ._mechanism.run_records import STATE_UNITS, BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum, body_states, lyapunov, measured_curves, spectra
 from ._mechanism.sweep import Sweep, swept
 from ._toml import to_toml
 from ._warning import warn
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
 _EVALUATORS = 4
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Output(Record):
     """An output of a model: a number that every run gives at each time."""
 
@@ -57,7 +58,7 @@ class Output(Record):
     """SI unit of its values."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Parameter(Record):
     """A number of a model that `simulate` and `evaluate` can set."""
 
@@ -134,6 +135,7 @@ class Model(NoArray):
         integrator: str = "explicit",
         lyapunov: int | None = None,
         measured: Sequence[str | os.PathLike[str]] = (),
+        start: Simulation | None = None,
     ) -> Simulation:
         """Runs the model once.
 
@@ -144,18 +146,21 @@ class Model(NoArray):
         of a bound is such a mapping.
         integrator: "explicit", or "implicit" for flexible bodies in absolute nodal coordinates. lyapunov: turns, at least 20, over which
         the largest Lyapunov exponent is measured by runs of their own. measured: CSV files of curves that are compared with the outputs,
-        with a header such as "angle [deg], slider [mm]".
+        with a header such as "angle [deg], slider [mm]"; angles are moved by whole turns into the recorded ones, times count from the
+        start of the run, before its transient. start: a run from whose end this one continues, without a transient unless one is given;
+        its time goes on.
 
-        A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
+        The rows include the end of the last turn; `evaluate` leaves it out. A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
         _check_run(turns, transient, samples, tolerance)
         must_be("True or False", states=states, second_run=second_run)
         must_be("a str", integrator=integrator)
         must_be("an int or None", lyapunov=lyapunov)
+        _check_start(start)
         simulation = Simulation(
             self._native.simulate(
                 turns, transient, samples, tolerance, states, second_run, self._settings(set), integrator, lyapunov,
-                paths("measured", measured),
+                paths("measured", measured), None if start is None else start._native,
             )
         )
         warn(simulation._native.warnings)
@@ -175,6 +180,11 @@ class Model(NoArray):
         tolerance: str = "1e-9 m",
         states: bool = False,
         second_run: bool = False,
+        set: Mapping[str, str | float] | None = None,
+        integrator: str = "explicit",
+        lyapunov: int | None = None,
+        measured: Sequence[str | os.PathLike[str]] = (),
+        start: Simulation | None = None,
         threads: int | None = None,
         progress: bool | Listener = True,
     ) -> Simulations[Simulation]:
@@ -183,22 +193,34 @@ class Model(NoArray):
             runs = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 5e-4, 20)}, turns=2)
             runs[3]["slider"], runs.to_xarray()["slider_deviation"]
 
-        inputs: as for `evaluate`. turns to second_run: as for `simulate`. threads, progress: as for `Study.run`. The runs are the same for any number of threads. A run that fails is None, with its reason in `reasons`.
+        inputs: as for `evaluate`. turns to start: as for `simulate`, the same for all runs. threads, progress: as for `Study.run`. The runs
+        are the same for any number of threads. A value that breaks a rule of the model raises LoosepinValueError with its run, before any
+        run is made; a run that fails is None, with its reason in `reasons`.
         """
         _check_run(turns, transient, samples, tolerance)
-        must_be("an int or None", threads=threads)
+        must_be("True or False", states=states, second_run=second_run)
+        must_be("a str", integrator=integrator)
+        must_be("an int or None", threads=threads, lyapunov=lyapunov)
+        _check_start(start)
         numbers, laws = split_laws(self._native, inputs)
         names = tuple(numbers)
         table = InputReader(self._native, names, {}).read(numbers) if numbers else np.empty((1, 0))
         known = {parameter.name: parameter.unit for parameter in self.parameters}
+        shared = dict(set or {}) | laws
+        for name in shared:
+            if name in numbers or (name in laws and set is not None and name in set):
+                raise refused(f"set: '{name}' is one of the inputs as well", "E0409")
+        self._native.check_rows(list(names), table, self._settings(shared))
         sets = [
-            {name: self._native.text_of_value("inputs", name, value) for name, value in zip(names, row, strict=True)} | laws
+            shared | {name: self._native.text_of_value("inputs", name, value) for name, value in zip(names, row, strict=True)}
             for row in table.tolist()
         ]
+        files = paths("measured", measured)
 
         def run(row: int) -> Simulation:
             return self.simulate(
-                turns=turns, transient=transient, samples=samples, tolerance=tolerance, states=states, second_run=second_run, set=sets[row]
+                turns=turns, transient=transient, samples=samples, tolerance=tolerance, states=states, second_run=second_run,
+                set=sets[row], integrator=integrator, lyapunov=lyapunov, measured=files, start=start,
             )
 
         columns = {name: table[:, place] for place, name in enumerate(names)}
@@ -255,16 +277,17 @@ class Model(NoArray):
         *,
         turns: float | None = None,
         transient: float | None = None,
+        samples: int | None = None,
         tolerance: str = "1e-9 m",
         set: Mapping[str, str | float] | None = None,
     ) -> Wear[Simulation]:
         """Runs a cycle, and gives the wear of the joints with `[joint.NAME.wear]` after the cycles of `[wear]`: `loosepin wear`.
 
-        turns: in one cycle. transient: before it; both as the model file says by default. tolerance, set: as for `simulate`, with
+        turns: in one cycle. transient: before it. samples: rows for each turn; all as the model file says by default. tolerance, set: as for `simulate`, with
         {"wear.cycles": "1e6"}. Raises LoosepinError where no joint wears.
         """
         self._native.demand_wear()
-        simulation = self.simulate(turns=turns, transient=transient, tolerance=tolerance, set=set)
+        simulation = self.simulate(turns=turns, transient=transient, samples=samples, tolerance=tolerance, set=set)
         return Wear(simulation)
 
     def check(self) -> Check:
@@ -296,7 +319,9 @@ class Model(NoArray):
         "clearance" or "total"), and behind them a reduction ("maximum", "rms", ...), an angle ("at 1.5 rad"), or nothing for the whole
         curve. Or a mapping from names of your own to such names or to dicts with the keys of `[[ask]]` without statistics: `output`,
         `component`, `of`, and one of `at`, `poses` and `reduce`; the angles of `poses` are a curve.
-        turns, transient, samples: as for `simulate`. tolerance: as in `[sampling]` of a study.
+        turns, transient, samples: as for `simulate`. tolerance: as in `[sampling]` of a study. A curve has an entry for each sample but the
+        end of the last turn, at the angles `pose_rad`, which count from the start angle of the drive; the rows of `simulate` include that
+        end, and their angles count on through the transient.
 
         The ideal motion that "total" and "dimensional" are measured from is that of the model as it is, whatever the inputs; "clearance" is
         measured from the same lengths without play. The runs are those of a study: the same engine, and so are threads, progress, failed
@@ -354,6 +379,11 @@ class Model(NoArray):
         return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
 
 
+def _check_start(start: Any) -> None:
+    if start is not None and not isinstance(start, Simulation):
+        raise TypeError(f"start is a {type(start).__name__}; must be a loosepin.Simulation or None")
+
+
 def _check_run(turns: float | None, transient: float | None, samples: int | None, tolerance: str) -> None:
     must_be("a number or None", turns=turns, transient=transient)
     must_be("an int or None", samples=samples)
@@ -398,6 +428,25 @@ class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
         """
         self.units: dict[str, str] = dict(outputs)
         """SI unit of each output."""
+
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> Simulation:
+        """Reads the finished run in a folder of results, which `save` or `loosepin simulate --out` wrote. Nothing in it is changed.
+
+        Raises LoosepinError if the folder holds no finished run, or one of its files is not as it was written.
+        """
+        must_be("a path", folder=folder)
+        return cls(_loosepin.Simulation.load(os.fspath(folder)))
+
+    def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
+        """Writes the files of `loosepin simulate --out` into a folder: summary.json, history.csv, impacts.csv, report.html and so on.
+
+        force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
+        """
+        must_be("a path", folder=folder)
+        must_be("True or False", force=force)
+        self._native.save(os.fspath(folder), force)
+        return Path(folder)
 
     def __getitem__(self, name: str) -> Array:
         return item_named(self._values, name, "output")
@@ -463,6 +512,27 @@ class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
         """
         return tuple(extreme(record) for record in self.summary["extremes"])
 
+    def series(self) -> dict[str, tuple[Array, str]]:
+        """Each history with its SI unit, by the name that it has in `to_xarray`."""
+        found: dict[str, tuple[Array, str]] = {}
+
+        def add(name: str, values: Array, unit: str) -> None:
+            refuse_taken(name, [*found, "time_s", "drive_angle_rad"])
+            found[name] = (values, unit)
+
+        for suffix, columns in (("", self._values), ("_ideal", self.ideal), ("_deviation", self.deviation)):
+            for name, values in columns.items():
+                add(name + suffix, values, self.units[name])
+        for joint, orbit in self.orbits.items():
+            add(f"{joint}.orbit_x", orbit.x_m, "m")
+            add(f"{joint}.orbit_y", orbit.y_m, "m")
+        for contact, force_n in self.contact_forces_n.items():
+            add(f"{contact}.contact_force", force_n, "N")
+        for body, states in self.states.items():
+            for what, unit in STATE_UNITS.items():
+                add(f"{body}.{what}", getattr(states, what), unit)
+        return found
+
     def to_pandas(self) -> pandas.DataFrame:
         """The history as a DataFrame with the columns of `history.csv`."""
         pandas_ = need("pandas", "to_pandas()")
@@ -470,13 +540,13 @@ class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """The outputs over `time_s` as a Dataset: `slider`, `slider_ideal`, `slider_deviation`; units in the attributes."""
+        """All histories over `time_s` as a Dataset; units in the attributes.
+
+        The outputs are `slider`, `slider_ideal`, `slider_deviation`; the path of a pin in its bearing `gudgeon.orbit_x` and
+        `gudgeon.orbit_y`; the normal force of a contact `gudgeon.contact_force`; states of bodies, if they were recorded, `rod.x_m` and so on.
+        """
         xarray_ = need("xarray", "to_xarray()")
-        variables: dict[str, Any] = {}
-        for suffix, columns in (("", self._values), ("_ideal", self.ideal), ("_deviation", self.deviation)):
-            for name, values in columns.items():
-                refuse_taken(name + suffix, [*variables, "time_s", "drive_angle_rad"])
-                variables[name + suffix] = ("time_s", values, {"units": self.units[name]})
+        variables: dict[str, Any] = {name: ("time_s", values, {"units": unit}) for name, (values, unit) in self.series().items()}
         coordinates = {
             "time_s": ("time_s", self.time_s, {"units": "s"}),
             "drive_angle_rad": ("time_s", self.drive_angle_rad, {"units": "rad"}),

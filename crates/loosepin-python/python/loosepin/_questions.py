@@ -7,6 +7,7 @@ from numbers import Real
 from typing import Any
 
 from . import _loosepin
+from ._objects.errors import refused
 from ._toml import to_toml
 
 Question = str | Mapping[str, Any]
@@ -24,7 +25,7 @@ def named(outputs: Question | Sequence[str] | Mapping[str, Question]) -> dict[st
     else:
         raise TypeError("outputs must be a text, a list of texts, or a mapping from names to texts or dicts")
     if not questions:
-        raise ValueError("outputs is empty; give at least one")
+        raise refused("outputs is empty; give at least one", "E0203")
     for name, question in questions.items():
         if not isinstance(name, str) or not isinstance(question, (str, Mapping)):
             raise TypeError(

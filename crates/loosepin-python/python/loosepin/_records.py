@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._objects.arrays import read_only
+from ._objects.errors import refused
 from ._objects.records import Record
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BoundEnd(Record):
     """One end of a bound, in the unit of the bound."""
 
@@ -33,7 +34,7 @@ class BoundEnd(Record):
     """The values of the unknown inputs that attain it, by path: numbers in SI, laws by name."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Bound(Record):
     """The least and the greatest value of a statistic over all unknown inputs."""
 
@@ -81,7 +82,7 @@ class Bound(Record):
         )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Curve(Record):
     """A deviation over the cycle; all arrays have one entry for each pose, SI, and are read-only."""
 
@@ -105,7 +106,7 @@ class Curve(Record):
     """The band for all values of the unknown inputs, numerical error included."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ExtremePoint(Record):
     """A smallest or largest value of a run, and when it was."""
 
@@ -117,7 +118,7 @@ class ExtremePoint(Record):
     """Angle of the drive, continuous over turns."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Extreme(Record):
     """The smallest and the largest value of an output, or of its deviation, over the recorded time.
 
@@ -205,8 +206,13 @@ def numbers(values: Iterable[Any]) -> Array:
 
 
 def selected(bounds: Iterable[Bound], properties: Mapping[str, Any]) -> list[Bound]:
-    """The bounds with these properties. Raises TypeError for one that no bound has."""
+    """The bounds with these properties. Raises TypeError for a property that no bound has, ValueError for a value that none has."""
+    bounds = tuple(bounds)
     for name in properties:
         if name not in Bound.__annotations__:
             raise TypeError(f"a bound has no property {name!r}; must be one of {', '.join(Bound.__annotations__)}")
+    for name, value in properties.items():
+        known = list(dict.fromkeys(getattr(each, name) for each in bounds if not isinstance(getattr(each, name), BoundEnd)))
+        if known and value not in known:
+            raise refused(f"no bound has {name}={value!r}; must be one of {', '.join(map(repr, known))}", "E0204")
     return [each for each in bounds if all(getattr(each, name) == properties[name] for name in properties)]

@@ -17,6 +17,8 @@ from ._identification import Identification, MotionPlan
 from ._model import Model
 from ._objects.arguments import must_be, settings, texts
 from ._objects.arrays import NoArray
+from ._objects.errors import refused
+from ._objects.goals import Accuracy, stated_accuracies, stated_budget
 from ._objects.logs import long_run
 from ._objects.pickles import check_version
 from ._objects.seeds import seed_number
@@ -102,8 +104,8 @@ class Study(NoArray):
         force: bool = False,
         threads: int | None = None,
         progress: bool | Listener = True,
-        accuracy: Sequence[str] = (),
-        budget: str | None = None,
+        accuracy: Sequence[str] | Mapping[str, float | str] = (),
+        budget: int | str | None = None,
         client: Any = None,
     ) -> StudyResult:
         """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
@@ -112,7 +114,8 @@ class Study(NoArray):
         second, so that nothing is lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
         resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
         progress: True shows a line in a terminal or a notebook; a callable gets (finished, at most) runs.
-        accuracy, budget: in addition to those of the study, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
+        accuracy, budget: in addition to those of the study, for example accuracy=["slider.mean=1 um"] or
+        {"slider.mean": 1e-6} in SI, budget="20000 runs" or 20000.
         client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
         installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
 
@@ -121,16 +124,17 @@ class Study(NoArray):
         must_be("a path or None", folder=folder)
         must_be("True or False", resume=resume, force=force)
         must_be("an int or None", threads=threads)
-        must_be("a str or None", budget=budget)
         if resume and force:
-            raise ValueError("resume and force exclude each other: one keeps the runs in the folder, the other replaces them")
+            raise refused("resume and force exclude each other: one keeps the runs in the folder, the other replaces them", "E0205")
         if resume and folder is None:
-            raise ValueError("resume needs the folder with the runs")
-        accuracies = texts("accuracy", accuracy)
+            raise refused("resume needs the folder with the runs", "E0205")
+        units = {output.name: output.unit for output in self.model.outputs}
+        stated = stated_accuracies(accuracy, units)
+        most = stated_budget(budget)
         place = None if folder is None else os.fspath(folder)
         with long_run(f"study {self.name!r}", listener(progress)) as notify:
-            made = None if client is None else run_provider(client, self._native, tuple(accuracies), budget)
-            native = self._native.run(place, resume, force, threads, notify, accuracies, budget, made)
+            made = None if client is None else run_provider(client, self._native, tuple(stated), most)
+            native = self._native.run(place, resume, force, threads, notify, stated, most, made)
         return StudyResult(native)
 
     def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
@@ -244,8 +248,8 @@ class Study(NoArray):
         statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
         *,
         outputs: Sequence[str] = ("y",),
-        accuracy: float | Mapping[str, float] | None = None,
-        budget: int | None = None,
+        accuracy: Accuracy | None = None,
+        budget: int | str | None = None,
         threads: int | None = None,
         progress: bool | Listener = True,
         client: Any = None,

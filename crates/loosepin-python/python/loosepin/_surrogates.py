@@ -18,7 +18,7 @@ from ._objects.records import Record
 from ._records import Array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SurrogateOutput(Record):
     """A number or curve that surrogates predict."""
 

@@ -1,13 +1,13 @@
 //! What is known of a model or a study before it runs, as the command `loosepin check` says it.
 
 use loosepin::article::{Article, Cell, Content, Medium, Section, Text};
-use loosepin::check::check;
+use loosepin::check::check_until;
 use loosepin::report::article_text;
 use loosepin::study::InputFile;
 use pyo3::prelude::*;
 
 use crate::error::raise;
-use crate::waiting::without_gil;
+use crate::waiting::until_interrupted;
 
 /// A description in sections.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -16,7 +16,7 @@ pub struct Check(Article);
 impl Check {
     /// Moves the mechanism of `file` for the first time, and describes it.
     pub fn of_file(py: Python<'_>, file: InputFile) -> PyResult<Self> {
-        without_gil(py, || check(&file))?.map(Self).map_err(raise)
+        until_interrupted(py, |stop| check_until(&file, stop))?.map(Self).map_err(raise)
     }
 }
 

@@ -5,4 +5,5 @@ pub mod check;
 pub mod motion;
 pub mod simulation;
 pub mod single_run;
+pub mod stored;
 pub mod sweep;

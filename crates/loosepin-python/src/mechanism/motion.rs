@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::report::{mechanism_picture, motion_page, motion_text};
-use loosepin::results::write_whole;
-use loosepin::study::InputFile;
+use loosepin::results::{ResultKind, write_whole};
+use loosepin::study::{InputFile, RecordFiles, read_record};
 use pyo3::prelude::*;
 
 use crate::error::{raise, raise_problem};
+use crate::mechanism::stored;
 use crate::stored_json::{from_pickle, to_json};
-use crate::waiting::without_gil;
+use crate::waiting::until_interrupted;
 
 /// The ideal motion, and the quasi-static effect of play and scatter on it.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -19,7 +20,7 @@ pub struct Motion(MotionRecord);
 impl Motion {
     /// The motion of `file` with the settings `set`, texts `path=value`.
     pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>) -> PyResult<Self> {
-        without_gil(py, || file.motion_answer(&set))?.map(Self).map_err(raise)
+        until_interrupted(py, |stop| file.motion_answer(&set, stop))?.map(Self).map_err(raise)
     }
 }
 
@@ -29,6 +30,25 @@ impl Motion {
     #[staticmethod]
     fn from_json(summary: &str) -> PyResult<Self> {
         from_pickle("motion", summary).map(Self)
+    }
+
+    /// Reads the finished result in a folder.
+    #[staticmethod]
+    fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
+        stored::load(py, folder, |folder| read_record(folder, ResultKind::Motion)).map(Self)
+    }
+
+    /// Writes it into a folder, as the command does.
+    fn save(&self, py: Python<'_>, folder: PathBuf, force: bool) -> PyResult<()> {
+        let record = &self.0;
+        let files = RecordFiles {
+            kind: ResultKind::Motion,
+            name: record.model.clone(),
+            summary: to_json(record)?,
+            tables: Vec::new(),
+            page: motion_page(record),
+        };
+        stored::save(py, &files, folder, force)
     }
 
     /// The text of `summary.json`.

@@ -1,17 +1,22 @@
 //! One run, recorded.
 
+use std::path::PathBuf;
+
 use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::report::{Frame, simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
-use loosepin::simulate::record::{OutputHistory, SimulationRecord};
+use loosepin::results::ResultKind;
+use loosepin::simulate::record::{EndState, OutputHistory, SimulationRecord};
 use loosepin::simulate::{
-    self, BodyStates, SpectrumColumn, history_columns, history_csv, impacts_csv, spectrum_columns,
+    self, BodyStates, SpectrumColumn, StartProblem, history_columns, history_csv, impacts_csv, spectrum_columns,
 };
+use loosepin::study::{RecordFiles, read_run, run_tables};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
 use crate::column::Column;
-use crate::error::{Diagnostic, raise};
+use crate::error::{Diagnostic, raise, raise_problem};
+use crate::mechanism::stored;
 use crate::stored_json::{from_pickle, to_json};
 
 /// Everything that tables and pages are made of.
@@ -45,6 +50,18 @@ impl Simulation {
     }
 }
 
+impl Simulation {
+    /// The state at its end, from which another run can continue.
+    pub fn end_state(&self) -> PyResult<&EndState> {
+        let model = &self.0.record.model;
+        self.0
+            .record
+            .end_state
+            .as_ref()
+            .ok_or_else(|| raise_problem(&StartProblem::NoEndState { model: model.clone() }))
+    }
+}
+
 #[pymethods]
 impl Simulation {
     /// What [`Simulation::from_parts`] makes the same run of.
@@ -60,6 +77,26 @@ impl Simulation {
         let record = from_pickle::<SimulationRecord>("simulation", &json)?;
         let states = states.map(|(bodies, rows)| BodyStates { bodies, rows });
         Ok(Self(RecordedRun { record, states }, None, Vec::new()))
+    }
+
+    /// Reads the finished run in a folder of results.
+    #[staticmethod]
+    fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
+        let (record, states) = stored::load(py, folder, read_run)?;
+        Ok(Self(RecordedRun { record, states }, None, Vec::new()))
+    }
+
+    /// Writes it into a folder, as the command does.
+    fn save(&self, py: Python<'_>, folder: PathBuf, force: bool) -> PyResult<()> {
+        let RecordedRun { record, states } = &self.0;
+        let files = RecordFiles {
+            kind: ResultKind::Simulation,
+            name: record.model.clone(),
+            summary: to_json(record)?,
+            tables: run_tables(record, states.as_ref()),
+            page: simulation_page(record),
+        };
+        stored::save(py, &files, folder, force)
     }
 
     /// Name of the model.

@@ -7,6 +7,7 @@ use loosepin::diagnostics::{self, Diagnostics};
 use loosepin::measured::MeasuredTable;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, SetValues};
+use loosepin::simulate::record::EndState;
 use loosepin::simulate::{Plan, SmallestClearance, ToleranceProblem};
 use loosepin::study::{check_measured, run_and_compare};
 use pyo3::prelude::*;
@@ -21,18 +22,19 @@ pub fn check_tolerance(tolerance_m: f64, smallest: Option<SmallestClearance>) ->
     checked.map(Option::flatten).map_err(|error| raise_problem(&error))
 }
 
-/// Runs `model` with the settings `set` by `plan`, and compares it with the tables of measured curves.
+/// Runs `model` with the settings `set` by `plan`, from `start` or from its initial state, and compares it with the tables of measured curves.
 pub fn simulate(
     py: Python<'_>,
     model: &Model,
     set: &[String],
     plan: &Plan,
+    start: Option<&EndState>,
     measured: &[PathBuf],
 ) -> PyResult<Simulation> {
     let set = model.set_values(set).map_err(raise)?;
     let coarse = check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let stop = AtomicBool::new(false);
-    let work = || simulated(&set, plan, measured, &stop);
+    let work = || simulated(&set, plan, start, measured, &stop);
     let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
     match (raised, outcome) {
         (Some(error), _) => Err(error),
@@ -47,13 +49,19 @@ pub fn simulate(
 /// The run, and why it counts as failed although it came to its end.
 type Simulated = (loosepin::simulate::Simulation, Option<Diagnostics>);
 
-fn simulated(set: &SetValues, plan: &Plan, measured: &[PathBuf], stop: &AtomicBool) -> Result<Simulated, Diagnostics> {
+fn simulated(
+    set: &SetValues,
+    plan: &Plan,
+    start: Option<&EndState>,
+    measured: &[PathBuf],
+    stop: &AtomicBool,
+) -> Result<Simulated, Diagnostics> {
     let measured: Vec<MeasuredTable> =
         measured.iter().map(|path| MeasuredTable::from_path(path)).collect::<Result<_, _>>()?;
     let mechanism =
         Mechanism::new(&set.model, &set.values).map_err(|error| Diagnostics::from(error.diagnostic(&set.model)))?;
     check_measured(&mechanism, &measured)?;
-    let simulation = run_and_compare((&mechanism, set), plan, &measured, stop)?;
+    let simulation = run_and_compare((&mechanism, set), plan, start, &measured, stop)?;
     let failure = simulation.failure.as_ref().map(|failure| failure.diagnostic(&mechanism.model).into());
     Ok((simulation, failure))
 }

@@ -6,15 +6,18 @@ use std::sync::atomic::AtomicBool;
 use loosepin::diagnostics::{self, Code};
 use loosepin::model::Model;
 use loosepin::report::{sweep_page, sweep_text};
-use loosepin::results::write_whole;
-use loosepin::study::Progress;
+use loosepin::results::{ResultKind, write_whole};
+use loosepin::study::{Progress, RecordFiles, read_record};
 use loosepin::sweep::record::SweepRecord;
-use loosepin::sweep::{SweepError, SweepRequest, SweptValues, sweep};
+use loosepin::sweep::{
+    SECTIONS_FILE, SWEEP_FILE, SweepError, SweepRequest, SweptValues, sections_csv, sweep, sweep_csv,
+};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::error::{Diagnostic, of_argument, raise, raise_problem};
 use crate::mechanism::single_run::check_tolerance;
+use crate::mechanism::stored;
 use crate::stored_json::{from_pickle, to_json};
 use crate::waiting::{RunCounts, wait_for};
 
@@ -28,6 +31,25 @@ impl Sweep {
     #[staticmethod]
     fn from_json(summary: &str) -> PyResult<Self> {
         from_pickle("sweep", summary).map(Self)
+    }
+
+    /// Reads the finished result in a folder.
+    #[staticmethod]
+    fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
+        stored::load(py, folder, |folder| read_record(folder, ResultKind::Sweep)).map(Self)
+    }
+
+    /// Writes it into a folder, as the command does.
+    fn save(&self, py: Python<'_>, folder: PathBuf, force: bool) -> PyResult<()> {
+        let record = &self.0;
+        let files = RecordFiles {
+            kind: ResultKind::Sweep,
+            name: record.model.clone(),
+            summary: to_json(record)?,
+            tables: vec![(SWEEP_FILE, sweep_csv(record)), (SECTIONS_FILE, sections_csv(record))],
+            page: sweep_page(record),
+        };
+        stored::save(py, &files, folder, force)
     }
 
     /// The text of `summary.json`.
@@ -59,6 +81,10 @@ impl Sweep {
         let set = model.set_values(request.set).map_err(raise)?;
         let plan = request.plan(model, &set, tolerance_m);
         let plan = plan.map_err(|diagnostic| raise(of_argument(argument_of(request, diagnostic.code), diagnostic)))?;
+        plan.check_values(&set).map_err(|(run, error)| {
+            let argument = format!("{}: run {run}", argument_of(request, Code::BreaksRule));
+            raise(of_argument(&argument, diagnostics::Diagnostic::error(&error, None)))
+        })?;
         let coarse = check_tolerance(tolerance_m, plan.smallest_clearance(&set))?;
         let (stop, counts) = (AtomicBool::new(false), RunCounts::default());
         counts.runs(0, plan.points);

@@ -136,8 +136,8 @@ def test_a_generator_goes_on_and_the_system_is_never_the_same():
 @pytest.mark.parametrize(
     "wrong, kind, text",
     [
-        (-1, ValueError, "^seed -1; must be >= 0$"),
-        (2**64, ValueError, "^seed 18446744073709551616; must be <= 18446744073709551615$"),
+        (-1, ValueError, r"^error\[E0501\]: seed -1; must be >= 0$"),
+        (2**64, ValueError, r"^error\[E0501\]: seed 18446744073709551616; must be <= 18446744073709551615$"),
         (0.5, TypeError, "seed is a float; must be an int, a numpy.random.Generator, a SeedSequence or None"),
         (True, TypeError, "seed is a bool; must be"),
         ("1", TypeError, "seed is a str; must be"),

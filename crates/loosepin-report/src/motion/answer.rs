@@ -13,7 +13,15 @@ use super::verdicts::{verdict_headline, verdict_sentences};
 
 /// Whether play moves an output.
 pub(super) fn has_clearance(output: &OutputMotion) -> bool {
-    output.clearance.first_order_si.iter().any(|value| *value != 0.0)
+    let answer = &output.clearance;
+    answer.first_order_si.iter().chain(&answer.worst_case_si).any(|value| *value != 0.0)
+}
+
+/// Names of the joints with play.
+fn playing_joints(record: &MotionRecord) -> Vec<String> {
+    let contributors = record.outputs.first().map_or(&[][..], |output| &output.clearance.contributors);
+    let playing = contributors.iter().filter(|contributor| contributor.radial_clearance_m > 0.0);
+    playing.map(|contributor| format!("'{}'", contributor.joint)).collect()
 }
 
 /// Whether the scatter of a part moves an output.
@@ -43,14 +51,16 @@ pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         .collect();
     if sentences.is_empty() {
         let is_ideal = !record.outputs.iter().any(has_scatter);
-        let words = if record.outputs.is_empty() {
-            "No output is a position or an angle: no effect of play is shown."
+        let playing = playing_joints(record);
+        sentences.push(if record.outputs.is_empty() {
+            "No output is a position or an angle: no effect of play is shown.".to_owned()
+        } else if !playing.is_empty() {
+            format!("The play of {} moves none of the outputs.", listed(&playing))
         } else if is_ideal {
-            "No joint has play and no part scatters: the motion is ideal."
+            "No joint has play and no part scatters: the motion is ideal.".to_owned()
         } else {
-            "No joint has play."
-        };
-        sentences.push(words.to_owned());
+            "No joint has play.".to_owned()
+        });
     }
     for output in record.outputs.iter().filter(|output| has_scatter(output)) {
         let [most, place] = scatter_words(record, output, writer);

@@ -14,8 +14,12 @@ use super::answer::trusted_run;
 pub(super) fn method_section(record: &SimulationRecord, writer: &NumberWriter) -> Section {
     let settings = &record.settings;
     let speed_rad_s = settings.drive_speed_rad_s;
+    let continued = settings.continued_at_s.map_or_else(String::new, |time_s| {
+        let time = writer.with_tag(&Tag::Given("time of the start")).value_shortest(time_s, &SiUnit::TIME);
+        format!("continued from the end of another run at {time}; ")
+    });
     let cycle = format!(
-        "{} of start-up, then {} recorded, {} samples per {}",
+        "{continued}{} of start-up, then {} recorded, {} samples per {}",
         turns(settings.transient_turns, speed_rad_s, writer),
         turns(settings.recorded_turns, speed_rad_s, writer),
         count(settings.samples_per_turn as u64, &writer.with_tag(&Tag::Given("samples"))),

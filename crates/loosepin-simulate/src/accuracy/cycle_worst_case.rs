@@ -74,7 +74,8 @@ pub(super) fn add_worst_cases(
             let [lowest, highest] = [0, 1].map(|side| row.found[side].deviation_si);
             answer.lowest_si.push(lowest);
             answer.highest_si.push(highest);
-            answer.worst_case_si.push(f64::max(-lowest, highest));
+            // Zero has no sign here.
+            answer.worst_case_si.push(f64::max(-lowest, highest) + 0.0);
             answer.proven_lowest_si.push(row.proven_si[0]);
             answer.proven_highest_si.push(row.proven_si[1]);
         }

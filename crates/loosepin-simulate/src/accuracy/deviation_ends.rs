@@ -13,7 +13,7 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
 use loosepin_result::study::Deviation;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A quantity that may be away from its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,6 +75,20 @@ pub fn deviation_ends(
     limits: &[DimensionLimit],
     questions: &[DeviationQuestion],
 ) -> Result<AllDeviationEnds, AccuracyError> {
+    deviation_ends_until(mechanism, values, (span, positions), (limits, questions), &AtomicBool::new(false))
+}
+
+/// As [`deviation_ends`], until `stop` is set: it is looked at before each position.
+///
+/// # Errors
+/// As for [`super::motion`]; [`AccuracyError::Stopped`].
+pub fn deviation_ends_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    (span, positions): (CycleSpan, usize),
+    (limits, questions): (&[DimensionLimit], &[DeviationQuestion]),
+    stop: &AtomicBool,
+) -> Result<AllDeviationEnds, AccuracyError> {
     if !mechanism.is_driven() {
         return Err(AccuracyError::NotDriven);
     }
@@ -92,7 +106,10 @@ pub fn deviation_ends(
         }
     }
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-    let cycle = Cycle::walk(mechanism, start, &input, positions, &AtomicBool::new(false));
+    let cycle = Cycle::walk(mechanism, start, &input, positions, stop);
+    if stop.load(Ordering::Relaxed) {
+        return Err(AccuracyError::Stopped);
+    }
     let asked = Asked {
         mechanism,
         values,
@@ -101,10 +118,11 @@ pub fn deviation_ends(
         reaches: &reaches,
         dimensions: &dimensions,
         states: &cycle.states,
+        stop,
     };
     let drive_angle_rad: Vec<f64> = cycle.states.iter().map(|state| input.angle_rad(state.time_s())).collect();
     let mut unproven = dimensions.iter().find_map(|(limit, direction)| asked.why_no_line(*limit, direction));
-    let proven = asked.proven(questions, &mut unproven);
+    let proven = asked.proven(questions, &mut unproven)?;
     let ends = questions.iter().zip(proven).map(|(question, proven_si)| {
         let found = [0, 1].map(|side| {
             let far = |row: &usize| [-1.0, 1.0][side] * proven_si[*row][side];
@@ -126,6 +144,7 @@ struct Asked<'c, 'a> {
     reaches: &'c [PlayReach],
     dimensions: &'c [(DimensionLimit, DimensionDirection)],
     states: &'c [IdealMotion<'a>],
+    stop: &'c AtomicBool,
 }
 
 impl Asked<'_, '_> {
@@ -160,16 +179,23 @@ impl Asked<'_, '_> {
     }
 
     /// Proven ends of each question at each position; the first reason where there is none goes to `unproven`.
-    fn proven(&self, questions: &[DeviationQuestion], unproven: &mut Option<String>) -> Vec<Vec<[f64; 2]>> {
+    ///
+    /// # Errors
+    /// It was stopped.
+    fn proven(
+        &self,
+        questions: &[DeviationQuestion],
+        unproven: &mut Option<String>,
+    ) -> Result<Vec<Vec<[f64; 2]>>, AccuracyError> {
         const NOTHING: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
         let mut ends = vec![vec![NOTHING; self.states.len()]; questions.len()];
         if unproven.is_some() {
-            return ends;
+            return Ok(ends);
         }
         let steps = driven_steps(self.mechanism, self.sample, self.states);
         let Some(steps) = steps else {
             *unproven = Some("a drive does not run at constant speed".to_owned());
-            return ends;
+            return Ok(ends);
         };
         // Without play for what lengths do alone.
         for has_play in [true, false] {
@@ -198,6 +224,9 @@ impl Asked<'_, '_> {
                 readings.clone(),
             );
             for (row, state) in self.states.iter().enumerate() {
+                if self.stop.load(Ordering::Relaxed) {
+                    return Err(AccuracyError::Stopped);
+                }
                 let enclosed = encloser.enclose(state.coordinates());
                 let over = overhanging(self.mechanism, self.sample, self.reaches, state.kinematics())
                     .next()
@@ -223,7 +252,7 @@ impl Asked<'_, '_> {
                 }
             }
         }
-        ends
+        Ok(ends)
     }
 
     fn value(&self, reading: Position, state: &IdealMotion<'_>) -> f64 {

@@ -25,11 +25,15 @@ mod worst_case;
 pub use check::{check_quasi_static, quasi_static_check};
 pub use deviation_ends::{
     AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, FoundDeviation, deviation_ends,
+    deviation_ends_until,
 };
 pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
-pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases};
+pub use motion::{
+    MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases,
+    motion_with_worst_cases_until,
+};
 pub use play_reach::PlayReach;
 pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};

@@ -95,7 +95,20 @@ pub fn motion_with_worst_cases(
     values: &Values,
     plan: &MotionPlan,
 ) -> Result<MotionRecord, AccuracyError> {
-    motion_with(mechanism, values, plan, &AtomicBool::new(false), true)
+    motion_with_worst_cases_until(mechanism, values, plan, &AtomicBool::new(false))
+}
+
+/// As [`motion_with_worst_cases`], until `stop` is set: it is looked at before each position.
+///
+/// # Errors
+/// As for [`motion`]; [`AccuracyError::Stopped`].
+pub fn motion_with_worst_cases_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &MotionPlan,
+    stop: &AtomicBool,
+) -> Result<MotionRecord, AccuracyError> {
+    motion_with(mechanism, values, plan, stop, true)
 }
 
 fn motion_with(

@@ -91,7 +91,8 @@ fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(),
         Abscissa::Time => Dimension::TIME,
         Abscissa::DriveAngle => Dimension::ANGLE,
     };
+    let is_early_time = table.abscissa == Abscissa::Time && at_si[row] < from;
     let [found, from, to] = format_apart([at_si[row], from, to], dimension);
-    let problem = MeasuredProblem::OutsideRecord { name: table.name.clone(), found, from, to };
+    let problem = MeasuredProblem::OutsideRecord { name: table.name.clone(), found, from, to, is_early_time };
     Err(Diagnostic::error(&problem, Some(Place::new(&table.source, table.places[row]))).into())
 }

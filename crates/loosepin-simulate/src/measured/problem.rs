@@ -103,9 +103,18 @@ problems! {
             from: String,
             /// End of the record.
             to: String,
+            /// Whether it is a time before the record, which begins after the turns of start-up.
+            is_early_time: bool,
         } => Code::MeasuredOutside,
             says("{name} {found} is outside the recorded range, {from} to {to}"),
-            hint("record more turns with --turns, or shorten the table");
+            hint("{}", if *is_early_time {
+                format!(
+                    "times count from the start of the run, and turns of start-up are not recorded: run without them (--transient 0), or \
+                     add {from} to the times of the table"
+                )
+            } else {
+                "record more turns with --turns, or shorten the table".to_owned()
+            });
         /// A file that is no table.
         NoTable { reason: String } => Code::MeasuredTable,
             says("the file cannot be read as a table: {reason}");

@@ -1,10 +1,11 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
-use crate::engine::{least_evaluations, longest_step_s, run};
+use crate::engine::{least_evaluations, longest_step_s, run_from};
 use crate::failure::RunFailure;
 use crate::ideal::column::columns;
 use crate::ideal::reference::IdealReference;
 use crate::input_files::input_files;
+use crate::lanes::batch::CompiledCodeCache;
 use crate::observer::{Observer, Onset, Separation, Step};
 use crate::recording::bending::BendingRecorder;
 use crate::recording::column_reader::{ColumnReader, Ideal};
@@ -18,6 +19,7 @@ use crate::repeats::lyapunov::{ExponentPlan, largest_exponent};
 use crate::repeats::sections::SectionRecorder;
 use crate::repeats::trust::{PositionHistory, measure_trust};
 use crate::repeats::turns::Turns;
+use crate::resume::MotionState;
 use crate::settings::{Integrator, Settings, Window};
 use crate::stepping::motion::EnergyTotals;
 use crate::stepping::search::maximum_within;
@@ -156,7 +158,22 @@ pub fn simulate_until(
     plan: &Plan,
     stop: &AtomicBool,
 ) -> Result<Simulation, RunFailure> {
-    record_until(mechanism, values, plan, Extremes::Sought, stop)
+    simulate_from(mechanism, values, plan, None, stop)
+}
+
+/// As [`simulate_until`], from the state at the end of another run, whose time goes on; from the initial state of the model where there is
+/// none. Turns before those that are recorded, where the plan has any, are run from there.
+///
+/// # Errors
+/// As for [`simulate_until`].
+pub fn simulate_from(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &Plan,
+    start: Option<&MotionState>,
+    stop: &AtomicBool,
+) -> Result<Simulation, RunFailure> {
+    record_until(mechanism, values, plan, (start, Extremes::Sought), stop)
 }
 
 /// As [`simulate`], for callers that need the poses and the paths of journals alone: extremes of outputs are not sought between the
@@ -165,7 +182,7 @@ pub fn simulate_until(
 /// # Errors
 /// As for [`simulate`].
 pub fn simulate_poses(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
-    record_until(mechanism, values, plan, Extremes::LeftOut, &AtomicBool::new(false))
+    record_until(mechanism, values, plan, (None, Extremes::LeftOut), &AtomicBool::new(false))
 }
 
 /// Whether the extremes of outputs are sought within every step.
@@ -179,7 +196,7 @@ fn record_until(
     mechanism: &Mechanism,
     values: &Values,
     plan: &Plan,
-    sought: Extremes,
+    (start, sought): (Option<&MotionState>, Extremes),
     stop: &AtomicBool,
 ) -> Result<Simulation, RunFailure> {
     let mut sample = Sample::new(mechanism, values)?;
@@ -187,7 +204,8 @@ fn record_until(
     if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
         return Err(RunFailure::NothingIsFree);
     }
-    let window = plan.window(mechanism, values)?;
+    let begins_s = start.map_or(0.0, |start| start.at_s(mechanism, &sample));
+    let window = plan.window(mechanism, values)?.later_by(begins_s);
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
     let input = input(mechanism, values, plan.cycle.span)?;
     if mechanism.is_driven() {
@@ -207,12 +225,14 @@ fn record_until(
         recorder.extremes = ExtremeRecorder::new(0);
     }
     let mut watched = StoppableObserver { observer: &mut recorder, stop };
-    let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
+    let mut code = CompiledCodeCache::default();
+    let report = run_from(mechanism, &sample, (&window, &plan.settings), start.cloned(), &mut code, &mut watched)?;
     if let Some(failure) = recorder.reader.failure {
         return Err(failure.into());
     }
     let wear = recorder.wear.records(mechanism, &report)?;
     let positions = recorder.positions.take();
+    let end_state = MotionState::record(mechanism, &sample, values, (recorder.end.as_ref(), window.end_s));
     let mut simulation = recorder.into_simulation(&sample, plan, report, wear);
     // All of it is kept: whoever asked may want to see what went wrong.
     if let Err(failure) = simulation.report.check_energy(&mechanism.model) {
@@ -222,14 +242,21 @@ fn record_until(
     if simulation.failure.is_some() {
         return Ok(simulation);
     }
+    simulation.record.end_state = Some(end_state);
+    if start.is_some() {
+        // No command has such a start.
+        simulation.record.settings.continued_at_s = Some(begins_s);
+        simulation.record.repeat = Repeat::default();
+    }
     if let Some(positions) = &positions {
         let (run, window) = ((mechanism, &sample), (&window, input.turn_s()));
-        simulation.record.trust = measure_trust(run, window, &plan.settings, (positions, &simulation.report), stop)?;
+        simulation.record.trust =
+            measure_trust(run, window, &plan.settings, (start, positions, &simulation.report), stop)?;
     }
     if let Some(turns) = plan.lyapunov_turns {
         let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
         let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
-        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent, stop)?);
+        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent, start, stop)?);
     }
     Ok(simulation)
 }
@@ -264,6 +291,8 @@ struct Recorder<'a> {
     bending: BendingRecorder,
     /// What a second run is compared with, where there is one.
     positions: Option<PositionHistory>,
+    /// State at the end, where the motion was integrated.
+    end: Option<MotionState>,
     has_dampers: bool,
 }
 
@@ -312,6 +341,7 @@ impl<'a> Recorder<'a> {
             wear: WearRecorder::new(mechanism, values),
             bending: BendingRecorder::new(mechanism),
             positions,
+            end: None,
             has_dampers: mechanism.has_dampers(),
             reader,
         }
@@ -458,6 +488,7 @@ impl<'a> Recorder<'a> {
             settings: SimulationSettings {
                 drive: self.input.name.clone(),
                 drive_speed_rad_s: self.input.is_drive.then_some(self.input.speed_rad_s),
+                continued_at_s: None,
                 transient_turns: plan.cycle.transient_turns,
                 recorded_turns: plan.cycle.recorded_turns,
                 samples_per_turn: plan.cycle.samples_per_turn,
@@ -509,6 +540,7 @@ impl<'a> Recorder<'a> {
             wear,
             life: self.wear.life_record(self.mechanism),
             bending: self.bending.records(self.mechanism),
+            end_state: None,
         };
         Simulation { record, states: self.states, report, failure: None }
     }
@@ -560,6 +592,9 @@ impl Observer for Recorder<'_> {
         self.bending.step(step);
         if let Some(positions) = &mut self.positions {
             positions.step(step);
+        }
+        if step.end_s >= self.window.end_s {
+            self.end = step.last_state();
         }
     }
 

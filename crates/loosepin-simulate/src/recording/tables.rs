@@ -2,6 +2,7 @@
 
 use crate::recording::history::BodyStates;
 use loosepin_result::simulation::{OutputHistory, SimulationRecord, Spectrum};
+use loosepin_text::diagnostics::{Code, problems};
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -72,6 +73,52 @@ pub fn history_csv(record: &SimulationRecord, states: Option<&BodyStates>) -> St
         text.push('\n');
     }
     text
+}
+
+/// Numbers of a body in a row of [`BodyStates`].
+const NUMBERS_OF_A_BODY: usize = 9;
+
+problems! {
+    /// Why the text of a `history.csv` is not that of a run.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum HistoryError {
+        /// Columns of bodies that do not come in groups.
+        Columns { found: usize } => Code::NoResults,
+            says("it has {found} columns of bodies; must be nine for each");
+        /// A row that is no row of numbers.
+        Row { row: usize } => Code::NoResults,
+            says("row {row} is not a row of numbers");
+        /// Other rows than those of the summary.
+        Rows { found: usize, expected: usize } => Code::NoResults,
+            says("it has {found} rows; must be {expected}, as in the summary");
+    }
+}
+
+/// The states of bodies in the text of the `history.csv` of `record`; `None` if they were not recorded.
+///
+/// # Errors
+/// The text is not what [`history_csv`] writes.
+pub fn body_states_of_csv(text: &str, record: &SimulationRecord) -> Result<Option<BodyStates>, HistoryError> {
+    let others = history_columns(record, None).len();
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().unwrap_or_default().split(',').skip(others).collect();
+    if names.is_empty() {
+        return Ok(None);
+    }
+    let of_positions = names[..names.len() / 3].iter();
+    let bodies: Vec<String> = of_positions.filter_map(|name| name.strip_suffix(".x_m")).map(str::to_owned).collect();
+    if bodies.len() * NUMBERS_OF_A_BODY != names.len() {
+        return Err(HistoryError::Columns { found: names.len() });
+    }
+    let row = |(row, line): (usize, &str)| {
+        let numbers: Result<Vec<f64>, _> = line.split(',').skip(others).map(str::parse).collect();
+        numbers.ok().filter(|numbers| numbers.len() == names.len()).ok_or(HistoryError::Row { row: row + 1 })
+    };
+    let rows = lines.enumerate().map(row).collect::<Result<Vec<_>, _>>()?;
+    if rows.len() != record.time_s.len() {
+        return Err(HistoryError::Rows { found: rows.len(), expected: record.time_s.len() });
+    }
+    Ok(Some(BodyStates { bodies, rows }))
 }
 
 /// `impacts.csv`: one impact a row, in the order of time. An empty separation speed: the run ended in contact.

@@ -58,7 +58,7 @@ const MIN_GROWTH: f64 = 6.9;
 /// meet quickly, it is put back to d0 along the direction in which it is then. λ is the mean of ln(d1/d0) over the turns, its
 /// standard error that of the means of 20 batches of turns. Coordinates, rates and deflections of bristles count, each over its
 /// natural scale (a radian or the size of the mechanism, times the rate of the fastest drive); the speed at which a contact began
-/// goes along. Turns in which the direction settles are not counted: a tenth of those that are, at least five.
+/// goes along. The run begins from `start`, the end of another one, or from the initial state. Turns in which the direction settles are not counted: a tenth of those that are, at least five.
 ///
 /// # Errors
 /// A mechanism that follows its drives alone has no neighbours; a run that failed, or was stopped by `stop`.
@@ -66,15 +66,16 @@ pub fn largest_exponent(
     mechanism: &Mechanism,
     sample: &Sample<f64>,
     plan: &ExponentPlan,
+    start: Option<&MotionState>,
     stop: &AtomicBool,
 ) -> Result<LyapunovRecord, RunFailure> {
     if mechanism.is_ideal() {
         return Err(RunFailure::NothingIsFree);
     }
     let aligning = (plan.turns / 10).max(5);
-    let start_s = plan.transient_turns * plan.turn_s;
+    let start_s = start.map_or(0.0, |start| start.at_s(mechanism, sample)) + plan.transient_turns * plan.turn_s;
     let at_s = |turn: u32| start_s + f64::from(turn) * plan.turn_s;
-    let mut pair = Pair::new(mechanism, sample, plan, [start_s, at_s(aligning + plan.turns)], stop)?;
+    let mut pair = Pair::new((mechanism, sample), plan, start, [start_s, at_s(aligning + plan.turns)], stop)?;
     for turn in 0..aligning {
         pair.follow_turn(at_s(turn), at_s(turn + 1))?;
     }
@@ -139,9 +140,9 @@ struct Pair<'a> {
 
 impl<'a> Pair<'a> {
     fn new(
-        mechanism: &'a Mechanism,
-        sample: &'a Sample<f64>,
+        (mechanism, sample): (&'a Mechanism, &'a Sample<f64>),
         plan: &ExponentPlan,
+        start: Option<&MotionState>,
         [start_s, end_s]: [f64; 2],
         stop: &'a AtomicBool,
     ) -> Result<Self, RunFailure> {
@@ -167,8 +168,11 @@ impl<'a> Pair<'a> {
         let flight = vec![PlayState::flight(); mechanism.contacts.len()];
         let mut run = MotionState::new(&motion.layout, &first, 0.0, flight);
         let mut kept = CompiledCodeCache::default();
-        if start_s > 0.0 {
-            run = go_on((mechanism, sample), &plan.settings, None, start_s, &mut kept, stop)?;
+        if let Some(start) = start {
+            run = start.clone();
+        }
+        if start_s > run.time_s(&motion.layout) {
+            run = go_on((mechanism, sample), &plan.settings, start, start_s, &mut kept, stop)?;
         }
         let mut neighbour = run.clone();
         // Any direction does that is not at right angles to the one that grows fastest: shares of the golden ratio.

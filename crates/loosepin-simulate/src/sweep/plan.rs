@@ -6,7 +6,7 @@ use crate::{
     Settings, SmallestClearance, Turns, Window, columns, input, period_turns, run_batch, section_sizes,
 };
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRange, Values};
+use loosepin_mechanics::model::{PlayId, QuantityError, QuantityId, SetValues, SettingRange, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
@@ -73,12 +73,49 @@ impl SweepPlan {
         Mechanism::new(&set.model, &values).map_err(|error| error.diagnostic(&set.model))
     }
 
+    /// Checks the values of all runs against the rules of the model.
+    ///
+    /// # Errors
+    /// The number of the first run that breaks one, and the rule.
+    pub fn check_values(&self, set: &SetValues) -> Result<(), (usize, QuantityError)> {
+        (0..self.points).try_for_each(|index| self.values(set, index).map(drop).map_err(|error| (index, error)))
+    }
+
+    /// Numbers of the runs whose joints with play are those of `mechanism`, and of the others by theirs: where a clearance is zero, a joint
+    /// has none. Values that the model does not allow are with the first, and their runs fail.
+    fn by_plays(&self, mechanism: &Mechanism, set: &SetValues) -> (Vec<usize>, Vec<OtherPlays>) {
+        let (mut own, mut others): (Vec<usize>, Vec<OtherPlays>) = (Vec::new(), Vec::new());
+        for index in 0..self.points {
+            let Ok(values) = self.values(set, index) else {
+                own.push(index);
+                continue;
+            };
+            let plays: Vec<PlayId> = set.model.plays().filter(|&play| set.model.has_play(play, &values)).collect();
+            if plays == mechanism.plays {
+                own.push(index);
+            } else if let Some(other) = others.iter_mut().find(|other| other.plays == plays) {
+                other.indices.push(index);
+            } else {
+                others.push(OtherPlays { plays, values, indices: vec![index] });
+            }
+        }
+        (own, others)
+    }
+
     /// The smallest clearance of all runs; `None` if no joint has play in any.
     pub fn smallest_clearance(&self, set: &SetValues) -> Option<SmallestClearance> {
         let of_runs =
             (0..self.points).filter_map(|index| SmallestClearance::of(&set.model, &self.values(set, index).ok()?));
         of_runs.min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
     }
+}
+
+/// Runs that have other joints with play than the mechanism of most runs.
+struct OtherPlays {
+    plays: Vec<PlayId>,
+    /// Values of the first of them.
+    values: Values,
+    indices: Vec<usize>,
 }
 
 problems! {
@@ -103,7 +140,8 @@ problems! {
     }
 }
 
-/// Runs `mechanism` for every value of `plan`, the other values as in `set`. The result is the same for any number of threads.
+/// Runs `mechanism` for every value of `plan`, the other values as in `set`. The result is the same for any number of threads. Values for
+/// which other joints have play are runs of mechanisms of their own.
 ///
 /// `heard` is told how many runs are finished.
 ///
@@ -119,14 +157,33 @@ pub fn sweep(
 ) -> Result<SweepRecord, SweepError> {
     let outputs: Vec<Column> =
         columns(&mechanism.model).into_iter().filter(|column| column.reading.is_position()).collect();
-    let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs, stop };
+    let (own, others) = plan.by_plays(mechanism, set);
+    let model = &mechanism.model;
+    let is_playing =
+        |play: &PlayId| mechanism.plays.contains(play) || others.iter().any(|other| other.plays.contains(play));
+    let joints: Vec<PlayId> = model.plays().filter(is_playing).collect();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|source| SweepError::Threads { source })?;
-    let (taken, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let parts: Vec<Vec<(usize, SweepPoint)>> = pool.install(|| {
-        (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard)).collect()
-    });
-    let mut points: Vec<(usize, SweepPoint)> = parts.into_iter().flatten().collect();
+    let finished = AtomicUsize::new(0);
+    let mut points: Vec<(usize, SweepPoint)> = Vec::with_capacity(plan.points);
+    let mut run = |mechanism: &Mechanism, indices: &[usize]| {
+        let ideal = mechanism.without_play();
+        let runs = SweepRuns { mechanism, ideal, set, plan, indices, joints: &joints, outputs: &outputs, stop };
+        let taken = AtomicUsize::new(0);
+        let parts: Vec<Vec<(usize, SweepPoint)>> = pool.install(|| {
+            (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard)).collect()
+        });
+        points.extend(parts.into_iter().flatten());
+    };
+    run(mechanism, &own);
+    let mut not_compiled: Vec<(usize, String)> = Vec::new();
+    for OtherPlays { values, indices, .. } in &others {
+        match Mechanism::new(model, values) {
+            Ok(mechanism) => run(&mechanism, indices),
+            Err(error) => not_compiled.extend(indices.iter().map(|&index| (index, error.to_string()))),
+        }
+    }
+    points.extend(not_compiled.into_iter().map(|(index, reason)| (index, failed(plan.value_si(index), reason))));
     if points.len() < plan.points {
         return Err(SweepError::Interrupted { finished: points.len(), runs: plan.points });
     }
@@ -138,7 +195,6 @@ pub fn sweep(
             reason: reason.into_iter().next().unwrap_or_default(),
         });
     }
-    let model = &mechanism.model;
     let quantity = &model.quantities[plan.range.id];
     let cycle = model.cycle_input(&set.values);
     Ok(SweepRecord {
@@ -157,18 +213,22 @@ pub fn sweep(
             .into_iter()
             .map(|column| SweptOutput { name: column.name, words: column.words, unit: column.unit })
             .collect(),
-        joints: mechanism.plays.iter().map(|&play| model.play_name(play).to_owned()).collect(),
+        joints: joints.iter().map(|&play| model.play_name(play).to_owned()).collect(),
         points,
         display_units: model.shown_in(DisplayUnits::default()),
     })
 }
 
-/// Mechanism, plan and counts that all runs share.
+/// Mechanism and plan that runs share.
 struct SweepRuns<'a> {
     mechanism: &'a Mechanism,
     ideal: Mechanism,
     set: &'a SetValues,
     plan: &'a SweepPlan,
+    /// Numbers of these runs among all.
+    indices: &'a [usize],
+    /// Joints that have play in any run.
+    joints: &'a [PlayId],
     outputs: &'a [Column],
     stop: &'a AtomicBool,
 }
@@ -208,12 +268,19 @@ impl SweepRuns<'_> {
             return Err(failure.into());
         }
         let window = run.turns().window;
-        let joints = report.plays.iter().enumerate().map(|(index, play)| SweptJoint {
-            impacts_per_turn: (play.contacts - play.floored_contacts) as f64 / f64::from(self.plan.recorded_turns),
-            flight_share: run.flight.share(index, window.end_s),
-            losses_per_turn: run.flight.losses(index) as f64 / f64::from(self.plan.recorded_turns),
-            peak_force_n: play.peak_force_n,
-            largest_penetration_m: play.largest_penetration_m,
+        let turns = f64::from(self.plan.recorded_turns);
+        let joints = self.joints.iter().map(|joint| {
+            let own = self.mechanism.plays.iter().position(|play| play == joint);
+            let Some((index, play)) = own.and_then(|index| Some((index, report.plays.get(index)?))) else {
+                return SweptJoint::without_play();
+            };
+            SweptJoint {
+                impacts_per_turn: (play.contacts - play.floored_contacts) as f64 / turns,
+                flight_share: run.flight.share(index, window.end_s),
+                losses_per_turn: run.flight.losses(index) as f64 / turns,
+                peak_force_n: play.peak_force_n,
+                largest_penetration_m: play.largest_penetration_m,
+            }
         });
         let period = period_turns(&run.sections, &run.sizes);
         Ok(SweepPoint {
@@ -224,16 +291,11 @@ impl SweepRuns<'_> {
             sections_si: run.sections_si,
         })
     }
+}
 
-    fn failed(&self, index: usize, failure: &RunFailure) -> SweepPoint {
-        SweepPoint {
-            value_si: self.plan.value_si(index),
-            failure: Some(failure.to_string()),
-            period_turns: None,
-            sections_si: Vec::new(),
-            joints: Vec::new(),
-        }
-    }
+/// The point of a run that failed.
+fn failed(value_si: f64, reason: String) -> SweepPoint {
+    SweepPoint { value_si, failure: Some(reason), period_turns: None, sections_si: Vec::new(), joints: Vec::new() }
 }
 
 /// Values that wait, and points that are finished.
@@ -247,7 +309,7 @@ struct SweepQueue<'q> {
 
 impl SweepQueue<'_> {
     fn push(&mut self, index: usize, outcome: Result<SweepPoint, RunFailure>) {
-        let point = outcome.unwrap_or_else(|failure| self.runs.failed(index, &failure));
+        let point = outcome.unwrap_or_else(|failure| failed(self.runs.plan.value_si(index), failure.to_string()));
         self.points.push((index, point));
         (self.heard)(self.finished.fetch_add(1, Ordering::Relaxed) + 1);
     }
@@ -258,8 +320,8 @@ impl<'q> Queue for SweepQueue<'q> {
 
     fn next(&mut self) -> Option<Run<TurnsRecorder<'q>>> {
         loop {
-            let index = self.taken.fetch_add(1, Ordering::Relaxed);
-            if index >= self.runs.plan.points || self.runs.stop.load(Ordering::Relaxed) {
+            let index = *self.runs.indices.get(self.taken.fetch_add(1, Ordering::Relaxed))?;
+            if self.runs.stop.load(Ordering::Relaxed) {
                 return None;
             }
             match self.runs.prepare(index) {

@@ -89,8 +89,12 @@ impl SweepRequest<'_> {
 /// The ends of values that are listed, each checked by itself.
 fn listed_range(model: &Model, path: &str, values_si: &[f64]) -> Result<SettingRange, Diagnostic> {
     let id = model.find(path).map_err(|error| Diagnostic::error(&SettingError::from(error), None))?;
-    for &value_si in values_si {
-        model.quantities[id].check(value_si).map_err(|error| Diagnostic::error(&error, None))?;
+    for (run, &value_si) in values_si.iter().enumerate() {
+        let checked = model.quantities[id].check(value_si);
+        checked.map_err(|error| {
+            let diagnostic = Diagnostic::error(&error, None);
+            Diagnostic { message: format!("run {run}: {}", diagnostic.message), ..diagnostic }
+        })?;
     }
     let least = values_si.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -139,6 +139,15 @@ impl StudyResponse {
     /// # Errors
     /// The nominal mechanism has no ideal motion over the recorded part.
     pub fn new(study: &Study) -> Result<Self, PrepareError> {
+        Self::with_plays(study, &[])
+    }
+
+    /// As [`Self::new`], with the joints with play that the values `at` of inputs give. All else is that of the nominal mechanism: what
+    /// deviations are measured against, and the columns.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub(crate) fn with_plays(study: &Study, at: &[(QuantityId, f64)]) -> Result<Self, PrepareError> {
         let middle: Vec<(QuantityId, f64)> = study
             .epistemic
             .iter()
@@ -161,9 +170,11 @@ impl StudyResponse {
         // The drawing is at its own temperature, whatever the file and the study say of the parts in use.
         let drawing = study.model.quantities.at_drawing(&nominal);
         let models = models_with_laws(study)?;
-        let mechanisms = models.iter().map(|model| Mechanism::new(model, &nominal));
+        let compiled_at = study.model.quantities.evaluate(&[&middle[..], at].concat())?;
+        let mechanisms = models.iter().map(|model| Mechanism::new(model, &compiled_at));
         let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
         let mechanism = &mechanisms[0];
+        let of_drawing = if at.is_empty() { mechanism.clone() } else { Mechanism::new(&models[0], &nominal)? };
         let nominal_input = study.model.input(study.cycle.span, &nominal);
         let plan = ColumnPlan::new(study, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
         if plan.columns.len() > MAX_COLUMNS {
@@ -172,7 +183,7 @@ impl StudyResponse {
         check_poses(study, &plan)?;
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
-        let nominal_ideal = Sample::new(mechanism, &drawing).map_err(RunFailure::from)?.without_play();
+        let nominal_ideal = Sample::new(&of_drawing, &drawing).map_err(RunFailure::from)?.without_play();
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
         // Where all motion is solved there are no steps with a dense output.
         let turns = (study.cycle.recorded_turns, !mechanism.is_ideal());

@@ -2,7 +2,7 @@
 
 use crate::drafts::progress::Progress;
 use crate::error::StudyError;
-use crate::file::{EpistemicSubject, MAX_RUNS, Study};
+use crate::file::{EpistemicInput, EpistemicSubject, MAX_RUNS, Study};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::recorded_output::RecordedOutput;
@@ -11,10 +11,11 @@ use crate::runs::evaluate::{RunOutcome, Work, evaluate_into};
 use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use crate::runs::table::{ExtraColumns, RunColumn};
 use loosepin_bounds::{Problem, Purpose, RunInputs};
-use loosepin_mechanics::model::Values;
+use loosepin_mechanics::model::{PlayId, QuantityError, QuantityId, Values};
 use loosepin_simulate::SmallestClearance;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Runs that one thread makes side by side at least: with fewer, another thread compiles more than it runs.
 const MIN_RUNS_PER_THREAD: usize = 8;
@@ -26,11 +27,19 @@ const BYTES_PER_RUN: usize = 400;
 const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 
 /// A compiled study, and its runs at any inputs. A run has the same bits whatever stands in the other rows, for any number of threads.
+///
+/// Where clearances of a run are zero, other joints have play than in the model: such runs are of a mechanism of their own, with the same
+/// ideal motion.
 pub struct DesignRuns {
     study: Study,
     response: StudyResponse,
     problem: Problem,
+    /// Compiled with other joints with play, or why that is impossible.
+    others: Mutex<Vec<OtherPlays>>,
 }
+
+/// The study with these joints with play.
+type OtherPlays = (Vec<PlayId>, Result<Arc<StudyResponse>, String>);
 
 /// Finished runs of a design.
 pub struct DesignTable {
@@ -38,6 +47,9 @@ pub struct DesignTable {
     pub rows: Vec<Option<Result<Vec<f64>, String>>>,
     /// A run whose tolerance is coarse for its smallest clearance, in words, where there is one.
     pub coarse: Option<String>,
+    /// Counters of the runs, column by column, with the names that they have in `runs.parquet`. Where a joint has no play, it has no
+    /// contact, and its forces are not numbers.
+    pub counters: Vec<RunColumn>,
 }
 
 /// What is known of a run before it is made.
@@ -55,7 +67,9 @@ impl DesignRuns {
     /// The study cannot begin; the second value is the study.
     pub fn new(study: Study) -> Result<Self, Box<(StudyError, Study)>> {
         match StudyResponse::new(&study) {
-            Ok(response) => Ok(Self { problem: problem(&study, &response), study, response }),
+            Ok(response) => {
+                Ok(Self { problem: problem(&study, &response), study, response, others: Mutex::new(Vec::new()) })
+            }
             Err(error) => Err(Box::new((error.into(), study))),
         }
     }
@@ -126,34 +140,123 @@ impl DesignRuns {
         let batch: Vec<RunInputs> = rows.iter().map(run).collect();
         progress.runs(0, batch.len());
         let judged: Vec<Judged> = pool.install(|| batch.par_iter().map(|inputs| self.judged(inputs)).collect());
-        let is_waiting: Vec<bool> = judged.iter().map(|judged| !matches!(judged, Judged::Refused(_))).collect();
         let kept = judged.iter().map(|judged| match judged {
             Judged::Refused(words) => Some(Err(words.clone())),
             Judged::Fine | Judged::Coarse(..) => None,
         });
-        let finished = AtomicUsize::new(is_waiting.iter().filter(|is_waiting| !**is_waiting).count());
+        let mut rows: Vec<Option<Result<Vec<f64>, String>>> = kept.collect();
+        let finished = AtomicUsize::new(rows.iter().flatten().count());
         let heard = |_: usize, _: &RunOutcome<String>| {
             progress.runs(finished.fetch_add(1, Ordering::Relaxed) + 1, batch.len());
         };
-        let work = Work { batch: &batch, is_waiting: &is_waiting, response: &self.response, stop };
-        let (kept, is_stopped) = (kept.collect(), || stop.load(Ordering::Relaxed));
-        let rows = pool.install(|| evaluate_into(&work, kept, &is_stopped, &heard, |failure| failure.to_string()));
+        let is_stopped = || stop.load(Ordering::Relaxed);
+        let mut extras: Vec<Option<(RunExtras, usize)>> = vec![None; batch.len()];
+        let mut joints: Vec<Vec<String>> = Vec::new();
+        for (plays, runs) in self.by_plays(&batch, &rows) {
+            let other;
+            let response = if plays == self.response.mechanism().plays {
+                &self.response
+            } else {
+                match self.other(&plays, &batch[runs[0]]) {
+                    Ok(compiled) => {
+                        other = compiled;
+                        &*other
+                    }
+                    Err(words) => {
+                        for run in runs {
+                            rows[run] = Some(Err(words.clone()));
+                            heard(run, &Err(words.clone()));
+                        }
+                        continue;
+                    }
+                }
+            };
+            let mut is_waiting = vec![false; batch.len()];
+            runs.iter().for_each(|&run| is_waiting[run] = true);
+            let work = Work { batch: &batch, is_waiting: &is_waiting, response, stop };
+            rows = pool.install(|| evaluate_into(&work, rows, &is_stopped, &heard, |failure| failure.to_string()));
+            for run in runs {
+                if let Some(Ok(row)) = &mut rows[run] {
+                    extras[run] = Some((response.extras(row), joints.len()));
+                    row.truncate(self.columns());
+                }
+            }
+            joints.push(response.joints.clone());
+        }
+        let counters = self.counters(&extras, &joints);
         let coarse = judged.into_iter().filter_map(|judged| match judged {
             Judged::Coarse(clearance_m, words) => Some((clearance_m, words)),
             Judged::Fine | Judged::Refused(_) => None,
         });
         let coarse = coarse.min_by(|(one_m, _), (other_m, _)| one_m.total_cmp(other_m)).map(|(_, words)| words);
-        Ok(DesignTable { rows, coarse })
+        Ok(DesignTable { rows, coarse, counters })
     }
 
-    /// Counters of finished runs, column by column, with the names that they have in `runs.parquet`.
-    pub fn counters(&self, rows: &[Option<Result<Vec<f64>, String>>]) -> Vec<RunColumn> {
-        let mut columns = ExtraColumns::new(&self.response.joints);
-        let failed = vec![f64::NAN; RunExtras::count(self.response.joints.len())];
-        for row in rows {
-            columns.push(&self.response.extras(row.as_ref().and_then(|row| row.as_ref().ok()).unwrap_or(&failed)));
+    /// The runs that are not made yet, by their joints with play. Those whose values break a rule, which they report themselves, are with
+    /// the runs of the model.
+    fn by_plays(
+        &self,
+        batch: &[RunInputs],
+        made: &[Option<Result<Vec<f64>, String>>],
+    ) -> Vec<(Vec<PlayId>, Vec<usize>)> {
+        let mut groups: Vec<(Vec<PlayId>, Vec<usize>)> = Vec::new();
+        for (run, inputs) in batch.iter().enumerate().filter(|(run, _)| made[*run].is_none()) {
+            let model = &self.study.model;
+            let plays = match self.response.values(&inputs.random, &inputs.epistemic) {
+                Ok(values) => model.plays().filter(|&play| model.has_play(play, &values)).collect(),
+                Err(_) => self.response.mechanism().plays.clone(),
+            };
+            match groups.iter_mut().find(|(known, _)| *known == plays) {
+                Some((_, runs)) => runs.push(run),
+                None => groups.push((plays, vec![run])),
+            }
         }
-        columns.into_columns(&self.response.joints)
+        groups
+    }
+
+    /// The study with the joints with play `plays`, which those of the run `inputs` are; compiled once.
+    fn other(&self, plays: &[PlayId], inputs: &RunInputs) -> Result<Arc<StudyResponse>, String> {
+        let mut others = self.others.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = others.iter().find(|(known, _)| known == plays) {
+            return known.clone();
+        }
+        let random = self.study.random.iter().map(|input| Some(input.quantity)).zip(&inputs.random);
+        let epistemic = self.study.epistemic.iter().map(EpistemicInput::quantity).zip(&inputs.epistemic);
+        let values = random.chain(epistemic).filter_map(|(quantity, &value)| Some((quantity?, value)));
+        let at: Vec<(QuantityId, f64)> =
+            values.filter(|(quantity, _)| self.study.model.play_from(*quantity).next().is_some()).collect();
+        let compiled = StudyResponse::with_plays(&self.study, &at).map(Arc::new).map_err(|error| error.to_string());
+        others.push((plays.to_vec(), compiled.clone()));
+        compiled
+    }
+
+    /// The rule that the values of a run break, if they break one: it cannot be made.
+    pub fn broken_rule(&self, row: &[f64]) -> Option<QuantityError> {
+        let (random, epistemic) = row.split_at(self.study.random.len());
+        self.response.values(random, epistemic).err()
+    }
+
+    /// The columns of counters; `joints` are those with play of each group of runs.
+    fn counters(&self, extras: &[Option<(RunExtras, usize)>], joints: &[Vec<String>]) -> Vec<RunColumn> {
+        let model = &self.study.model;
+        let names = model.plays().map(|play| model.play_name(play).to_owned());
+        let all: Vec<String> = names
+            .filter(|name| self.response.joints.contains(name) || joints.iter().flatten().any(|own| own == name))
+            .collect();
+        let mut columns = ExtraColumns::new(&all);
+        let failed = RunExtras::read(&vec![f64::NAN; RunExtras::count(all.len())], all.len());
+        for run in extras {
+            let Some((extras, group)) = run else {
+                columns.push(&failed);
+                continue;
+            };
+            let of_joint = |name: &String| match joints[*group].iter().position(|own| own == name) {
+                Some(place) => extras.joints[place],
+                None => failed.joints[0],
+            };
+            columns.push(&RunExtras { joints: all.iter().map(of_joint).collect(), ..extras.clone() });
+        }
+        columns.into_columns(&all)
     }
 
     /// That the memory at hand holds so many runs.

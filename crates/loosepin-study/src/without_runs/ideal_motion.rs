@@ -6,7 +6,7 @@ use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases};
+use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases_until};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Diagnostics;
@@ -36,14 +36,22 @@ impl InputFile {
     }
 
     /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, and with the requirements of a study
-    /// judged by them.
+    /// judged by them, until `stop` is set.
     ///
     /// # Errors
-    /// As for [`Self::ideal_motion`].
-    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
-        let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
+    /// As for [`Self::ideal_motion`]; that it was stopped.
+    pub fn ideal_motion_with_worst_cases(
+        &self,
+        positions: usize,
+        set: &[String],
+        stop: &AtomicBool,
+    ) -> Result<MotionRecord, Diagnostics> {
+        let motion = |mechanism: &Mechanism, values: &Values, plan: &MotionPlan| {
+            motion_with_worst_cases_until(mechanism, values, plan, stop)
+        };
+        let mut record = self.moved(positions, set, &motion)?;
         if let InputFile::Study(study) = self {
-            let Judgement { requirements, allowances } = judge(study, positions, set)?;
+            let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
             (record.requirements, record.allowances) = (requirements, allowances);
         }
         Ok(record)

@@ -12,10 +12,11 @@ use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
 use loosepin_simulate::accuracy::{
-    AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends, dimension_direction,
+    AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until, dimension_direction,
 };
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::SiUnit;
+use std::sync::atomic::AtomicBool;
 
 /// Halvings of the range of what may be loosened, as in a study.
 const HALVINGS: usize = 7;
@@ -26,11 +27,16 @@ pub(crate) struct Judgement {
     pub allowances: Vec<MotionAllowance>,
 }
 
-/// Judges what `study` requires over its turn in `positions` steps; inputs that `set` names have that value.
+/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value.
 ///
 /// # Errors
-/// As for [`super::InputFile::ideal_motion`].
-pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judgement, Diagnostics> {
+/// As for [`super::InputFile::ideal_motion`]; that it was stopped.
+pub(crate) fn judge(
+    study: &Study,
+    positions: usize,
+    set: &[String],
+    stop: &AtomicBool,
+) -> Result<Judgement, Diagnostics> {
     if study.requirements.is_empty() {
         return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
     }
@@ -38,7 +44,7 @@ pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
     let mut limits = study.input_limits();
     limits.retain(|input| !is_set(&input.path));
-    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions };
+    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
     let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(&study.model))?;
     let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(&study.model))?;
     Ok(Judgement { requirements, allowances })
@@ -60,6 +66,7 @@ struct Judge<'s> {
     model: &'s Model,
     values: &'s Values,
     positions: usize,
+    stop: &'s AtomicBool,
 }
 
 impl Judge<'_> {
@@ -91,7 +98,8 @@ impl Judge<'_> {
         let ends = if questions.is_empty() {
             AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
         } else {
-            deviation_ends(&mechanism, &values, (self.study.cycle.span, self.positions), &dimensions, &questions)?
+            let turn = (self.study.cycle.span, self.positions);
+            deviation_ends_until(&mechanism, &values, turn, (&dimensions, &questions), self.stop)?
         };
         let reason = reason
             .or_else(|| ends.unproven.clone())

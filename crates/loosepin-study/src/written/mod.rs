@@ -8,5 +8,6 @@ pub(crate) mod inputs;
 pub(crate) mod motion_answer;
 pub(crate) mod simulate_command;
 pub(crate) mod single_run;
+pub(crate) mod stored_records;
 pub mod tables;
 pub(crate) mod texts;

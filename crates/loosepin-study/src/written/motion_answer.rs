@@ -7,18 +7,19 @@ use loosepin_result::repeat::Repeat;
 use loosepin_simulate::input_files;
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
 use loosepin_text::diagnostics::Diagnostics;
+use std::sync::atomic::AtomicBool;
 
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
 
 impl InputFile {
     /// The ideal motion at every degree, with worst cases of the play, the requirements of a study judged by them, and the command that
-    /// makes it again; `set` are settings `path=value`.
+    /// makes it again, until `stop` is set; `set` are settings `path=value`.
     ///
     /// # Errors
-    /// As for [`Self::ideal_motion`].
-    pub fn motion_answer(&self, set: &[String]) -> Result<MotionRecord, Diagnostics> {
-        let mut record = self.ideal_motion_with_worst_cases(POSITIONS, set)?;
+    /// As for [`Self::ideal_motion`]; that it was stopped.
+    pub fn motion_answer(&self, set: &[String], stop: &AtomicBool) -> Result<MotionRecord, Diagnostics> {
+        let mut record = self.ideal_motion_with_worst_cases(POSITIONS, set, stop)?;
         let arguments: Vec<String> = set.iter().flat_map(|set| ["--set".to_owned(), set.clone()]).collect();
         record.repeat = match self {
             InputFile::Model(model) => Repeat::new("motion", &arguments, input_files(model)),

@@ -5,22 +5,17 @@ use std::sync::atomic::AtomicBool;
 use crate::file::Study;
 use crate::written::inputs::add_model;
 use crate::written::simulate_command::witness_settings;
+use crate::written::stored_records::run_tables;
 use crate::written::tables::{FilesError, SUMMARY_FILE};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Cycle, Model, SetValues};
 use loosepin_result::json::Stored;
-use loosepin_result::simulation::{Override, SimulationRecord};
+use loosepin_result::simulation::{EndState, Override, SimulationRecord};
 use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
 use loosepin_simulate::measured::{MeasuredTable, compare_with_measured};
-use loosepin_simulate::{
-    Integrator, Plan, Settings, Simulation, columns, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv,
-    wear_life_csv, wear_profiles_csv,
-};
-use loosepin_store::results::{
-    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
-    WEAR_FILE, WEAR_LIFE_FILE, WEAR_PROFILES_FILE,
-};
+use loosepin_simulate::{Integrator, MotionState, Plan, Settings, Simulation, columns, simulate_from};
+use loosepin_store::results::{InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem};
 
 /// The settings `path=value` and the plan of the run at a witness of `study`: those of the command that the study prints, random inputs as
@@ -83,19 +78,22 @@ pub struct FinishedRun {
     pub failure: Option<Diagnostic>,
 }
 
-/// Runs `mechanism` until `stop` is set, holds its positions against the worst case of the play, and compares it with measured curves.
+/// Runs `mechanism` until `stop` is set, holds its positions against the worst case of the play, and compares it with measured curves. It
+/// begins from `start`, the state at the end of another run, or from the initial state of the model.
 ///
 /// # Errors
-/// Why the run failed or was stopped; a measured table that does not fit.
+/// Why the run failed or was stopped; a state or a measured table that does not fit.
 pub fn run_and_compare(
     (mechanism, set): (&Mechanism, &SetValues),
     plan: &Plan,
+    start: Option<&EndState>,
     measured: &[MeasuredTable],
     stop: &AtomicBool,
 ) -> Result<Simulation, Diagnostics> {
     let model = &mechanism.model;
-    let mut simulation =
-        simulate_until(mechanism, &set.values, plan, stop).map_err(|failure| failure.diagnostic(model))?;
+    let start = start.map(|end| MotionState::of_record(mechanism, &set.values, end)).transpose().map_err(report)?;
+    let mut simulation = simulate_from(mechanism, &set.values, plan, start.as_ref(), stop)
+        .map_err(|failure| failure.diagnostic(model))?;
     for table in measured {
         simulation.record.repeat.add_measured("--measured", table.source());
     }
@@ -136,19 +134,10 @@ pub fn run_into(
     page: &dyn Fn(&SimulationRecord) -> String,
     stop: &AtomicBool,
 ) -> Result<FinishedRun, Diagnostics> {
-    let simulation = run_and_compare(of, plan, measured, stop)?;
+    let simulation = run_and_compare(of, plan, None, measured, stop)?;
     let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(report);
-    write(HISTORY_FILE, &history_csv(&simulation.record, simulation.states.as_ref()))?;
-    write(IMPACTS_FILE, &impacts_csv(&simulation.record))?;
-    if let Some(spectrum) = spectrum_csv(&simulation.record) {
-        write(SPECTRUM_FILE, &spectrum)?;
-    }
-    if let Some(wear) = wear_csv(&simulation.record.wear) {
-        write(WEAR_FILE, &wear)?;
-    }
-    if let Some(life) = &simulation.record.life {
-        write(WEAR_LIFE_FILE, &wear_life_csv(life))?;
-        write(WEAR_PROFILES_FILE, &wear_profiles_csv(life))?;
+    for (name, text) in run_tables(&simulation.record, simulation.states.as_ref()) {
+        write(name, &text)?;
     }
     // The last files of a result.
     let summary = simulation.record.to_json().map_err(|source| report(FilesError::Json { source }))?;

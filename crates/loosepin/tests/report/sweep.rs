@@ -4,7 +4,7 @@ use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{sweep_page, sweep_text};
 use loosepin::simulate::{Plan, Settings, simulate};
-use loosepin::sweep::record::SweepRecord;
+use loosepin::sweep::record::{SweepRecord, SweptJoint};
 use loosepin::sweep::{SweepPlan, sections_csv, sweep, sweep_csv};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -102,15 +102,31 @@ fn identity_a_small_play_repeats_itself_and_a_large_play_does_not() {
 }
 
 #[test]
+fn identity_a_run_without_clearance_is_of_a_mechanism_of_its_own() {
+    let model = model("slider_crank_5000");
+    let plan = |over: &str, points| plan(&model, over, points, 0, 2);
+    let record = swept(&model, &[], &plan("joint.gudgeon.radial_clearance=0mm..0.3mm", 3), 2);
+    assert!(record.points.iter().all(|point| point.failure.is_none()), "{:?}", record.points);
+    let without = &record.points[0];
+    assert_eq!((without.period_turns, without.joints.as_slice()), (Some(1), &[SweptJoint::without_play()][..]));
+    assert!(without.sections_si.iter().flatten().all(|deviation_si| deviation_si.abs() < 1e-15), "{without:?}");
+    // The others are as without it.
+    let others = swept(&model, &[], &plan("joint.gudgeon.radial_clearance=0.15mm..0.3mm", 2), 1);
+    assert_eq!(record.points[1..], others.points);
+    assert!(sweep_page(&record).contains("Bifurcation diagram"));
+}
+
+#[test]
 fn a_run_that_fails_is_a_row_with_its_reason() {
     let model = model("slider_crank_5000");
-    let plan = plan(&model, "joint.gudgeon.radial_clearance=0mm..0.3mm", 3, 0, 2);
+    // A rod that is shorter than the crank.
+    let plan = plan(&model, "parameter.rod_length=20mm..120mm", 3, 0, 2);
     let record = swept(&model, &[], &plan, 1);
-    let reason = record.points[0].failure.as_deref().expect("no play is another mechanism");
-    assert!(reason.contains("gudgeon"), "{reason}");
+    let reason = record.points[0].failure.as_deref().expect("the links cannot close");
+    assert!(!reason.is_empty());
     assert!(record.points[1..].iter().all(|point| point.failure.is_none()));
     assert!(
-        sweep_csv(&record).lines().nth(1).is_some_and(|row| row.starts_with("0.0,,,,,,,\"")),
+        sweep_csv(&record).lines().nth(1).is_some_and(|row| row.starts_with("0.02,,,,,,,")),
         "{}",
         sweep_csv(&record)
     );

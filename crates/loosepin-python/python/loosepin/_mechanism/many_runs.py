@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from .. import _loosepin
 from .._extras import need
+from .._objects.errors import refused
 from .._objects.arrays import read_only, read_only_copy, refuse_taken
 from .._objects.logs import long_run
 from .._objects.records import Record
@@ -19,6 +20,7 @@ from .._progress import Listener, listener
 from .._records import Array
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 
@@ -27,12 +29,9 @@ class _Run(Protocol):
 
     time_s: Array
     drive_angle_rad: Array
-    units: dict[str, str]
-    ideal: dict[str, Array]
-    deviation: dict[str, Array]
+    history: dict[str, Array]
 
-    def __getitem__(self, name: str) -> Array: ...
-    def __iter__(self) -> Iterator[str]: ...
+    def series(self) -> dict[str, tuple[Array, str]]: ...
 
 
 RunT = TypeVar("RunT", bound=_Run)
@@ -59,8 +58,26 @@ class Simulations(Record, Sequence["RunT | None"], Generic[RunT]):
     def __len__(self) -> int:
         return len(self._runs)
 
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the rows of all finished runs below each other: `run`, the inputs under their paths, and the columns of
+        `history.csv`.
+        """
+        pandas_ = need("pandas", "to_pandas()")
+        frames = []
+        for place, run in enumerate(self._runs):
+            if run is not None:
+                columns: dict[str, Any] = {"run": place}
+                for name, values in self.inputs.items():
+                    refuse_taken(name, run.history)
+                    columns[name] = values[place]
+                frames.append(pandas_.DataFrame(columns | run.history))
+        none: dict[str, list[float]] = {name: [] for name in ("run", *self.inputs)}
+        frame: pandas.DataFrame = pandas_.concat(frames, ignore_index=True) if frames else pandas_.DataFrame(none)
+        return frame
+
     def to_xarray(self) -> xarray.Dataset:
-        """The outputs as a Dataset over the dimensions `run` and `row`: `slider`, `slider_ideal`, `slider_deviation`, NaN where a run failed.
+        """All histories as a Dataset over the dimensions `run` and `row`, as `Simulation.to_xarray` names them; NaN where a run failed, or
+        where a joint has no play in it.
 
         `time_s` and `drive_angle_rad` have both dimensions too; inputs are coordinates of `run`; units are in the attributes. Raises
         ValueError if no run is finished.
@@ -72,21 +89,18 @@ class Simulations(Record, Sequence["RunT | None"], Generic[RunT]):
 
         nothing = np.full(len(first.time_s), np.nan)
 
-        def variable(read: Callable[[RunT], Array], unit: str) -> tuple[tuple[str, str], Array, dict[str, str]]:
-            return ("run", "row"), np.array([nothing if run is None else read(run) for run in self._runs]), {"units": unit}
+        def variable(arrays: Iterable[Array | None], unit: str) -> tuple[tuple[str, str], Array, dict[str, str]]:
+            return ("run", "row"), np.array([nothing if values is None else values for values in arrays]), {"units": unit}
 
-        variables: dict[str, Any] = {}
-        for name in first:
-            variables[name] = variable(lambda run: run[name], first.units[name])
-        for name in first.ideal:
-            refuse_taken(f"{name}_ideal", variables)
-            refuse_taken(f"{name}_deviation", variables)
-            variables[f"{name}_ideal"] = variable(lambda run: run.ideal[name], first.units[name])
-            variables[f"{name}_deviation"] = variable(lambda run: run.deviation[name], first.units[name])
+        of_runs = [{} if run is None else run.series() for run in self._runs]
+        units = {name: unit for series in of_runs for name, (_, unit) in series.items()}
+        variables: dict[str, Any] = {
+            name: variable((series[name][0] if name in series else None for series in of_runs), unit) for name, unit in units.items()
+        }
         coordinates: dict[str, Any] = {name: ("run", values, {"units": self.units[name]}) for name, values in self.inputs.items()}
         coordinates["failed"] = ("run", self.failed)
-        coordinates["time_s"] = variable(lambda run: run.time_s, "s")
-        coordinates["drive_angle_rad"] = variable(lambda run: run.drive_angle_rad, "rad")
+        coordinates["time_s"] = variable((None if run is None else run.time_s for run in self._runs), "s")
+        coordinates["drive_angle_rad"] = variable((None if run is None else run.drive_angle_rad for run in self._runs), "rad")
         dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates).copy(deep=True)
         return dataset
 
@@ -110,7 +124,7 @@ def simulated(
     made: list[RunT | None] = [None] * count
     reasons: list[str | None] = [None] * count
     if threads is not None and threads < 1:
-        raise ValueError(f"threads {threads}; must be at least 1")
+        raise refused(f"threads {threads}; must be at least 1")
     workers = ThreadPoolExecutor(threads or os.cpu_count() or 1)
     with long_run(f"{count} simulations", listener(progress)) as notify:
         waiting = {workers.submit(simulate, run): run for run in range(count)}

@@ -13,7 +13,7 @@ from .._objects.records import Record
 from .._records import Array, numbers
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BodyStates(Record):
     """Motion of the centre of mass of a body; all arrays have one entry for each row of the history.
 
@@ -31,7 +31,21 @@ class BodyStates(Record):
     alpha_rad_s2: Array
 
 
-@dataclass(frozen=True, eq=False)
+STATE_UNITS = {
+    "x_m": "m",
+    "y_m": "m",
+    "angle_rad": "rad",
+    "vx_m_s": "m/s",
+    "vy_m_s": "m/s",
+    "omega_rad_s": "rad/s",
+    "ax_m_s2": "m/s^2",
+    "ay_m_s2": "m/s^2",
+    "alpha_rad_s2": "rad/s^2",
+}
+"""SI unit of each array of `BodyStates`."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Orbit(Record):
     """Path of the centre of a pin in the frame of its bearing; both arrays have one entry for each row of the history."""
 
@@ -50,7 +64,7 @@ class Orbit(Record):
         return read_only(np.hypot(self.x_m, self.y_m))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Spectrum(Record):
     """Oscillations over orders of the drive, which are waves in a turn; the arrays have one entry for each order.
 
@@ -75,7 +89,7 @@ class Spectrum(Record):
     """Largest magnitude of the values."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Lyapunov(Record):
     """The largest Lyapunov exponent: two motions that differ by next to nothing part, or meet, as exp(exponent * time)."""
 
@@ -93,7 +107,7 @@ class Lyapunov(Record):
     """Logarithm of the growth of the separation in each turn that counts."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredCurve(Record):
     """A measured curve beside the computed one; all arrays have one entry for each measured value."""
 

@@ -18,8 +18,9 @@ from .. import _loosepin
 from .._extras import need
 from .._figures import shown, sweep_figure
 from .._progress import Listener, listener
-from .._objects.arguments import item_named
+from .._objects.arguments import item_named, must_be
 from .._objects.arrays import NoArray, read_only, refuse_masked
+from .._objects.errors import refused
 from .._objects.logs import long_run
 from .._objects.pickles import pickled
 from .._objects.records import Record
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SweptJoint(Record):
     """A joint with play in the turns that were examined; all arrays have one entry for each value, NaN where the run failed."""
 
@@ -139,6 +140,22 @@ class Sweep(NoArray, Mapping[str, Array]):
         self._native.write_page(os.fspath(path))
         return Path(path)
 
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> Sweep:
+        """Reads the finished sweep in a folder of results, which `save` or `loosepin sweep --out` wrote. Nothing in it is changed."""
+        must_be("a path", folder=folder)
+        return cls(_loosepin.Sweep.load(os.fspath(folder)))
+
+    def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
+        """Writes the files of `loosepin sweep --out` into a folder: summary.json, sweep.csv, sections.csv and report.html.
+
+        force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
+        """
+        must_be("a path", folder=folder)
+        must_be("True or False", force=force)
+        self._native.save(os.fspath(folder), force)
+        return Path(folder)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return pickled("Sweep", _restored, self._native.summary_json())
 
@@ -188,7 +205,7 @@ def swept(
 ) -> tuple[Sweep, list[_loosepin.Diagnostic]]:
     """The sweep of a model over `over`, and warnings about the request; `turns` are those before, and those that are examined."""
     if (between is None) == (values is None):
-        raise ValueError("sweep needs either between or values")
+        raise refused("sweep needs either between or values", "E0205")
     ends = None if between is None else _ends(native, over, between)
     listed = [] if values is None else _listed(values)
     with long_run(f"sweep of {over}", listener(progress)) as notify:
@@ -200,7 +217,7 @@ def _ends(native: _loosepin.Model, over: str, between: Any) -> list[str]:
     """The ends of a range as texts with units."""
     between = between.tolist() if isinstance(between, np.ndarray) else between
     if not isinstance(between, Sequence) or isinstance(between, str) or len(between) != 2:
-        raise ValueError(f"between {between!r}; must be two values, from and to")
+        raise refused(f"between {between!r}; must be two values, from and to", "E0203")
     return [end if isinstance(end, str) else native.text_of_value("over", over, float(end)) for end in between]
 
 
@@ -211,8 +228,8 @@ def _listed(values: Any) -> list[float]:
     if array.dtype.kind not in "iuf":
         raise TypeError(f"values: values of type {array.dtype}; must be numbers in SI units")
     if array.ndim != 1 or not len(array):
-        raise ValueError(f"values: shape {array.shape}; must be an array with one dimension and at least one value")
+        raise refused(f"values: shape {array.shape}; must be an array with one dimension and at least one value", "E0203")
     if not np.isfinite(array).all():
-        raise ValueError("values: must be finite")
+        raise refused("values: must be finite", "E0308")
     listed: list[float] = array.astype(np.float64).tolist()
     return listed

@@ -39,7 +39,7 @@ class _Run(Protocol):
 RunT = TypeVar("RunT", bound=_Run)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SurfaceWear(Record):
     """Wear of one surface after all cycles; the arrays have one entry for each sector of its circumference."""
 
@@ -57,7 +57,7 @@ class SurfaceWear(Record):
     """Where it ends."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SurfaceLife(Record):
     """Wear of one surface over the cycles of a life."""
 
@@ -69,7 +69,7 @@ class SurfaceLife(Record):
     """Depths, shape (cycles, sectors)."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class JointWear(Record):
     """Wear of a joint; the keys of the dicts are "bearing" and "journal", of those that wear."""
 

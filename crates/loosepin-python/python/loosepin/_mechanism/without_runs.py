@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from .. import _loosepin
 from .._extras import need
 from .._figures import motion_figure, shown
-from .._objects.arguments import item_named
+from .._objects.arguments import item_named, must_be
 from .._objects.arrays import NoArray
 from .._objects.pickles import pickled
 from .._objects.records import Record
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class OutputMotion(Record):
     """An output over the cycle, and what play and scatter do to it without dynamics.
 
@@ -164,6 +164,22 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         self._native.write_page(os.fspath(path))
         return Path(path)
 
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> Motion:
+        """Reads the finished motion in a folder of results, which `save` or `loosepin motion --out` wrote. Nothing in it is changed."""
+        must_be("a path", folder=folder)
+        return cls(_loosepin.Motion.load(os.fspath(folder)))
+
+    def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
+        """Writes the files of `loosepin motion --out` into a folder: summary.json and report.html.
+
+        force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
+        """
+        must_be("a path", folder=folder)
+        must_be("True or False", force=force)
+        self._native.save(os.fspath(folder), force)
+        return Path(folder)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return pickled("Motion", _restored, self._native.summary_json())
 
@@ -216,7 +232,7 @@ def _output(record: dict[str, Any]) -> OutputMotion:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class CheckSection(Record):
     """What a check says of one subject."""
 

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from .errors import refused
+
 if TYPE_CHECKING:
     from .. import _loosepin
 
@@ -54,7 +56,7 @@ def must_be(due: str, **arguments: Any) -> None:
         if not (_KINDS[kind](value) or (value is None and due != kind)):
             raise TypeError(f"{name} is {_what(value)}; must be {due}")
         if kind == "an int" and value is not None and abs(int(value)) >= _BEYOND:
-            raise ValueError(f"{name} is too large")
+            raise refused(f"{name} is too large")
 
 
 def texts(name: str, value: Sequence[str]) -> list[str]:
@@ -96,7 +98,7 @@ def settings(name: str, value: Mapping[str, str | float] | None, native: _loosep
         if not isinstance(stated, str) and native.is_path_of_law(path):
             raise TypeError(f"{name}: '{path}' is {_what(stated)}; must be the name of a contact law")
         if not isinstance(stated, str) and not _is_finite(stated):
-            raise ValueError(f"{name}: '{path}' is {stated}; must be finite")
+            raise refused(f"{name}: '{path}' is {stated}; must be finite", "E0308")
     return [f"{path}={stated if isinstance(stated, str) else native.text_of_value(name, path, float(stated))}" for path, stated in value.items()]
 
 

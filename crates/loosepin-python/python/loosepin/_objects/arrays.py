@@ -8,6 +8,8 @@ from typing import Any, NoReturn, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import refused
+
 NumberT = TypeVar("NumberT", bound=np.generic)
 
 
@@ -38,13 +40,13 @@ def frozen(value: Any) -> Any:
 def refuse_masked(name: str, value: Any) -> None:
     """Refuses an array with masked values, which would be taken for the numbers under the mask."""
     if np.ma.is_masked(value):
-        raise ValueError(f"{name}: some values are masked; fill them or leave them out")
+        raise refused(f"{name}: some values are masked; fill them or leave them out", "E0203")
 
 
 def refuse_taken(name: str, taken: Iterable[str]) -> None:
     """Refuses a second variable of this name in a Dataset."""
     if name in taken:
-        raise ValueError(f"two variables of the Dataset would be called '{name}'\nhint: rename an output")
+        raise refused(f"two variables of the Dataset would be called '{name}'\nhint: rename an output", "E0206")
 
 
 def with_article(name: str) -> str:

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from .._loosepin import LoosepinError
+from .._loosepin import LoosepinError, refusal
 
 
 class LoosepinValueError(LoosepinError, ValueError):
@@ -48,3 +48,9 @@ def read_text(path: str | os.PathLike[str]) -> str:
         refused = LoosepinFileNotFoundError(f"cannot read {name}: there is no such file", name, error.errno)
         refused.code, refused.diagnostics = "E0101", ()
         raise refused from None
+
+
+def refused(message: str, code: str = "E0501") -> Exception:
+    """The `LoosepinValueError` for an argument with an impossible value; a line "hint: ..." of the message is its hint."""
+    text, _, hint = message.partition("\nhint: ")
+    return refusal(code, text, hint or None)

@@ -28,9 +28,36 @@ class Record(NoArray):
     def __reduce__(self) -> tuple[Any, ...]:
         return pickled(type(self).__name__, _restored, type(self), _attributes(self))
 
+    def __repr__(self) -> str:
+        """The attributes, arrays by their shape and their first and last number."""
+        return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in _attributes(self).items())})"
+
     def _hash_key(self) -> Hashable:
         """A part of what makes two objects equal that has a hash: the texts."""
         return tuple(value for value in _attributes(self).values() if isinstance(value, str))
+
+
+# Entries of a list or a mapping that are shown.
+_SHOWN = 4
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        if value.size <= _SHOWN:
+            return repr(value)
+        return f"<array of {' x '.join(map(str, value.shape))}, {value.flat[0]:.6g} ... {value.flat[-1]:.6g}>"
+    if isinstance(value, Mapping):
+        entries = [f"{key!r}: {_short(each)}" for key, each in list(value.items())[:_SHOWN]]
+        return f"{{{', '.join(entries + _rest(value))}}}"
+    if type(value) in (list, tuple):
+        entries = [_short(each) for each in value[:_SHOWN]] + _rest(value)
+        inside = ", ".join(entries)
+        return f"[{inside}]" if isinstance(value, list) else f"({inside}{',' if len(entries) == 1 else ''})"
+    return repr(value)
+
+
+def _rest(values: Any) -> list[str]:
+    return [f"... ({len(values)} in all)"] if len(values) > _SHOWN else []
 
 
 def _attributes(record: Record) -> dict[str, Any]:

@@ -7,6 +7,8 @@ from numbers import Integral
 
 import numpy as np
 
+from .errors import refused
+
 Seed = int | np.random.Generator | np.random.SeedSequence | None
 """A whole number from 0 to 2**64 - 1, a generator or a seed sequence of NumPy, or None for one from the operating system."""
 
@@ -28,7 +30,7 @@ def seed_number(seed: Seed) -> int:
     if isinstance(seed, bool) or not isinstance(seed, Integral):
         raise TypeError(f"seed is a {type(seed).__name__}; must be an int, a numpy.random.Generator, a SeedSequence or None")
     if seed < 0:
-        raise ValueError(f"seed {seed}; must be >= 0")
+        raise refused(f"seed {seed}; must be >= 0")
     if seed > _LARGEST:
-        raise ValueError(f"seed {seed}; must be <= {_LARGEST}")
+        raise refused(f"seed {seed}; must be <= {_LARGEST}")
     return int(seed)

@@ -37,6 +37,10 @@ impl Quadratic<'_> {
         }
         let gradient: Vec<f64> = self.gradient.iter().map(|entry| entry.middle()).collect();
         let hessian: Vec<f64> = self.hessian.iter().map(|entry| entry.middle()).collect();
+        if gradient.iter().chain(&hessian).all(|middle| *middle == 0.0) {
+            // No multiplier makes Λ positive definite and adds nothing; what is left is round-off, or nothing at all.
+            return self.largest_terms();
+        }
         let multipliers = self.multipliers(&gradient, &hessian);
         let Some(matrix) = self.shifted(&multipliers, &hessian) else { return f64::INFINITY };
         let Some(point) = solve(&matrix, n, &gradient) else { return f64::INFINITY };
@@ -73,6 +77,12 @@ impl Quadratic<'_> {
             }
         }
         bound.high()
+    }
+
+    /// Σ |g_k| + Σ |H_kl|/2: every number lies between -1 and 1.
+    fn largest_terms(&self) -> f64 {
+        let sum = |entries: &[Interval]| entries.iter().fold(Interval::ZERO, |sum, entry| sum + entry.abs());
+        (sum(self.gradient) + Interval::from_f64(0.5) * sum(self.hessian)).high()
     }
 
     fn ball_of(&self, place: usize) -> usize {
@@ -217,6 +227,17 @@ mod tests {
                 Quadratic { balls: std::slice::from_ref(&(0..2)), gradient: &gradient, hessian: &hessian }.upper_end();
             assert!((due..due + 1e-6).contains(&bound), "{bound} {due}");
         }
+    }
+
+    #[test]
+    fn analytic_function_that_is_zero() {
+        let balls = [0..2, 2..3];
+        let [gradient, hessian] = [exact(&[0.0; 3]), exact(&[0.0; 9])];
+        assert_eq!(Quadratic { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end(), 0.0);
+        // Around zero by round-off: 3 times 1e-16, and half of 9 times 1e-16.
+        let about = |count: usize| vec![Interval::around_zero(1e-16); count];
+        let bound = Quadratic { balls: &balls, gradient: &about(3), hessian: &about(9) }.upper_end();
+        assert!((7.5e-16..7.6e-16).contains(&bound), "{bound}");
     }
 
     #[test]

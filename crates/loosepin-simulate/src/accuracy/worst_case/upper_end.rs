@@ -76,7 +76,8 @@ impl Ends {
         if n == 0 {
             return [0.0; 2];
         }
-        [-end(-1.0), end(1.0)]
+        // Zero has no sign here.
+        [0.0 - end(-1.0), end(1.0)]
     }
 
     /// As [`Self::of`] for the error of a path at the places `coordinates`, of which `weights` gives x and y: they turn with the direction

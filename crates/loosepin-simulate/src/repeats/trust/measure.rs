@@ -7,6 +7,7 @@ use super::positions::PositionHistory;
 use super::second_run::{compare_positions, second_settings};
 use crate::failure::RunFailure;
 use crate::recording::report::RunReport;
+use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_result::simulation::{MeasuredTrust, Trust};
@@ -19,7 +20,7 @@ const MIN_EVALUATIONS: u64 = 1_000_000;
 const MAX_DIFFERENCES: usize = 720;
 
 /// Measures how long the positions of `first`, which come from a run of `sample` with `settings` over `window`, can be trusted. A turn takes
-/// `turn_s`; `report` is that of the run.
+/// `turn_s`; `report` is that of the run, and `start` the state that it began from, if that was the end of another one.
 ///
 /// # Errors
 /// It was stopped by `stop`.
@@ -27,7 +28,7 @@ pub fn measure_trust(
     (mechanism, sample): (&Mechanism, &Sample<f64>),
     (window, turn_s): (&Window, f64),
     settings: &Settings,
-    (first, report): (&PositionHistory, &RunReport),
+    (start, first, report): (Option<&MotionState>, &PositionHistory, &RunReport),
     stop: &AtomicBool,
 ) -> Result<Trust, RunFailure> {
     if mechanism.is_ideal() {
@@ -39,7 +40,7 @@ pub fn measure_trust(
     let work = (MAX_WORK * report.counters.evaluations).max(MIN_EVALUATIONS);
     let mut second = second_settings(settings);
     second.largest_evaluations = work.min(settings.largest_evaluations);
-    let found = compare_positions((mechanism, sample), (window, &second), first, parted_m, stop)?;
+    let found = compare_positions((mechanism, sample), (window, &second), (start, first), parted_m, stop)?;
     let times_s = &first.times_s()[..found.differences_m.len()];
     let is_whole = times_s.len() == first.times_s().len();
     let largest_m = found.differences_m.iter().copied().fold(0.0, f64::max);

@@ -3,9 +3,11 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::positions::PositionHistory;
-use crate::engine::run;
+use crate::engine::run_from;
 use crate::failure::RunFailure;
+use crate::lanes::batch::CompiledCodeCache;
 use crate::observer::{Observer, Step};
+use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
 use loosepin_math::integrate::TSITOURAS_5;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
@@ -33,19 +35,20 @@ pub struct SecondRun {
     pub evaluations: Option<u64>,
 }
 
-/// Runs `sample` again with `settings`, beside the positions of `first`, until a distance exceeds `parted_m`.
+/// Runs `sample` again with `settings`, from `start` or from its initial state, beside the positions of `first`, until a distance exceeds `parted_m`.
 ///
 /// # Errors
 /// It was stopped by `stop`.
 pub fn compare_positions(
     (mechanism, sample): (&Mechanism, &Sample<f64>),
     (window, settings): (&Window, &Settings),
-    first: &PositionHistory,
+    (start, first): (Option<&MotionState>, &PositionHistory),
     parted_m: f64,
     stop: &AtomicBool,
 ) -> Result<SecondRun, RunFailure> {
     let mut beside = Beside { first, parted_m, stop, differences_m: Vec::new(), read_m: Vec::new() };
-    let outcome = run(mechanism, sample, window, settings, &mut beside);
+    let mut code = CompiledCodeCache::default();
+    let outcome = run_from(mechanism, sample, (window, settings), start.cloned(), &mut code, &mut beside);
     let has_parted = beside.has_parted();
     match outcome {
         Err(failure @ RunFailure::Stopped { .. }) if !has_parted => Err(failure),

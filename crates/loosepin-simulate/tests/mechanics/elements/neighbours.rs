@@ -9,7 +9,8 @@ fn exponent(built: &Built, transient_turns: f64, turns: u32) -> LyapunovRecord {
     let turn_s = built.mechanism.model.cycle_input(&built.values).turn_s();
     let plan = ExponentPlan { transient_turns, turns, turn_s, settings: Settings::for_simulation() };
     let never = AtomicBool::new(false);
-    largest_exponent(&built.mechanism, &built.sample(), &plan, &never).unwrap_or_else(|failure| panic!("{failure}"))
+    largest_exponent(&built.mechanism, &built.sample(), &plan, None, &never)
+        .unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 /// A slider between spring, damper and a swinging force: neighbours differ by a free oscillation, which decays as

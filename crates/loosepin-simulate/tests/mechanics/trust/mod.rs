@@ -33,7 +33,9 @@ fn positions(
 fn differences_m(drawn: &DrawnRun, window: &Window, settings: &Settings, first: &PositionHistory) -> Vec<f64> {
     let never = AtomicBool::new(false);
     let of = (&drawn.mechanism, &drawn.sample);
-    compare_positions(of, (window, settings), first, f64::INFINITY, &never).expect("nobody stops it").differences_m
+    compare_positions(of, (window, settings), (None, first), f64::INFINITY, &never)
+        .expect("nobody stops it")
+        .differences_m
 }
 
 /// One horizon beside the true one, both in instants from the start.
@@ -62,7 +64,7 @@ fn held(drawn: &DrawnRun, tolerance_m: f64, turns: f64) -> Result<(Vec<Held>, Me
     let never = AtomicBool::new(false);
     let of = ((&drawn.mechanism, &drawn.sample), (&window, drawn.turn_s));
     let trust =
-        measure_trust(of.0, of.1, &settings, (&first, &report), &never).map_err(|failure| failure.to_string())?;
+        measure_trust(of.0, of.1, &settings, (None, &first, &report), &never).map_err(|failure| failure.to_string())?;
     let Trust::Measured(trust) = trust else { return Err("not measured".to_owned()) };
     let mut held = Vec::new();
     for horizon in &trust.horizons {
@@ -267,7 +269,8 @@ fn a_second_run_that_is_given_up_says_how_far_it_came() {
     let few = Settings { largest_evaluations: report.counters.evaluations / 2, ..settings };
     let never = AtomicBool::new(false);
     let of = (&drawn.mechanism, &drawn.sample);
-    let trust = measure_trust(of, (&window, drawn.turn_s), &few, (&first, &report), &never).expect("nobody stops it");
+    let trust =
+        measure_trust(of, (&window, drawn.turn_s), &few, (None, &first, &report), &never).expect("nobody stops it");
     let Trust::Measured(told) = &trust else { panic!("{trust:?}") };
     assert!(told.failure.as_ref().is_some_and(|words| words.contains("evaluations was reached")), "{told:?}");
     assert!(told.whole_m.is_none() && told.evaluations.is_none());
@@ -285,6 +288,6 @@ fn a_second_run_ends_when_it_is_stopped() {
     let (first, report) = positions(&drawn, &window, &settings).expect("it runs");
     let stopped = AtomicBool::new(true);
     let of = (&drawn.mechanism, &drawn.sample);
-    let outcome = measure_trust(of, (&window, turn_s), &settings, (&first, &report), &stopped);
+    let outcome = measure_trust(of, (&window, turn_s), &settings, (None, &first, &report), &stopped);
     assert!(matches!(outcome, Err(RunFailure::Stopped { .. })), "{outcome:?}");
 }

@@ -56,6 +56,7 @@ pub fn worn_pin() -> SimulationRecord {
         settings: SimulationSettings {
             drive: "crank".to_owned(),
             drive_speed_rad_s: Some(SPEED_RAD_S),
+            continued_at_s: None,
             transient_turns: 0.0,
             recorded_turns: TURNS,
             samples_per_turn: 500,
@@ -165,6 +166,7 @@ pub fn worn_pin() -> SimulationRecord {
         wear: Vec::new(),
         life: None,
         bending: Vec::new(),
+        end_state: None,
         time_s,
     }
 }
