@@ -16,6 +16,7 @@ mod pages;
 mod paths;
 mod repeat;
 mod resume;
+mod serve;
 mod shards;
 mod simulate;
 mod study;
