@@ -12,10 +12,10 @@ pub(crate) const TURN_DEG: f64 = 360.0;
 /// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
 const SHARE_OF_TURN: f64 = 1e-9;
 
-/// Whole turns before the recorded part, rad: charts and drawings count from there.
+/// Whole turns before the recorded part, either way round, rad: charts and drawings count from there. What starts at -20° starts there.
 pub(crate) fn turns_before_rad(drive_angle_rad: &[f64]) -> f64 {
-    let first_rad = drive_angle_rad.first().copied().unwrap_or_default();
-    (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
+    let first_turns = drive_angle_rad.first().copied().unwrap_or_default() / TAU;
+    (first_turns + SHARE_OF_TURN.copysign(first_turns)).trunc() * TAU
 }
 
 /// Kind of the horizontal axis; decides on the ticks.
@@ -241,5 +241,21 @@ impl Chart {
             }
         }
         is_closed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::turns_before_rad;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn analytic_whole_turns_before_the_record_count_either_way_round() {
+        for (first_deg, turns) in
+            [(0.0, 0.0), (60.0, 0.0), (-20.0, 0.0), (420.0, 1.0), (720.0 - 1e-8, 2.0), (-740.0, -2.0), (-720.0, -2.0)]
+        {
+            assert_eq!(turns_before_rad(&[f64::to_radians(first_deg), 9.0]), turns * TAU, "{first_deg}°");
+        }
+        assert_eq!(turns_before_rad(&[]), 0.0);
     }
 }

@@ -2,7 +2,6 @@
 //! translated again.
 
 use crate::lanes::programs::fixed;
-use crate::settings::Settings;
 use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 use std::collections::VecDeque;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -23,14 +22,14 @@ fn lately() -> MutexGuard<'static, VecDeque<Fingerprint>> {
 pub struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// Of single runs of `mechanism` with the zeros and ones of `sample`.
-    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>, settings: &Settings) -> Self {
+    /// Of single runs of `mechanism` with the zeros and ones of `sample`. Runs by another method have the equations in common, which are most
+    /// of their programs.
+    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>) -> Self {
         let mut hasher = DefaultHasher::new();
         for value in fixed(sample, &Arms::none()) {
             value.map(f64::to_bits).hash(&mut hasher);
         }
         mechanism.multiplications().to_bits().hash(&mut hasher);
-        settings.method_name().hash(&mut hasher);
         Self(hasher.finish())
     }
 

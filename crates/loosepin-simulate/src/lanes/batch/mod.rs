@@ -144,7 +144,7 @@ impl<'a> Batch<'a> {
         queue: &mut dyn QueueOfHandles,
     ) {
         let Some(first) = queue.next() else { return };
-        let fingerprint = later.is_some().then(|| Fingerprint::new(mechanism, &first.sample, settings));
+        let fingerprint = later.is_some().then(|| Fingerprint::new(mechanism, &first.sample));
         let is_known = fingerprint.is_some_and(Fingerprint::is_known);
         let evaluations_alone = if is_known { EVALUATIONS_ALONE_IF_COMPILED } else { EVALUATIONS_ALONE };
         let view = Motion::new(mechanism, &first.sample);
