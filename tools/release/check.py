@@ -16,7 +16,7 @@ MAX_BYTES = {
     "loosepin-*.whl": 11_000_000,
     "loosepin-*.tar.gz": 14_000_000,
     "loosepin_*.deb": 10_000_000,
-    "loosepin": 37_000_000,
+    "loosepin": 34_000_000,
 }
 
 
