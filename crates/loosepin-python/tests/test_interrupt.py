@@ -68,13 +68,10 @@ except KeyboardInterrupt:
 AT_ONCE_S = 3
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
-@pytest.mark.parametrize("transient, turns", [(90000, 1), (0, 90000)])
-def test_ctrl_c_ends_a_single_long_run_at_once(transient, turns):
-    model = REPOSITORY / "cases/slider_crank_worn_pin/model.toml"
-    child = subprocess.Popen(
-        [sys.executable, "-c", LONG_RUN, str(model), str(transient), str(turns)], stdout=subprocess.PIPE, text=True
-    )
+def assert_ctrl_c_ends_at_once(script, *arguments):
+    """`script` prints "running" before its long call, and "stopped" when that is interrupted."""
+    command = [sys.executable, "-c", script, *(str(argument) for argument in arguments)]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert child.stdout is not None and child.stdout.readline() == "running\n"
     time.sleep(0.7)
     assert child.poll() is None, "it ended by itself"
@@ -83,6 +80,13 @@ def test_ctrl_c_ends_a_single_long_run_at_once(transient, turns):
     printed, _ = child.communicate(timeout=SOON_S)
     assert time.monotonic() - sent < AT_ONCE_S
     assert (child.returncode, printed) == (130, "stopped\n")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
+@pytest.mark.parametrize("transient, turns", [(90000, 1), (0, 90000)])
+def test_ctrl_c_ends_a_single_long_run_at_once(transient, turns):
+    model = REPOSITORY / "cases/slider_crank_worn_pin/model.toml"
+    assert_ctrl_c_ends_at_once(LONG_RUN, model, transient, turns)
 
 
 def test_identity_an_interrupted_study_goes_on_to_the_same_result(desk, result, tmp_path):
@@ -217,12 +221,4 @@ def many_linkages(count: int) -> str:
 def test_ctrl_c_ends_worst_cases_at_once(tmp_path):
     path = tmp_path / "model.toml"
     path.write_text(many_linkages(8), encoding="utf-8")
-    child = subprocess.Popen([sys.executable, "-c", LONG_MOTION, str(path)], stdout=subprocess.PIPE, text=True)
-    assert child.stdout is not None and child.stdout.readline() == "running\n"
-    time.sleep(0.7)
-    assert child.poll() is None, "it ended by itself"
-    sent = time.monotonic()
-    child.send_signal(signal.SIGINT)
-    printed, _ = child.communicate(timeout=SOON_S)
-    assert time.monotonic() - sent < AT_ONCE_S
-    assert (child.returncode, printed) == (130, "stopped\n")
+    assert_ctrl_c_ends_at_once(LONG_MOTION, path)

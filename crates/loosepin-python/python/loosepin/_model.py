@@ -26,6 +26,7 @@ from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.errors import refused
 from ._objects.pickles import check_version, pickled
 from ._objects.records import Record
+from ._objects.stored import loaded, saved
 from ._progress import Listener
 from ._questions import Question, named, questions_toml
 from ._records import Array, Extreme, extreme
@@ -435,18 +436,14 @@ class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
 
         Raises LoosepinError if the folder holds no finished run, or one of its files is not as it was written.
         """
-        must_be("a path", folder=folder)
-        return cls(_loosepin.Simulation.load(os.fspath(folder)))
+        return cls(loaded(_loosepin.Simulation.load, folder))
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes the files of `loosepin simulate --out` into a folder: summary.json, history.csv, impacts.csv, report.html and so on.
 
         force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
         """
-        must_be("a path", folder=folder)
-        must_be("True or False", force=force)
-        self._native.save(os.fspath(folder), force)
-        return Path(folder)
+        return saved(self._native, folder, force)
 
     def __getitem__(self, name: str) -> Array:
         return item_named(self._values, name, "output")

@@ -75,7 +75,7 @@ def test_analytic_play_without_effect_is_proven_to_be_zero():
 
 
 def test_values_that_break_a_rule_are_told_before_any_run(model):
-    told = r"run 1: joint 'gudgeon': radial clearance -0.1 mm; must be >= 0"
+    broken_rule = r"run 1: joint 'gudgeon': radial clearance -0.1 mm; must be >= 0"
     outputs = ["slider total rms"]
     study = lp.Study.from_dict(
         {"name": "rule", "seed": 1, "cycle": {"recorded_turns": 0.1, "transient_turns": 0}, "epistemic": {CLEARANCE: {"interval": ["0.1 mm", "0.5 mm"]}},
@@ -86,7 +86,7 @@ def test_values_that_break_a_rule_are_told_before_any_run(model):
         ("inputs", lambda: study.evaluate({CLEARANCE: [1e-4, -1e-4]}, progress=False)),
         ("values", lambda: model.sweep(CLEARANCE, values=[1e-4, -1e-4], progress=False)),
     ]:
-        with pytest.raises(lp.LoosepinValueError, match=f"{argument}: {told}") as refused:
+        with pytest.raises(lp.LoosepinValueError, match=f"{argument}: {broken_rule}") as refused:
             call()
         assert refused.value.code == "E0501"
     # A rule between two values as well: the pin is as large as its hole.

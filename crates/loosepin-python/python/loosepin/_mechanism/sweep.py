@@ -18,12 +18,13 @@ from .. import _loosepin
 from .._extras import need
 from .._figures import shown, sweep_figure
 from .._progress import Listener, listener
-from .._objects.arguments import item_named, must_be
+from .._objects.arguments import item_named
 from .._objects.arrays import NoArray, read_only, refuse_masked
 from .._objects.errors import refused
 from .._objects.logs import long_run
 from .._objects.pickles import pickled
 from .._objects.records import Record
+from .._objects.stored import loaded, saved
 from .._records import Array, numbers
 
 if TYPE_CHECKING:
@@ -143,18 +144,14 @@ class Sweep(NoArray, Mapping[str, Array]):
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> Sweep:
         """Reads the finished sweep in a folder of results, which `save` or `loosepin sweep --out` wrote. Nothing in it is changed."""
-        must_be("a path", folder=folder)
-        return cls(_loosepin.Sweep.load(os.fspath(folder)))
+        return cls(loaded(_loosepin.Sweep.load, folder))
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes the files of `loosepin sweep --out` into a folder: summary.json, sweep.csv, sections.csv and report.html.
 
         force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
         """
-        must_be("a path", folder=folder)
-        must_be("True or False", force=force)
-        self._native.save(os.fspath(folder), force)
-        return Path(folder)
+        return saved(self._native, folder, force)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return pickled("Sweep", _restored, self._native.summary_json())

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 from .. import _loosepin
 from .._extras import need
 from .._figures import motion_figure, shown
-from .._objects.arguments import item_named, must_be
+from .._objects.arguments import item_named
 from .._objects.arrays import NoArray
 from .._objects.pickles import pickled
 from .._objects.records import Record
+from .._objects.stored import loaded, saved
 from .._records import Array, numbers
 
 if TYPE_CHECKING:
@@ -167,18 +168,14 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> Motion:
         """Reads the finished motion in a folder of results, which `save` or `loosepin motion --out` wrote. Nothing in it is changed."""
-        must_be("a path", folder=folder)
-        return cls(_loosepin.Motion.load(os.fspath(folder)))
+        return cls(loaded(_loosepin.Motion.load, folder))
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes the files of `loosepin motion --out` into a folder: summary.json and report.html.
 
         force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
         """
-        must_be("a path", folder=folder)
-        must_be("True or False", force=force)
-        self._native.save(os.fspath(folder), force)
-        return Path(folder)
+        return saved(self._native, folder, force)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return pickled("Motion", _restored, self._native.summary_json())
