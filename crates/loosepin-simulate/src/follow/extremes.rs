@@ -1,9 +1,6 @@
 //! Extremes of a deviation within a step.
 
-use crate::stepping::search::maximum_within;
-
-/// Points of a step at which a deviation is looked at before its extremes are located, ends included.
-const POINTS_PER_STEP: usize = 5;
+use crate::stepping::search::{POINTS_PER_STEP, maximum_within};
 
 /// A function of the share of a step at equal distances, ends included: each share with the value there.
 pub fn points_within(mut f: impl FnMut(f64) -> f64) -> [(f64, f64); POINTS_PER_STEP] {

@@ -3,14 +3,11 @@
 use crate::ideal::column::Column;
 use crate::observer::Step;
 use crate::recording::column_reader::{ColumnReader, Ideal};
-use crate::stepping::search::{Peak, maximum_within, may_exceed};
+use crate::stepping::search::{POINTS_PER_STEP, Peak, maximum_within, may_exceed};
 use loosepin_result::simulation::{Extreme, ExtremePoint};
 use loosepin_result::study::Deviation;
 
-/// Points at which each step is looked at for extremes, the ends included.
-pub const POINTS_PER_STEP: usize = 5;
-
-/// The times of these points in `step`, s.
+/// The times at which `step` is looked at for extremes, s.
 pub fn times_s(step: &Step<'_, '_>) -> [f64; POINTS_PER_STEP] {
     let (start_s, end_s) = (step.start_s, step.end_s);
     std::array::from_fn(|k| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64)

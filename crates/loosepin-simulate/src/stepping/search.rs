@@ -22,6 +22,9 @@ impl Peak {
     }
 }
 
+/// Points of a step at which a value is looked at before its extremes are located, at equal distances, ends included.
+pub(crate) const POINTS_PER_STEP: usize = 5;
+
 /// Between the points at which a step is looked at a value can rise above them by this share of their range only.
 pub(crate) const ROOM: f64 = 0.25;
 

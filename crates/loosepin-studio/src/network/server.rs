@@ -62,7 +62,7 @@ pub struct Serving<'s> {
 }
 
 /// Serves the studio of `folder` on this machine alone until `stop` is set; `port` 0 takes a free one, and without a `token` a new one is
-/// made. `ready` hears the address.
+/// made. `ready` is given the address.
 ///
 /// # Errors
 /// The folder is not there; the port is in use.

@@ -138,11 +138,11 @@ async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), 
 /// Answers looks until the connection ends.
 fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
     while let Some(request) = mailbox.take() {
-        let told = |seen: &LookAnswer| serde_json::to_string(&ToPage::LookAnswer(seen)).unwrap_or_default();
+        let in_json = |seen: &LookAnswer| serde_json::to_string(&ToPage::LookAnswer(seen)).unwrap_or_default();
         let late = || {
-            let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
+            let _ = answers.send(in_json(&cut(&request, LONGEST_LOOK)).into());
         };
-        let text = within(LONGEST_LOOK, late, |stop| told(&answer_look(folder, &request, stop)));
+        let text = within(LONGEST_LOOK, late, |stop| in_json(&answer_look(folder, &request, stop)));
         // What came too late is answered already.
         let Some(text) = text else { continue };
         if answers.send(text.into()).is_err() {

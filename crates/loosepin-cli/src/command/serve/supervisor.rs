@@ -15,7 +15,7 @@ use crate::ending::{Done, Ending, Failure};
 
 /// How often it is looked whether the worker has ended.
 const TICK: Duration = Duration::from_millis(50);
-/// Workers that may end by an error in [`SPAN`] before no other one is started. A page sends its texts again to each.
+/// Workers that may end by an error within [`SPAN`]; after one more none is started. A page sends its texts again to each.
 const MAX_ENDED: usize = 20;
 /// The time in which they are counted.
 const SPAN: Duration = Duration::from_secs(60);
@@ -25,12 +25,9 @@ problems! {
     #[derive(Debug)]
     pub enum SupervisorProblem {
         /// The system starts no process.
-        NotStarted { source: io::Error } => Code::FolderNotUsable,
-            says("the process of the studio cannot be started: {source}");
-        /// It did not live long.
-        EndedAtOnce => Code::FolderNotUsable,
-            says("the studio ended by an internal error, which is a fault of loosepin"),
-            hint("report it with the files of the folder and the lines above");
+        NotStarted { source: io::Error } => Code::NoThreads,
+            says("the process of the studio cannot be started: {source}"),
+            hint("raise the limits of memory (ulimit -v, ulimit -d) or of processes (ulimit -u)");
     }
 }
 
@@ -54,20 +51,25 @@ pub fn run(arguments: &ServeArguments) -> Ending {
     let mut ended: Vec<Instant> = Vec::new();
     loop {
         let status = worker.wait(&stop).map_err(not_started)?;
+        ended.retain(|instant| instant.elapsed() < SPAN);
         match (status.code(), &address) {
             (Some(0), _) => break,
             // It has said why.
             (Some(status), _) => return Err(Failure::Reported(u8::try_from(status).unwrap_or(2))),
             (None, _) if stop.load(Ordering::Relaxed) => break,
             (None, Some(address)) if ended.len() < MAX_ENDED => {
-                ended.retain(|instant| instant.elapsed() < SPAN);
                 ended.push(Instant::now());
                 console::message(
                     "the studio ended by an internal error, and is started again; run a study that was running once more: its runs are saved",
                 );
                 worker = Worker::start(arguments, address.port, &address.token).map_err(not_started)?;
             }
-            (None, _) => return Err(Failure::of(&SupervisorProblem::EndedAtOnce)),
+            (None, _) => {
+                console::message(
+                    "error: the studio ended by an internal error, a fault of loosepin: please report it with the lines above and the files of the folder",
+                );
+                return Err(Failure::Reported(2));
+            }
         }
     }
     drop(page);
