@@ -10,7 +10,8 @@ function freeSide({ from, to }: DimensionView, part: BodyView | undefined): 1 | 
 
 /** Adds the dimensions; the player moves them with their bodies. `fontMm` is the size of the letters. */
 export function addDimensions(svg: SVGSVGElement, dimensions: DimensionView[], parts: BodyView[], textOf: (dimension: DimensionView) => string, fontMm: number): void {
-  const upright = element('g', { transform: 'scale(1 -1)', class: 'dimensions', 'aria-hidden': 'true' });
+  const upright = element('g', { transform: 'scale(1 -1)', class: 'dimensions' });
+  upright.style.fontSize = (1.1 * fontMm).toFixed(4) + 'px';
   for (const dimension of dimensions) {
     const { kind, body, from } = dimension;
     const [dx, dy] = [dimension.to[0] - from[0], dimension.to[1] - from[1]];
@@ -31,7 +32,7 @@ export function addDimensions(svg: SVGSVGElement, dimensions: DimensionView[], p
     moving.append(element('path', { d: lines.join(''), class: 'dimension' }));
     const [x, y] = at(kind === 'angle' ? reach : reach / 2, aside + 0.9 * size * side);
     const rider = element('g', { 'data-rides': String(body), 'data-x': String(x), 'data-y': String(y) });
-    const text = element('text', { class: 'dimension', transform: 'scale(1 -1)', 'text-anchor': 'middle', 'dominant-baseline': 'middle', 'font-size': size.toFixed(4) });
+    const text = element('text', { class: dimension.path === null ? 'dimension' : 'dimension editable', 'data-path': dimension.path ?? '', transform: 'scale(1 -1)', 'text-anchor': 'middle', 'dominant-baseline': 'middle' });
     text.textContent = textOf(dimension);
     rider.append(text);
     upright.append(moving, rider);

@@ -58,13 +58,22 @@ export function worldOf([x, y, degrees]: [number, number, number], ownX: number,
 }
 
 export class Player {
-  private readonly bodies: SVGElement[];
-  private readonly ghosts: SVGElement[];
-  private readonly riders: SVGElement[];
+  private bodies: SVGElement[] = [];
+  private ghosts: SVGElement[] = [];
+  private riders: SVGElement[] = [];
   /** From (0, 0) to (1, 0) in their own frames. */
-  private readonly spans: SVGElement[];
+  private spans: SVGElement[] = [];
 
-  constructor(svg: SVGSVGElement, private readonly motion: Motion) {
+  constructor(
+    private readonly svg: SVGSVGElement,
+    private readonly motion: Motion,
+  ) {
+    this.collect();
+  }
+
+  /** Something in the drawing was put in or taken out. */
+  collect(): void {
+    const { svg } = this;
     this.bodies = [...svg.querySelectorAll<SVGElement>('[data-body]')];
     this.ghosts = [...svg.querySelectorAll<SVGElement>('[data-ghost]')];
     this.riders = [...svg.querySelectorAll<SVGElement>('[data-rides]')];

@@ -75,6 +75,13 @@ export function roundStep(least: number): number {
   return ([1, 2, 5, 10].find((first) => first * power >= least * (1 - 1e-9)) ?? 10) * power;
 }
 
+const barPx = 70;
+
+/** Length of the bar of a scale, mm: the shortest round one that is long enough on the screen. */
+export function barLength(pxPerMm: number): number {
+  return roundStep(barPx / pxPerMm);
+}
+
 export interface Snapped {
   at: Point;
   /** Index of the target that holds it, where one does. */

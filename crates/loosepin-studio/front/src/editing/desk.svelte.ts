@@ -9,6 +9,7 @@ import { differences, Drag, type Point } from './drag.ts';
 import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from '../drawing/head.svelte.ts';
+import { Viewport } from '../drawing/viewport.svelte.ts';
 import { Looker } from '../network/looker.ts';
 import { posesAt } from '../drawing/player.ts';
 import { movedRange } from './ranges.ts';
@@ -37,6 +38,8 @@ function moveAll<T extends { document: Document | null; from?: number | null; to
 
 export class Desk {
   readonly head = new Head();
+  /** What the canvas shows. */
+  readonly viewport = new Viewport();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
   diagnostics = $state.raw<DiagnosticView[]>([]);
