@@ -1,5 +1,6 @@
 """The canvas of the studio: zoom, pan, names that hide nothing, paths of points, numbers edited where they stand."""
 
+import re
 import time
 
 import pytest  # noqa: F401
@@ -58,9 +59,117 @@ def test_names_of_all_templates_hide_neither_each_other_nor_links(studio, width,
     assert not faults, faults
 
 
-def open_template(studio, template="four-bar"):  # noqa: F811
+
+def mouse(studio, kind, place, **more):  # noqa: F811
+    studio.browser.call("Input.dispatchMouseEvent", type=kind, x=place[0], y=place[1], **more)
+
+
+def box(studio):  # noqa: F811
+    return studio.browser.evaluate(BOX)
+
+
+def mm_at(studio, place):  # noqa: F811
+    """What lies in the drawing at a place of the screen."""
+    return studio.browser.evaluate(f"(() => {{ const at = new DOMPoint({place[0]}, {place[1]}).matrixTransform(document.querySelector('.drawing svg').getScreenCTM().inverse()); return [at.x, at.y]; }})()")
+
+
+def test_the_wheel_zooms_about_the_pointer_and_keys_fit_again(studio):  # noqa: F811
     studio.browser.view(1280, 800, reduced_motion=True)
-    open_small(studio, template)
-    studio.click(".recent .open, .recent button", template) if False else None
+    open_small(studio, "four-bar")
     settle(studio)
-    return studio.browser.evaluate("(() => { const { x, y, width, height } = document.querySelector('.drawing .ground').getBoundingClientRect(); return [x, y, width, height]; })()")
+    before = box(studio)
+    # Whole pixels: a wheel has no others.
+    place = [round(x) for x in studio.pin("rocker_pin")]
+    held = mm_at(studio, place)
+    for _ in range(5):
+        mouse(studio, "mouseWheel", place, deltaX=0, deltaY=-120)
+    studio.wait(f"{BOX}[2] < 0.5 * {before[2]}")
+    zoomed = mm_at(studio, place)
+    scale_mm = box(studio)[2] / 600
+    assert max(abs(a - b) for a, b in zip(held, zoomed, strict=True)) < 0.5 * scale_mm, "the place under the pointer stays, to half a pixel"
+    # Names are as large as before.
+    assert studio.browser.evaluate("document.querySelector('.labels text').getBoundingClientRect().height") == pytest.approx(15, abs=3)
+    studio.browser.evaluate("(document.querySelector('.drawing .ground').focus(), true)")
+    for key in ("ArrowRight", "-", "+"):
+        studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key=key)
+    assert box(studio) != before
+    studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="0")
+    studio.wait(f"Math.abs({BOX}[2] - {before[2]}) < 1e-3 * {before[2]}")
+
+
+def test_a_press_beside_all_parts_moves_the_canvas(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    left, top = studio.browser.evaluate("(() => { const { x, y } = document.querySelector('.drawing .ground').getBoundingClientRect(); return [x, y]; })()")
+    before = studio.pin("rocker_pin")
+    mouse(studio, "mousePressed", (left + 20, top + 20), button="left", clickCount=1)
+    mouse(studio, "mouseMoved", (left + 60, top + 50), button="left", buttons=1)
+    mouse(studio, "mouseReleased", (left + 60, top + 50), button="left", clickCount=1)
+    after = studio.pin("rocker_pin")
+    assert [b - a for a, b in zip(before, after, strict=True)] == pytest.approx([40, 30], abs=0.6)
+    assert studio.browser.evaluate("document.querySelector('.bar').innerText.includes('· saved')"), "no text has changed"
+
+
+def test_a_dragged_pin_is_under_the_pointer_after_its_release_and_the_view_holds_still(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    before = box(studio)
+    # Alt: without rounding, so that the pin is where the pointer is.
+    x, y = studio.pin("rocker_pin")
+    mouse(studio, "mousePressed", (x, y), button="left", clickCount=1)
+    for step in range(1, 16):
+        mouse(studio, "mouseMoved", (x + 3 * step, y + 2 * step), button="left", buttons=1, modifiers=1)
+        time.sleep(0.02)
+    mouse(studio, "mouseReleased", (x + 45, y + 30), button="left", clickCount=1, modifiers=1)
+    settle(studio)
+    studio.settle()
+    assert studio.pin("rocker_pin") == pytest.approx([x + 45, y + 30], abs=1.0)
+    assert box(studio) == before
+
+
+def test_the_path_of_an_output_is_drawn_and_that_of_a_pin_pointed_at(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    # The tracer of the coupler is on its path at every angle.
+    on_path = """(() => {
+        const path = document.querySelector('.drawing .trace.output');
+        const mark = document.querySelector('.drawing .labels .mark').getBoundingClientRect();
+        const [x, y] = [mark.x + mark.width / 2, mark.y + mark.height / 2];
+        const length = path.getTotalLength();
+        let best = Infinity;
+        for (let at = 0; at <= length; at += length / 2000) {
+            const point = path.getPointAtLength(at).matrixTransform(path.getScreenCTM());
+            best = Math.min(best, Math.hypot(point.x - x, point.y - y));
+        }
+        return best;
+    })()"""
+    for _ in range(3):
+        assert studio.browser.evaluate(on_path) < 0.8
+        for _ in range(25):
+            studio.click("button", "+1°")
+    assert not studio.browser.evaluate("document.querySelector('.drawing .trace.pointed')")
+    mouse(studio, "mouseMoved", studio.pin("rocker_pin"))
+    studio.wait("document.querySelector('.drawing .trace.pointed')")
+
+
+def test_a_length_is_edited_where_it_stands_with_its_tolerance(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    studio.click(".outline button", "rocker")
+    studio.wait("document.querySelector('.drawing text.editable')")
+    place = studio.browser.evaluate("(() => { const box = document.querySelector('.drawing text.editable').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()")
+    mouse(studio, "mousePressed", place, button="left", clickCount=1)
+    mouse(studio, "mouseReleased", place, button="left", clickCount=1)
+    studio.wait("document.activeElement.closest('.in-place')")
+    # A decimal comma can mean nothing else here.
+    studio.browser.call("Input.insertText", text="181,5 ±0,2 mm")
+    studio.key("Enter")
+    studio.wait("[...document.querySelectorAll('.drawing text.dimension')].some((text) => text.textContent.includes('181.5'))")
+    model, study = studio.saved("four-bar")
+    # The nominal value stands in the model, the tolerance in the study.
+    assert re.search(r'^rocker_length = "181.5 mm"', model, re.MULTILINE), model
+    assert re.search(r'^"parameter.rocker_length" = \{ tolerance = "181.5 mm ± 0.2 mm" \}', study, re.MULTILINE), study

@@ -163,7 +163,7 @@ export const words = {
     zoom: 'Zoom',
     larger: 'Zoom in (+)',
     smaller: 'Zoom out (−)',
-    fit: 'Show all (0)',
+    fit: 'Fit: show all (0)',
     fitShort: 'Fit',
     scale: (mm: number): string => (mm >= 1000 ? `${mm / 1000} m` : mm < 0.001 ? `${Number((mm * 1e6).toPrecision(3))} nm` : mm < 0.1 ? `${Number((mm * 1000).toPrecision(3))} µm` : `${Number(mm.toPrecision(3))} mm`),
     play: (factor: number): string => (factor === 1 ? 'play true to scale' : `play × ${factor}`),

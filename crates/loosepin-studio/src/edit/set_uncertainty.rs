@@ -70,6 +70,12 @@ pub fn known_texts(
         (NumberLocation::There(range), UncertaintySpec::Exact(value)) => {
             in_model.replace([(range.clone(), value.quoted())])?
         }
+        // One field holds nominal value and tolerance: a new nominal value goes into the model, which the tolerance must agree with.
+        (NumberLocation::There(range), UncertaintySpec::Tolerance(Some(nominal), _))
+            if number.nominal.as_ref().is_none_or(|old| old.value_si != nominal.value_si) =>
+        {
+            in_model.replace([(range.clone(), nominal.quoted())])?
+        }
         // The model keeps its value: the drawn one.
         (NumberLocation::There(_), _) => {}
         (NumberLocation::NewPlay(joint), UncertaintySpec::Exact(value) | UncertaintySpec::Interval([value, _])) => {

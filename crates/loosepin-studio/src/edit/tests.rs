@@ -281,6 +281,20 @@ fn whatever_is_known_of_a_number_is_read_back_and_the_comments_stay() {
 }
 
 #[test]
+fn a_nominal_value_and_its_tolerance_are_written_in_one_field() {
+    let (_desk, folder) = served();
+    let template = find_template("four-bar").unwrap();
+    let old = texts(&folder, template.model, template.study);
+    let texts = known(&folder, &old, "parameter.rocker_length", "181,5 ±0,2 mm");
+    assert!(texts.model.text().contains("rocker_length = \"181.5 mm\""), "{}", texts.model.text());
+    let InputFile::Study(read) = texts.read().unwrap_or_else(|found| panic!("{found}")) else { panic!("a study") };
+    assert!(read.random.iter().any(|input| input.path == "parameter.rocker_length"));
+    // The same nominal value leaves the model as it is.
+    let again = known(&folder, &texts, "parameter.rocker_length", "181.5 ±0.1 mm");
+    assert_eq!(again.model.text(), texts.model.text());
+}
+
+#[test]
 fn a_joint_gets_play_with_a_bearing_and_a_contact() {
     let (_desk, folder) = served();
     let template = find_template("four-bar").unwrap();

@@ -32,8 +32,14 @@ export function addDimensions(svg: SVGSVGElement, dimensions: DimensionView[], p
     moving.append(element('path', { d: lines.join(''), class: 'dimension' }));
     const [x, y] = at(kind === 'angle' ? reach : reach / 2, aside + 0.9 * size * side);
     const rider = element('g', { 'data-rides': String(body), 'data-x': String(x), 'data-y': String(y) });
-    const text = element('text', { class: dimension.path === null ? 'dimension' : 'dimension editable', 'data-path': dimension.path ?? '', transform: 'scale(1 -1)', 'text-anchor': 'middle', 'dominant-baseline': 'middle' });
+    const text = element('text', { class: 'dimension', transform: 'scale(1 -1)', 'text-anchor': 'middle', 'dominant-baseline': 'middle' });
     text.textContent = textOf(dimension);
+    if (dimension.path !== null) {
+      text.classList.add('editable');
+      text.dataset.path = dimension.path;
+      // A button of the canvas: the number is edited where it stands.
+      Object.entries({ role: 'button', tabindex: '0' }).forEach(([name, value]) => text.setAttribute(name, value));
+    }
     rider.append(text);
     upright.append(moving, rider);
   }
