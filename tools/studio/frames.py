@@ -1,4 +1,4 @@
-"""How smoothly the studio follows a pin that is dragged, and how soon it shows something.
+"""How smoothly the studio follows a pin that is dragged and a canvas that is zoomed, and how soon it shows something.
 
     just studio-bench                 (builds the release program first)
     python3 tools/studio/frames.py PROGRAM [--busy]
@@ -20,7 +20,8 @@ sys.path.insert(0, str(REPOSITORY / "tests/browser"))
 import test_studio  # noqa: E402
 from chromium import Chromium  # noqa: E402
 
-DRAG_S = 4.0
+DRAG_S = 5.0
+ZOOM_S = 5.0
 LATE_MS = 25
 FOUR_BARS = 10
 # Notes the time of each frame, and of each look and its answer.
@@ -100,13 +101,31 @@ def drag(studio, pin):
         step += 1
         mouse("mouseMoved", 12 * math.sin(0.08 * step) + 3, -8 * math.sin(0.056 * step), buttons=1)
         time.sleep(0.012)
-    times = browser.evaluate("[window.frames_ms, window.answers_ms]")
+    times = browser.evaluate("[window.frames_ms.slice(), window.answers_ms]")
     mouse("mouseReleased", 0, 0, clickCount=1)
     studio.settle()
+    times.append(zoom(browser, x, y))
     # An unsaved text would hold the page.
     studio.click("button", "Undo")
     studio.wait_until_saved()
     return times
+
+
+def zoom(browser, x, y):
+    """Zooms in and out about a place for some seconds, while the mechanism turns; gives the times of frames."""
+    browser.call("Input.dispatchKeyEvent", type="keyDown", key=" ")
+    browser.call("Input.dispatchKeyEvent", type="keyUp", key=" ")
+    browser.evaluate("(window.frames_ms.length = 0, true)")
+    began, step = time.monotonic(), 0
+    while time.monotonic() - began < ZOOM_S:
+        step += 1
+        browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=-60 * math.sin(0.05 * step))
+        time.sleep(0.012)
+    frames = browser.evaluate("window.frames_ms.slice()")
+    for kind in ("keyDown", "keyUp"):
+        browser.call("Input.dispatchKeyEvent", type=kind, key=" ")
+    browser.call("Input.dispatchKeyEvent", type="keyDown", key="0")
+    return frames
 
 
 def main(program, is_busy):
@@ -132,13 +151,14 @@ def main(program, is_busy):
                     command = [program, "study", desk / "press/study.toml", "--out", desk / f"out-{folder}"]
                     beside = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                     time.sleep(1)
-                frames, answers = drag(studio, pin)
+                frames, answers, zoomed = drag(studio, pin)
                 if beside:
                     beside.kill()
                     beside.wait()
-                late = sum(time_ms > LATE_MS for time_ms in frames)
+                late, late_zoomed = (sum(time_ms > LATE_MS for time_ms in times) for times in (frames, zoomed))
                 page, server = [answer[0] for answer in answers], [answer[1] for answer in answers]
-                print(f"{folder:13} {'beside a study' if is_busy else 'idle':14} {late:3} of {len(frames)} frames late ({100 * late / len(frames):.1f} %), "
+                print(f"{folder:13} {'beside a study' if is_busy else 'idle':14} {late:3} of {len(frames)} frames late ({100 * late / len(frames):.1f} %), zoomed {late_zoomed} of {len(zoomed)} "
+                      f"({100 * late_zoomed / len(zoomed):.1f} %), "
                       f"{len(answers)} answers, from look to answer {share(page, 0.5):.0f} ms (95 %: {share(page, 0.95):.0f}), "
                       f"server {share(server, 0.5):.0f} ms (95 %: {share(server, 0.95):.0f})")
             studio.open()

@@ -43,7 +43,9 @@ export const words = {
     title: 'Keys',
     list: [
       ['Space', 'plays or stops the drawing'],
-      ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten'],
+      ['+ and −, wheel', 'zoom the canvas; 0 shows all of it'],
+      ['Space with drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
+      ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten; on the canvas: move it'],
       ['Alt', 'while dragging a pin: do not round the values'],
       ['V L P J S G M D', 'tools: move, link, plate, join, slider, ground, motor, delete'],
       ['Enter', 'on a point: selects it, or applies the tool'],
@@ -56,7 +58,7 @@ export const words = {
       ['/', 'finds a mechanism in the gallery'],
       ['F8', 'in a text: go to the next problem'],
     ] as [string, string][],
-    single: 'Use the keys Space, [, ], / and the letters of tools',
+    single: 'Use the keys Space, [, ], /, +, −, 0 and the letters of tools',
   },
 
   gallery: {
