@@ -326,6 +326,7 @@ def test_one_cursor_reads_both_bands(studio, conducted):
     studio.wait("document.querySelector('.compare svg.chart')")
     reading = "document.querySelector('.compare .reading').innerText"
     assert "Point at a chart" in studio.browser.evaluate(reading)
+    studio.browser.evaluate("(document.querySelector('.compare svg.chart').scrollIntoView({ block: 'center' }), true)")
     box = studio.browser.evaluate("""(() => { const box = document.querySelector('.compare svg.chart').getBoundingClientRect();
         return [box.x + box.width / 2, box.y + box.height / 2]; })()""")
     studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=box[0], y=box[1])
