@@ -223,6 +223,34 @@ def test_a_file_that_changes_outside_is_loaded_or_written_over_as_the_person_say
     assert model.read_text() == first.replace('rocker_length = "180 mm"', 'rocker_length = "170 mm"')
 
 
+# A plain message: neither an alarm nor "another program".
+IN_ANOTHER_TAB = "[...document.querySelectorAll('.notice.plain')].some((one) => one.innerText.includes('was saved in another tab of the studio'))"
+
+
+def test_a_save_in_another_tab_is_no_alarm(studio):
+    studio.take("rank, coupler and rocker")
+    browser = studio.browser
+    # The looks of this tab have told the server which files it has.
+    time.sleep(1.2)
+    first = browser.session
+    target = browser.call("Target.createTarget", url=studio.address)["targetId"]
+    try:
+        browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        studio.wait("document.querySelectorAll('button.card').length === 17")
+        browser.evaluate("(location.hash = '#/edit/four-bar/study.toml', true)")
+        studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+        studio.type_number("crank_length", "90 mm")
+        assert 'crank_length = "90 mm"' in studio.saved("four-bar")[0]
+    finally:
+        browser.session = first
+        browser.call("Target.closeTarget", targetId=target)
+    studio.wait(IN_ANOTHER_TAB)
+    assert not browser.evaluate(CHANGED) and studio.number("crank_length") == "80 mm"
+    studio.click("button", "Load the version on disk")
+    studio.wait(f"({FIELD % repr('crank_length')})?.querySelector('input').value === '90 mm'")
+    assert browser.evaluate("document.querySelector('.notice') === null")
+
+
 def test_two_tabs_see_the_same_files_and_runs(studio):
     studio.take("rank, rod and slider")
     with Chromium() as other:

@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from check_pages import AXE, check, seen_by_axe  # noqa: E402
 from chromium import Chromium  # noqa: E402
 from test_studio import PROGRAM, Studio  # noqa: E402
+from test_studio_journeys import Keyboard  # noqa: E402
 
 NARROWER = ('["0.1 mm", "0.5 mm"]', '["0.1 mm", "0.15 mm"]')
 # A choice of a list, as a person makes it.
@@ -157,6 +158,57 @@ def test_what_is_no_pair_is_refused_with_words(studio, conducted):
     assert studio.browser.evaluate("document.querySelector('.headline') === null")
 
 
+COMPARED = "document.querySelector('.compare .headline')"
+PICKED = "document.querySelectorAll('.pick button:not([aria-disabled=true])').length"
+
+
+def test_two_results_are_compared_by_three_clicks(studio, conducted):
+    _, results = conducted
+    studio.open()
+    studio.clicks = 0
+    top = studio.browser.evaluate("[...document.querySelectorAll('a')].find((one) => one.textContent === 'Compare two results').getBoundingClientRect().top")
+    assert top < 100, "seen without scrolling"
+    studio.click("a", "Compare two results")
+    studio.click(".pick button", results["worn"])
+    studio.wait("document.querySelector('.compare').innerText.includes('Choose result B.')")
+    studio.click(".pick button:not([aria-disabled=true])", results["measured"])
+    studio.wait(COMPARED)
+    assert studio.clicks == 3
+    # What differs in the inputs stands before the answers of both.
+    assert studio.browser.evaluate("""Boolean(document.querySelector('#inputs').compareDocumentPosition(document.querySelector('.sides'))
+        & Node.DOCUMENT_POSITION_FOLLOWING)""")
+    assert studio.browser.evaluate("document.querySelector('.pick') === null")
+    assert studio.browser.diagnostics() == []
+
+
+def test_two_results_are_compared_by_keyboard_alone(studio, conducted):
+    studio.open()
+    keyboard = Keyboard(studio)
+    keyboard.reach("a", "Compare two results")
+    keyboard.press("Enter")
+    studio.wait(f"{PICKED} >= 2")
+    keyboard.reach(".pick button")
+    keyboard.press("ArrowDown")
+    keyboard.press("Enter")
+    studio.wait("document.querySelector('.compare').innerText.includes('Choose result B.')")
+    # The keyboard is where it was.
+    keyboard.press("ArrowUp")
+    keyboard.press("Enter")
+    studio.wait(f"{COMPARED} || document.querySelector('.notice.error')")
+    assert studio.browser.evaluate(f"{COMPARED} !== null")
+    assert studio.browser.diagnostics() == []
+
+
+def test_without_results_the_page_says_what_to_do(tmp_path, browser):
+    studio = Studio(tmp_path, browser)
+    studio.open()
+    studio.click("a", "Compare two results")
+    studio.wait("document.querySelector('.compare').innerText.includes('No study is finished yet.')")
+    studio.click("a", "Choose a mechanism")
+    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.close()
+
+
 def test_the_run_behind_a_bound_is_made_by_one_click(studio, conducted):
     folder, results = conducted
     open_report(studio, results["worn"])
@@ -274,6 +326,7 @@ def test_one_cursor_reads_both_bands(studio, conducted):
     studio.wait("document.querySelector('.compare svg.chart')")
     reading = "document.querySelector('.compare .reading').innerText"
     assert "Point at a chart" in studio.browser.evaluate(reading)
+    studio.browser.evaluate("(document.querySelector('.compare svg.chart').scrollIntoView({ block: 'center' }), true)")
     box = studio.browser.evaluate("""(() => { const box = document.querySelector('.compare svg.chart').getBoundingClientRect();
         return [box.x + box.width / 2, box.y + box.height / 2]; })()""")
     studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=box[0], y=box[1])

@@ -115,6 +115,7 @@ export const words = {
     leaveWithout: 'Leave without saving',
     stay: 'Stay',
     changed: (path: string): string => `${path} was changed on disk by another program.`,
+    changedInTab: (path: string): string => `${path} was saved in another tab of the studio.`,
     load: 'Load the version on disk',
     keep: 'Keep mine and overwrite',
     saveFailed: (message: string): string => `The texts could not be saved. ${message}`,
@@ -403,13 +404,22 @@ export const words = {
   adopted: (values: string, hasChanged: boolean): string =>
     `Now known exactly: ${values}. Undo reverses this.${hasChanged ? ' The texts have been changed since this result.' : ''}`,
 
+  pick: {
+    first: 'Choose result A, then result B.',
+    second: 'Choose result B.',
+    results: 'Finished studies',
+    chosen: 'Result A',
+    none: 'No study is finished yet. Choose a mechanism, save and run its study, change a number, and run it again.',
+    one: 'One study is finished. Change a number in its study, save and run it: then there are two results to compare.',
+    examples: 'Choose a mechanism',
+  },
+
   compare: {
     heading: 'Two results compared',
     choose: 'Results to compare',
     side: (side: string): string => `Result ${side}`,
     none: 'Choose a result',
     swap: 'Swap A and B',
-    tooFew: 'Two finished studies are needed: run one with other numbers.',
     loading: 'Comparing the results …',
     failed: 'The results cannot be compared.',
     model: (model: string): string => `Model ${model}`,

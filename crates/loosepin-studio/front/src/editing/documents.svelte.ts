@@ -3,6 +3,7 @@ import { applied, History, type Change, type Gesture, type Step } from './histor
 import type { Range } from './place.ts';
 import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
 import { movedRange } from './ranges.ts';
+import { isOfAnotherTab, tellSaved } from '../network/tabs.ts';
 import { ask } from '../network/wire.ts';
 
 export interface Sheet {
@@ -108,6 +109,12 @@ export class Documents {
     return (await this.onDisk(which))?.tag === this.sheet(which)?.tag;
   }
 
+  /** Whether what is on the disk was saved by another tab of the studio. */
+  async isSavedInAnotherTab(which: Document): Promise<boolean> {
+    const onDisk = await this.onDisk(which);
+    return onDisk !== null && isOfAnotherTab(onDisk.path, onDisk.tag);
+  }
+
   private async onDisk(which: Document): Promise<OpenedText | null> {
     const path = this.sheet(which)?.path ?? '';
     const opened = await ask<OpenAnswer>('GET', '/api/open?path=' + encodeURIComponent(path));
@@ -120,6 +127,7 @@ export class Documents {
     const { path, text } = sheet;
     const answer = await ask<SaveAnswer>('PUT', '/api/file', { path, text, tag } satisfies SaveRequest);
     this.keep(which, { savedText: text, tag: answer.tag });
+    tellSaved(path, answer.tag);
   }
 
   private keep(which: Document, part: Partial<Sheet>): void {
