@@ -170,7 +170,7 @@ def test_two_results_are_compared_by_three_clicks(studio, conducted):
     assert top < 100, "seen without scrolling"
     studio.click("a", "Compare two results")
     studio.click(".pick button", results["worn"])
-    studio.wait("document.querySelector('.compare').innerText.includes('Choose result B.')")
+    studio.wait("(document.querySelector('.compare')?.innerText ?? '').includes('Choose result B.')")
     studio.click(".pick button:not([aria-disabled=true])", results["measured"])
     studio.wait(COMPARED)
     assert studio.clicks == 3
@@ -190,7 +190,7 @@ def test_two_results_are_compared_by_keyboard_alone(studio, conducted):
     keyboard.reach(".pick button")
     keyboard.press("ArrowDown")
     keyboard.press("Enter")
-    studio.wait("document.querySelector('.compare').innerText.includes('Choose result B.')")
+    studio.wait("(document.querySelector('.compare')?.innerText ?? '').includes('Choose result B.')")
     # The keyboard is where it was.
     keyboard.press("ArrowUp")
     keyboard.press("Enter")
@@ -203,7 +203,7 @@ def test_without_results_the_page_says_what_to_do(tmp_path, browser):
     studio = Studio(tmp_path, browser)
     studio.open()
     studio.click("a", "Compare two results")
-    studio.wait("document.querySelector('.compare').innerText.includes('No study is finished yet.')")
+    studio.wait("(document.querySelector('.compare')?.innerText ?? '').includes('No study is finished yet.')")
     studio.click("a", "Choose a mechanism")
     studio.wait("document.querySelectorAll('button.card').length === 17")
     studio.close()
