@@ -4,7 +4,8 @@ use loosepin_mechanics::mechanism::{Drives, Mechanism};
 use loosepin_mechanics::model::{
     Body, BodyId, CycleSpan, DriveId, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Recorded, Values,
 };
-use loosepin_simulate::columns;
+use loosepin_result::kinematics::LoopProperties;
+use loosepin_simulate::{columns, loop_properties};
 use loosepin_text::article::{Article, Content, Fact, Section};
 use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value, listed};
 
@@ -27,7 +28,7 @@ pub fn article(mechanism: &Mechanism, values: &Values, tried: &TrialResult) -> A
     sections.extend(beams(mechanism, values, tried.turn_s));
     sections.push(joints(mechanism, values));
     sections.extend(elements(model, values, &coupling_lines(mechanism, values)));
-    sections.extend([mobility(mechanism), start(mechanism, values, tried), run(mechanism, tried)]);
+    sections.extend([mobility(mechanism, values), start(mechanism, values, tried), run(mechanism, tried)]);
     if !tried.is_run && !model.missing_for_runs.is_empty() {
         sections.push(missing(model));
     }
@@ -55,7 +56,7 @@ fn bodies(model: &Model, values: &Values) -> Section {
 }
 
 /// Loops, degrees of freedom, and the constraints that remove them.
-fn mobility(mechanism: &Mechanism) -> Section {
+fn mobility(mechanism: &Mechanism, values: &Values) -> Section {
     let model = &mechanism.model;
     let name = |play: &PlayId| format!("'{}'", model.play_name(*play));
     let joints: Vec<PlayId> = mechanism.plays.iter().copied().filter(|play| matches!(play, PlayId::Joint(_))).collect();
@@ -84,6 +85,7 @@ fn mobility(mechanism: &Mechanism) -> Section {
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
     let mut lines = vec![loop_words, freedoms];
+    lines.extend(loop_properties(model, values).iter().map(LoopProperties::words));
     let real = &mechanism.real;
     let of_floating = real.beams.iter().map(|beam| beam.coordinates.len());
     let of_beams: usize = of_floating.chain(real.nodal_beams.iter().map(|beam| beam.coordinates.len())).sum();

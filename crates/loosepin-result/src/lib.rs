@@ -6,6 +6,7 @@ mod contact_basis;
 pub mod identification;
 mod identification_gain;
 pub mod json;
+pub mod kinematics;
 pub mod motion;
 pub mod motion_identification;
 mod play_bounds;

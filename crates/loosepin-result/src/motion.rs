@@ -3,6 +3,7 @@
 use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
+use crate::kinematics::KinematicProperties;
 use crate::simulation::{Drawing, Override};
 use crate::study::{Deviation, PathError};
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
@@ -30,6 +31,9 @@ pub struct MotionRecord {
     pub mobility: String,
     /// Positions at which the ideal mechanism is singular, or nearly so.
     pub singular_positions: Vec<SingularPosition>,
+    /// Classes of loops, swings, dead centres and transmission angles; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "KinematicProperties::is_empty")]
+    pub kinematics: KinematicProperties,
     /// Joints whose block may reach over an end of its guide. The quasi-static answer takes it as held over its whole length.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guide_overhangs: Vec<GuideOverhang>,

@@ -65,6 +65,11 @@ struct Moving {
     has_signs: [bool; 2],
 }
 
+/// Of `count` recorded poses a page has each one whose index is a multiple of this.
+pub(crate) fn pose_step(count: usize) -> usize {
+    count.div_ceil(MAX_POSES).max(1)
+}
+
 /// The mechanism in its first pose, or nothing where the record holds no poses. Gaps are magnified where the poses with play are
 /// known beside the ideal ones, or where that is asked for.
 fn moving(drawing: &Drawing, drive: &str, is_gap_shown: bool) -> Option<Moving> {
@@ -311,7 +316,7 @@ fn first_magnification(diagonal_mm: f64, clearance_mm: f64) -> f64 {
 
 fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnification: f64) -> Motion {
     let count = reference.drive_angle_rad.len();
-    let step = count.div_ceil(MAX_POSES).max(1);
+    let step = pose_step(count);
     let pick = |value: &dyn Fn(usize) -> f64| -> Vec<Option<f64>> {
         (0..count).step_by(step).map(|pose| round_to_digits(value(pose), POSE_DIGITS)).collect()
     };

@@ -8,6 +8,7 @@ use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 use super::angles::{largest, shown_angle_rad, turn_angle};
+use super::kinematic_sentences::kinematic_sentences;
 use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
 use super::verdicts::{verdict_headline, verdict_sentences};
 
@@ -75,6 +76,7 @@ pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     }
     sentences.extend(unproven_sentences(record, writer));
     sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
+    sentences.extend(kinematic_sentences(record, writer));
     verdicts.into_iter().chain(sentences).collect()
 }
 

@@ -6,6 +6,7 @@
 //! | between what the outputs move, and how far play moves them | `ranges.rs` |
 //! | what each joint contributes | `contributors.rs` |
 //! | the effect of part scatter | `scatter.rs` |
+//! | loops, swings, dead centres, transmission angles | `kinematic_sentences.rs` |
 //! | what the drives must do | `efforts.rs` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
 //!
@@ -16,6 +17,7 @@ mod answer;
 mod charts;
 mod contributors;
 mod efforts;
+mod kinematic_sentences;
 mod page;
 mod play_effect;
 mod ranges;

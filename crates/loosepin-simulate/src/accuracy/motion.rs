@@ -12,6 +12,7 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
+use crate::kinematics::kinematic_properties;
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
@@ -185,6 +186,7 @@ fn motion_with(
         drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
+        kinematics: kinematic_properties(mechanism, values, &cycle.states, &input),
         guide_overhangs: overhangs.into_found(),
         unproven_spans: proofs.map_or_else(Vec::new, |proofs| proofs.unproven_spans),
         is_proven_between_angles,

@@ -1,6 +1,6 @@
 //! The mechanism as the page shows it.
 
-use loosepin::report::{LiveBand, MovingDrawing};
+use loosepin::report::{LiveBand, LiveCurve, MovingDrawing};
 use serde::Serialize;
 
 use super::diagnostics::Document;
@@ -198,6 +198,8 @@ pub struct View {
     pub drawing: Option<MovingDrawing>,
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
+    /// Position, velocity and acceleration of each output, and efforts of drives, over the poses of the drawing.
+    pub curves: Vec<LiveCurve>,
     /// The limits among them.
     pub limits: Vec<LimitView>,
     /// Its parts.

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
-use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
+use loosepin::report::{LiveLimit, live_bands, live_curves, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
@@ -136,6 +136,7 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
         bands: live_bands(record, &lines),
+        curves: live_curves(record),
         limits: limits.into_iter().flatten().collect(),
         outline: outline(file.model(), &record.drawing, outputs(record)),
         quantities: quantities(file.model(), texts),
@@ -155,6 +156,7 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
         ],
         drawing: moving_drawing(drawing, "the cycle"),
         bands: Vec::new(),
+        curves: Vec::new(),
         limits: Vec::new(),
         outline: outline(model, drawing, named_outputs(model)),
         quantities: quantities(model, texts),
@@ -173,6 +175,7 @@ fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: 
         sentences: Vec::new(),
         drawing: moving_drawing(&drawing, "the cycle"),
         bands: Vec::new(),
+        curves: Vec::new(),
         limits: Vec::new(),
         outline: outline(model, &drawing, named_outputs(model)),
         quantities: quantities(model, texts),

@@ -46,6 +46,7 @@ pub fn worn_pin() -> MotionRecord {
             drive_angle_rad: 0.0,
             words: "dead centre: the slider cannot drive the crank here".to_owned(),
         }],
+        kinematics: Default::default(),
         guide_overhangs: Vec::new(),
         unproven_spans: Vec::new(),
         is_proven_between_angles: true,
@@ -200,6 +201,7 @@ pub fn four_bar() -> MotionRecord {
             dimensional_contributors: Vec::new(),
         }],
         singular_positions: Vec::new(),
+        kinematics: Default::default(),
         guide_overhangs: Vec::new(),
         drive_angle_rad: angles,
         ..worn_pin()
