@@ -10,6 +10,7 @@ pub mod kinematics;
 pub mod motion;
 pub mod motion_identification;
 mod play_bounds;
+pub mod point_path;
 pub mod repeat;
 pub mod simulation;
 pub mod study;
