@@ -9,6 +9,7 @@ pub mod json;
 pub mod motion;
 pub mod motion_identification;
 mod play_bounds;
+pub mod point_path;
 pub mod repeat;
 pub mod simulation;
 pub mod study;

@@ -1,5 +1,6 @@
 //! Record of the ideal motion and the quasi-static answer for pages, tables and files: plain data in SI.
 
+use crate::point_path::PointPath;
 use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +48,9 @@ pub struct MotionRecord {
     /// One entry per position or angle among the outputs, in file order; behind the coordinates of a path its error along and across
     /// it, where its point never stands still.
     pub outputs: Vec<OutputMotion>,
+    /// Paths of points with the zones about them: of each output that is a path, in file order, then of further points that were asked for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub paths: Vec<PointPath>,
     /// One entry per torque, force or power of a drive among the outputs, in file order.
     #[serde(default)]
     pub efforts: Vec<EffortMotion>,

@@ -7,7 +7,7 @@ use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 /// A point that is somewhere slower than this share of its mean speed has no direction there.
-const MIN_SHARE_OF_SPEED: f64 = 0.01;
+pub(super) const MIN_SHARE_OF_SPEED: f64 = 0.01;
 
 /// One number of the quasi-static answer: a position, or a part of the error of a path.
 pub(super) struct AccuracyOutput {

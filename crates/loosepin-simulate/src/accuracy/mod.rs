@@ -15,6 +15,7 @@ mod error;
 mod loops;
 mod motion;
 mod overhang;
+mod path;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;

@@ -8,6 +8,7 @@ use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::overhang::{Overhangs, overhanging};
+use super::path::{PathRecorder, points_of_paths};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
@@ -15,7 +16,7 @@ use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
-use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
+use loosepin_mechanics::model::{CycleSpan, PointId, Position, QuantityId, Values};
 use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
@@ -36,6 +37,8 @@ pub struct MotionPlan {
     pub scatter: Vec<Scatter>,
     /// Correlations of dimensions that do not scatter independently of each other.
     pub correlations: Vec<ScatterCorrelation>,
+    /// Points whose paths are recorded, besides those of outputs.
+    pub paths: Vec<PointId>,
     /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
@@ -141,9 +144,12 @@ fn motion_with(
     }
 
     let outputs = position_outputs(mechanism);
-    let jets: Vec<Vec<[f64; 3]>> = cycle.states.iter().map(|state| jets(mechanism, values, &outputs, state)).collect();
+    let mut readings: Vec<Position> = outputs.iter().map(|output| output.reading).collect();
+    let paths = points_of_paths(mechanism, &plan.paths, &mut readings);
+    let jets: Vec<Vec<[f64; 3]>> = cycle.states.iter().map(|state| jets(mechanism, values, &readings, state)).collect();
     let mut overhangs = Overhangs::default();
-    let mut recorder = Recorder::new(mechanism, values, &sample, reaches.clone(), (&outputs, &jets), plan, &directions);
+    let measured = Measured { outputs: &outputs, readings, paths, jets: &jets };
+    let mut recorder = Recorder::new(mechanism, values, &sample, reaches.clone(), measured, plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
     let mut overhanging_joints = Vec::with_capacity(cycle.states.len());
@@ -169,9 +175,10 @@ fn motion_with(
             states: &cycle.states,
             drive_angle_rad: &drive_angle_rad,
             reaches: &reaches,
-            readings: &recorder.readings,
+            // Paths of further points have no worst cases.
+            readings: &recorder.readings[..outputs.len()],
             parts: &recorder.parts,
-            velocities: jets.iter().map(|jets| jets.iter().map(|jet| jet[1]).collect()).collect(),
+            velocities: jets.iter().map(|jets| jets[..outputs.len()].iter().map(|jet| jet[1]).collect()).collect(),
             overhanging: overhanging_joints,
         };
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
@@ -193,6 +200,7 @@ fn motion_with(
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,
+        paths: recorder.paths.into_paths(),
         // Without masses nothing is known of them.
         efforts: match mechanism.model.demand_dynamics() {
             Ok(()) => ideal_efforts(mechanism, &sample, &cycle.states),
@@ -205,12 +213,11 @@ fn motion_with(
 }
 
 /// Value, velocity and acceleration of each position.
-fn jets(mechanism: &Mechanism, values: &Values, outputs: &[PositionOutput], state: &IdealMotion<'_>) -> Vec<[f64; 3]> {
+fn jets(mechanism: &Mechanism, values: &Values, readings: &[Position], state: &IdealMotion<'_>) -> Vec<[f64; 3]> {
     let arm_m = |point| point_m(&mechanism.model, values, point);
-    let jet = |output: &PositionOutput| {
-        output.reading.jet(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), arm_m)
-    };
-    outputs.iter().map(jet).collect()
+    let jet =
+        |reading: &Position| reading.jet(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), arm_m);
+    readings.iter().map(jet).collect()
 }
 
 /// Directions of all scattering quantities that have to do with the motion.
@@ -235,12 +242,24 @@ fn directions(
     Ok(directions)
 }
 
+/// What is read at each position.
+struct Measured<'m> {
+    outputs: &'m [PositionOutput],
+    /// Readings of the outputs, then of paths alone.
+    readings: Vec<Position>,
+    paths: PathRecorder,
+    /// Value, velocity and acceleration of each reading at each position.
+    jets: &'m [Vec<[f64; 3]>],
+}
+
 /// Fills the histories of all outputs, position by position.
 struct Recorder<'a> {
     mechanism: &'a Mechanism,
     values: &'a Values,
     loops: DisplacedLoops<'a>,
+    /// Of the outputs, then of paths alone.
     readings: Vec<Position>,
+    paths: PathRecorder,
     /// What each of the outputs is.
     parts: Vec<AccuracyOutputKind>,
     reaches: Vec<PlayReach>,
@@ -257,7 +276,7 @@ impl<'a> Recorder<'a> {
         values: &'a Values,
         sample: &Sample<f64>,
         reaches: Vec<PlayReach>,
-        (outputs, jets): (&[PositionOutput], &[Vec<[f64; 3]>]),
+        Measured { outputs, readings, paths, jets }: Measured<'_>,
         plan: &MotionPlan,
         directions: &'a [(Scatter, DimensionDirection)],
     ) -> Self {
@@ -293,7 +312,8 @@ impl<'a> Recorder<'a> {
             mechanism,
             values,
             loops: DisplacedLoops::new(mechanism, values),
-            readings: outputs.iter().map(|output| output.reading).collect(),
+            readings,
+            paths,
             parts: parts.iter().map(|part| part.kind).collect(),
             reaches,
             input: plan.span,
@@ -331,6 +351,8 @@ impl<'a> Recorder<'a> {
                 contributor.first_order_si.push(first_order_si(&[*joint]));
             }
         }
+        let values_si: Vec<[f64; 2]> = jets.iter().map(|jet| [jet[0], jet[1]]).collect();
+        self.paths.record(&values_si, &gradients, &self.reaches);
         let mut variances = vec![0.0; self.outputs.len()];
         let mut signed_si = vec![Vec::with_capacity(self.directions.len()); self.outputs.len()];
         for (index, (entry, direction)) in self.directions.iter().enumerate() {
@@ -343,6 +365,7 @@ impl<'a> Recorder<'a> {
                 state.time_s(),
                 &self.readings,
             )?;
+            self.paths.add_scatter(entry.standard_deviation_si, &derivatives);
             for (number, (output, weights)) in self.outputs.iter_mut().zip(&weights).enumerate() {
                 let derivative: f64 = weights.iter().map(|(place, weight)| derivatives[*place] * weight).sum();
                 signed_si[number].push(derivative * entry.standard_deviation_si);
@@ -352,6 +375,7 @@ impl<'a> Recorder<'a> {
             }
         }
         if !self.directions.is_empty() {
+            self.paths.end_scatter(&self.correlated);
             for ((output, mut variance), signed_si) in self.outputs.iter_mut().zip(variances).zip(signed_si) {
                 for &(first, second, twice) in &self.correlated {
                     variance += twice * signed_si[first] * signed_si[second];

@@ -98,6 +98,7 @@ pub(super) fn quasi_static(
         positions: POSITIONS,
         scatter: case.scatter.clone(),
         correlations: case.correlations.clone(),
+        paths: Vec::new(),
         overrides: Vec::new(),
     };
     let of = match quantity.kind {

@@ -75,6 +75,7 @@ impl InputFile {
                 InputFile::Model(_) => Vec::new(),
                 InputFile::Study(study) => study.linear_correlations(),
             },
+            paths: Vec::new(),
             overrides: Override::from_settings(&settings),
         };
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)

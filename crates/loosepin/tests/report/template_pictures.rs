@@ -34,6 +34,7 @@ fn picture(template: &Template) -> String {
         positions: POSITIONS,
         scatter: Vec::new(),
         correlations: Vec::new(),
+        paths: Vec::new(),
         overrides: Vec::new(),
     };
     let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{}: {error}", template.name));

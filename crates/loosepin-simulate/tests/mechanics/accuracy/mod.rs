@@ -7,6 +7,7 @@ mod kinematics;
 mod mechanics;
 mod motion;
 mod oracle;
+mod point_path;
 mod runs;
 mod singular;
 mod worst_case;

@@ -19,7 +19,14 @@ const DIFFERENCE: f64 = 1e-7;
 
 pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
     let span = built.mechanism.model.cycle.span;
-    MotionPlan { span, positions, scatter: Vec::new(), correlations: Vec::new(), overrides: Vec::new() }
+    MotionPlan {
+        span,
+        positions,
+        scatter: Vec::new(),
+        correlations: Vec::new(),
+        paths: Vec::new(),
+        overrides: Vec::new(),
+    }
 }
 
 pub(crate) fn motion_of(built: &Built, positions: usize) -> MotionRecord {
@@ -191,6 +198,7 @@ fn analytic_an_error_of_the_radius_is_across_the_circle() {
             positions: 24,
             scatter: vec![Scatter { quantity, standard_deviation_si: DEVIATION_M }],
             correlations: Vec::new(),
+            paths: Vec::new(),
             overrides: Vec::new(),
         };
         let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");
@@ -217,6 +225,7 @@ fn identity_errors_of_a_path_are_those_of_its_coordinates_turned() {
         positions: 36,
         scatter: vec![Scatter { quantity, standard_deviation_si: 2e-5 }],
         correlations: Vec::new(),
+        paths: Vec::new(),
         overrides: Vec::new(),
     };
     let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");

@@ -158,6 +158,7 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
         positions: POSITIONS,
         scatter,
         correlations: study.linear_correlations(),
+        paths: Vec::new(),
         overrides: Vec::new(),
     };
     motion(material.response.mechanism(), &material.response.nominal, &plan).ok()

@@ -87,6 +87,7 @@ pub fn worn_pin() -> MotionRecord {
             ],
         }],
         // The power that the slider takes is m a v.
+        paths: Vec::new(),
         efforts: vec![EffortMotion {
             name: "torque".to_owned(),
             words: "torque of drive crank".to_owned(),
@@ -156,6 +157,7 @@ pub fn four_bar() -> MotionRecord {
     let gain = |angle: f64| (closed(angle, 1e-6).1 - rocker(angle)).abs() / 1e-6 + 2.0;
     MotionRecord {
         model: "four-bar with a worn rocker bearing".to_owned(),
+        paths: Vec::new(),
         efforts: Vec::new(),
         drawing: Drawing {
             bodies: vec![

@@ -1,0 +1,147 @@
+//! Paths of points, with the zones in which play and scatter let them be, to first order: `loosepin_result::point_path`.
+
+use super::accuracy_output::MIN_SHARE_OF_SPEED;
+use super::play_reach::PlayReach;
+use loosepin_math::Vec2;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::{Axis, PointId, Position, Recorded, Relative, relative_words};
+use loosepin_result::point_path::{ELLIPSE_SHARE, PointPath, REACH_DIRECTIONS, direction_rad};
+
+/// Fills the paths, position by position.
+pub(super) struct PathRecorder {
+    paths: Vec<RecordedPath>,
+    /// Unit vectors in the directions of the reach.
+    directions: Vec<Vec2<f64>>,
+    /// Standard deviations over semi-axes of the ellipse of the scatter: √(-2 ln(1 - share)).
+    semi_axes: f64,
+}
+
+struct RecordedPath {
+    /// Places of x and y among the readings.
+    places: [usize; 2],
+    path: PointPath,
+    /// Velocity at each position, m/s.
+    velocities_m_s: Vec<Vec2<f64>>,
+    /// Displacement by a standard deviation of each dimension at the present position, m.
+    scatter_m: Vec<Vec2<f64>>,
+}
+
+/// The paths of outputs in file order, then of `points` that are none; their readings are added to `readings` where they are not there.
+pub(super) fn points_of_paths(mechanism: &Mechanism, points: &[PointId], readings: &mut Vec<Position>) -> PathRecorder {
+    let model = &mechanism.model;
+    let of_output = model.outputs.iter().filter_map(|output| match output.kind.recorded() {
+        Recorded::Path(point) => Some((Some(output.name.clone()), point)),
+        Recorded::Number(_) | Recorded::Wear(..) => None,
+    });
+    let mut asked: Vec<(Option<String>, Relative<PointId>)> = of_output.collect();
+    for point in points.iter().map(|point| Relative::to_ground(*point)) {
+        if asked.iter().all(|(_, known)| *known != point) {
+            asked.push((None, point));
+        }
+    }
+    let mut place = |reading: Position| {
+        readings.iter().position(|known| *known == reading).unwrap_or_else(|| {
+            readings.push(reading);
+            readings.len() - 1
+        })
+    };
+    let of_point = |(output, point): (Option<String>, Relative<PointId>)| {
+        let words = relative_words(model, point);
+        let name = output.clone().unwrap_or_else(|| words.clone());
+        RecordedPath {
+            places: [Axis::X, Axis::Y].map(|axis| place(Position::Point(point, axis))),
+            path: PointPath { name, point: words, output, ..PointPath::default() },
+            velocities_m_s: Vec::new(),
+            scatter_m: Vec::new(),
+        }
+    };
+    PathRecorder {
+        paths: asked.into_iter().map(of_point).collect(),
+        directions: (0..REACH_DIRECTIONS)
+            .map(|direction| {
+                let (sine, cosine) = direction_rad(direction).sin_cos();
+                Vec2::new(cosine, sine)
+            })
+            .collect(),
+        semi_axes: (-2.0 * (1.0 - ELLIPSE_SHARE).ln()).sqrt(),
+    }
+}
+
+impl PathRecorder {
+    /// Takes a position: value and velocity of each reading, and its gradients by play.
+    pub fn record(&mut self, readings: &[[f64; 2]], gradients: &[Vec<Vec2<f64>>], reaches: &[PlayReach]) {
+        for RecordedPath { places: [x, y], path, velocities_m_s, .. } in &mut self.paths {
+            path.x_m.push(readings[*x][0]);
+            path.y_m.push(readings[*y][0]);
+            let reach_m = |direction: Vec2<f64>| -> f64 {
+                let gradients = gradients[*x].iter().zip(&gradients[*y]);
+                gradients
+                    .zip(reaches)
+                    .map(|((of_x, of_y), reach)| reach.worst_case_si(*of_x * direction.x + *of_y * direction.y))
+                    .sum()
+            };
+            path.play_reach_m.extend(self.directions.iter().map(|direction| reach_m(*direction)));
+            let velocity_m_s = Vec2::new(readings[*x][1], readings[*y][1]);
+            velocities_m_s.push(velocity_m_s);
+            let speed_m_s = velocity_m_s.length();
+            let [along_m, across_m] = if speed_m_s > 0.0 {
+                let tangent = velocity_m_s * (1.0 / speed_m_s);
+                [reach_m(tangent), reach_m(Vec2::new(-tangent.y, tangent.x))]
+            } else {
+                [0.0; 2]
+            };
+            path.play_along_m.push(along_m);
+            path.play_across_m.push(across_m);
+        }
+    }
+
+    /// Adds the effect of a dimension at the present position: derivative of each reading.
+    pub fn add_scatter(&mut self, standard_deviation_si: f64, derivatives: &[f64]) {
+        for RecordedPath { places: [x, y], scatter_m, .. } in &mut self.paths {
+            scatter_m.push(Vec2::new(derivatives[*x], derivatives[*y]) * standard_deviation_si);
+        }
+    }
+
+    /// Takes the ellipse of the dimensions of the present position; `correlated` holds two of them and twice their correlation.
+    pub fn end_scatter(&mut self, correlated: &[(usize, usize, f64)]) {
+        for RecordedPath { path, scatter_m, .. } in &mut self.paths {
+            let [mut xx, mut xy, mut yy] = [0.0; 3];
+            for each in scatter_m.iter() {
+                xx += each.x * each.x;
+                xy += each.x * each.y;
+                yy += each.y * each.y;
+            }
+            for &(first, second, twice) in correlated {
+                let [a, b] = [scatter_m[first], scatter_m[second]];
+                xx += twice * a.x * b.x;
+                xy += 0.5 * twice * (a.x * b.y + a.y * b.x);
+                yy += twice * a.y * b.y;
+            }
+            scatter_m.clear();
+            // Eigenvalues of the covariance: (xx + yy)/2 ± √(((xx - yy)/2)² + xy²).
+            let [middle, half] = [0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy)];
+            path.scatter_major_m.push(self.semi_axes * (middle + half).max(0.0).sqrt());
+            // What cancels in full leaves round-off, of either sign.
+            path.scatter_minor_m.push(self.semi_axes * (middle - half).max(0.0).sqrt());
+            path.scatter_angle_rad.push(0.5 * (2.0 * xy).atan2(xx - yy));
+        }
+    }
+
+    /// The finished paths. Where a point is slower than a hundredth of its mean speed, its motion has no direction.
+    pub fn into_paths(self) -> Vec<PointPath> {
+        let finish = |RecordedPath { mut path, velocities_m_s, .. }: RecordedPath| {
+            let speeds: Vec<f64> = velocities_m_s.iter().map(|velocity| velocity.length()).collect();
+            let least = MIN_SHARE_OF_SPEED * speeds.iter().sum::<f64>() / speeds.len() as f64;
+            for (position, (velocity, speed)) in velocities_m_s.iter().zip(speeds).enumerate() {
+                let tangent = if speed > least { *velocity * (1.0 / speed) } else { Vec2::zero() };
+                path.tangent_x.push(tangent.x);
+                path.tangent_y.push(tangent.y);
+                if !(speed > least) {
+                    (path.play_along_m[position], path.play_across_m[position]) = (0.0, 0.0);
+                }
+            }
+            path
+        };
+        self.paths.into_iter().map(finish).collect()
+    }
+}
