@@ -24,7 +24,14 @@ fn properties(case: &str, change: &[(&str, &str)]) -> KinematicProperties {
     let values = model.quantities.evaluate(&[]).expect("sound values");
     let mechanism = Mechanism::new(&model, &values).expect("a mechanism");
     let span = mechanism.model.cycle.span;
-    let plan = MotionPlan { span, positions: 72, scatter: Vec::new(), correlations: Vec::new(), overrides: Vec::new() };
+    let plan = MotionPlan {
+        span,
+        positions: 72,
+        scatter: Vec::new(),
+        correlations: Vec::new(),
+        paths: Vec::new(),
+        overrides: Vec::new(),
+    };
     motion(&mechanism, &values, &plan).expect("it moves").kinematics
 }
 

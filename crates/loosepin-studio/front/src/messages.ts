@@ -714,6 +714,8 @@ export interface View {
   bands: LiveBand[];
   /** Position, velocity and acceleration of each output, and efforts of drives, over the poses of the drawing. */
   curves: LiveCurve[];
+  /** The zones about the paths of output points. */
+  paths: LivePath[];
   /** The limits among them. */
   limits: LimitView[];
   /** Its parts. */
@@ -801,6 +803,16 @@ export type CurveKind =
   | 'acceleration'
   /** Torque, force or power of a drive. */
   | 'effort';
+
+/** The tolerance zone about the path of an output point. */
+export interface LivePath {
+  /** Name of the output. */
+  output: string;
+  /** The point: `coupler.tip`. */
+  point: string;
+  /** Reach across the motion to either side, by play and by the 95 % ellipse of the scatter, mm; one for each pose of the drawing, 0 where the point stands still. */
+  across_mm: (number | null)[];
+}
 
 /** Parts of the mechanism. */
 export interface Outline {

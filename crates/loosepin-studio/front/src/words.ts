@@ -169,6 +169,8 @@ export const words = {
     fit: 'Fit: show all (0)',
     fitShort: 'Fit',
     scale: (mm: number): string => (mm >= 1000 ? `${mm / 1000} m` : mm < 0.001 ? `${Number((mm * 1e6).toPrecision(3))} nm` : mm < 0.1 ? `${Number((mm * 1000).toPrecision(3))} µm` : `${Number(mm.toPrecision(3))} mm`),
+    zone: (factor: number): string => (factor === 1 ? 'zone true to scale' : `zone of the path × ${factor}`),
+    zoneMeans: 'How far the point strays across its path: the largest effect of the play, plus the 95 % ellipse of the tolerances, without dynamics.',
     play: (factor: number): string => (factor === 1 ? 'play true to scale' : `play × ${factor}`),
   },
 

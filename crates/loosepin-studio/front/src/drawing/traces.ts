@@ -9,6 +9,8 @@ export interface Traced {
   body: number;
   own: Point;
   kind: 'output' | 'pointed';
+  /** How far the point strays across its path, mm, at each pose. */
+  across?: (number | null)[];
 }
 
 /** The path of a point, mm. */
@@ -19,12 +21,40 @@ export function pathOf(motion: Motion, { body, own }: Traced): Point[] {
   });
 }
 
-/** Draws paths under the mechanism. */
-export function drawTraces(layer: SVGElement, motion: Motion, traced: Traced[]): void {
+/** Half the width of a drawn zone where it is widest, px, at most. */
+const zonePx = 14;
+
+/** How many times as wide as they are zones are drawn: a round number at which the widest is well seen, and at least 1. */
+export function zoneFactor(across: (number | null)[][], pxPerMm: number): number {
+  const widest = Math.max(...across.flat().map((value) => value ?? 0), 0);
+  if (widest <= 0) return 1;
+  const most = zonePx / (widest * pxPerMm);
+  const power = 10 ** Math.floor(Math.log10(most));
+  return Math.max([5, 2, 1].map((first) => first * power).find((one) => one <= most * (1 + 1e-9)) ?? 1, 1);
+}
+
+/** Both edges of the zone about a path: so far to either side of it, across the motion. */
+export function zoneOf(path: Point[], across: (number | null)[], factor: number): string {
+  const edge = (side: 1 | -1): Point[] =>
+    path.map(([x, y], index) => {
+      const before: Point = path[Math.max(index - 1, 0)] ?? [x, y];
+      const after: Point = path[Math.min(index + 1, path.length - 1)] ?? [x, y];
+      const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+      const share = (side * factor * (across[index] ?? 0)) / Math.max(Math.hypot(dx, dy), 1e-12);
+      return [x - dy * share, y + dx * share];
+    });
+  const drawn = (points: Point[]): string => points.map(([x, y]) => x.toFixed(4) + ' ' + y.toFixed(4)).join('L');
+  return 'M' + drawn(edge(1)) + 'L' + drawn(edge(-1).reverse()) + 'Z';
+}
+
+/** Draws paths under the mechanism, and the zones about them. */
+export function drawTraces(layer: SVGElement, motion: Motion, traced: Traced[], factor: number): void {
   layer.replaceChildren(
-    ...traced.map((one) => {
-      const d = 'M' + pathOf(motion, one).map(([x, y]) => x.toFixed(4) + ' ' + y.toFixed(4)).join('L');
-      return element('path', { d, class: 'trace ' + one.kind });
+    ...traced.flatMap((one) => {
+      const path = pathOf(motion, one);
+      const d = 'M' + path.map(([x, y]) => x.toFixed(4) + ' ' + y.toFixed(4)).join('L');
+      const line = element('path', { d, class: 'trace ' + one.kind });
+      return one.across ? [element('path', { d: zoneOf(path, one.across, factor), class: 'zone-of-path' }), line] : [line];
     }),
   );
 }
