@@ -85,7 +85,6 @@ fn mobility(mechanism: &Mechanism, values: &Values) -> Section {
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
     let mut lines = vec![loop_words, freedoms];
-    lines.extend(loop_properties(model, values).iter().map(LoopProperties::words));
     let real = &mechanism.real;
     let of_floating = real.beams.iter().map(|beam| beam.coordinates.len());
     let of_beams: usize = of_floating.chain(real.nodal_beams.iter().map(|beam| beam.coordinates.len())).sum();
@@ -101,6 +100,7 @@ fn mobility(mechanism: &Mechanism, values: &Values) -> Section {
             if *count == 1 { "is" } else { "are" }
         )
     }));
+    lines.extend(loop_properties(model, values).iter().map(LoopProperties::words));
     // An ideal joint at a point inside a flexible body does not carry it, and is cut.
     let is_cut = |root: BodyId| real.cuts.iter().any(|cut| model.joints[cut.joint.0].kind.bodies().contains(&root));
     let held = real.floating_roots.iter().filter(|root| !mechanism.plays.is_empty() && !is_cut(**root));

@@ -2,7 +2,7 @@
 
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::point_m;
-use loosepin_mechanics::model::{JointKind, Model, PointId, Prismatic, Values};
+use loosepin_mechanics::model::{Model, PointId, Prismatic, Values};
 use loosepin_result::kinematics::{LoopClass, LoopProperties};
 
 /// Lengths whose sums differ by a smaller share are equal: a change point is written with round numbers, and read with round-off.
@@ -58,10 +58,7 @@ pub fn ground_loops(model: &Model) -> Vec<GroundLoop> {
         .joints
         .iter()
         .enumerate()
-        .filter_map(|(joint, entry)| match &entry.kind {
-            JointKind::Revolute(pin) => Some(Pin { joint, points: [pin.bearing, pin.journal] }),
-            _ => None,
-        })
+        .filter_map(|(joint, entry)| Some(Pin { joint, points: entry.kind.revolute_points()? }))
         .collect();
     let from = |body: usize| pins.iter().filter_map(move |pin| pin.from(body));
     let mut found = Vec::new();
@@ -74,7 +71,7 @@ pub fn ground_loops(model: &Model) -> Vec<GroundLoop> {
                     }
                 }
                 for (guide, joint) in model.joints.iter().enumerate() {
-                    let JointKind::Prismatic(line) = &joint.kind else { continue };
+                    let Some(line) = joint.kind.prismatic() else { continue };
                     let mut ends = [line.guide.body.0, line.slider.body.0];
                     ends.sort_unstable();
                     if third.to() != 0 && ends == [0, third.to()] {
@@ -160,7 +157,7 @@ impl GroundLoop {
 
 /// A point of the line of a guide and its direction on the ground, then on the slider.
 fn guide_line(model: &Model, values: &Values, joint: usize) -> Option<[(PointId, f64); 2]> {
-    let JointKind::Prismatic(line) = &model.joints[joint].kind else { return None };
+    let line = model.joints[joint].kind.prismatic()?;
     let Prismatic { guide, slider, guide_angle_rad, slider_angle_rad, .. } = line;
     let mut ends = [(*guide, values[*guide_angle_rad]), (*slider, values[*slider_angle_rad])];
     if slider.body.0 == 0 {

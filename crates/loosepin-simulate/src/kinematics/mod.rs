@@ -9,7 +9,7 @@ mod turning;
 use std::f64::consts::{PI, TAU};
 
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, point_m};
-use loosepin_mechanics::model::{CycleInput, JointKind, Model, PointId, Values};
+use loosepin_mechanics::model::{CycleInput, Model, PointId, Values};
 use loosepin_result::kinematics::{KinematicProperties, LoopProperties, MotionRange, TransmissionAngle};
 use loosepin_text::units::SiUnit;
 
@@ -52,7 +52,7 @@ pub fn kinematic_properties(
         found.ranges.extend(range);
     }
     for joint in &model.joints {
-        let JointKind::Prismatic(guide) = &joint.kind else { continue };
+        let Some(guide) = joint.kind.prismatic() else { continue };
         let travel = Travel {
             guide: slot(guide.guide.body.0),
             slider: slot(guide.slider.body.0),

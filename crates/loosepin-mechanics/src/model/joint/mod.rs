@@ -164,6 +164,16 @@ impl JointKind {
         self.rows().holds_angle.then(|| angle_rad(0) - angle_rad(1))
     }
 
+    /// Bearing and journal of a revolute joint.
+    pub fn revolute_points(&self) -> Option<[PointId; 2]> {
+        if let Self::Revolute(pin) = self { Some([pin.bearing, pin.journal]) } else { None }
+    }
+
+    /// Guide and slider of a prismatic joint.
+    pub fn prismatic(&self) -> Option<&Prismatic> {
+        if let Self::Prismatic(line) = self { Some(line) } else { None }
+    }
+
     /// The line fixed to the first body along which the second point moves.
     pub fn line(&self) -> Option<Line> {
         let angle_rad = self.angles_rad()[0].filter(|_| self.rows().is_on_line())?;
