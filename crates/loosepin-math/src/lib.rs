@@ -3,6 +3,7 @@
 pub mod integrate;
 mod solve;
 
+mod bracket;
 mod dual;
 mod functions;
 mod fused;
@@ -11,6 +12,7 @@ mod real;
 mod scalar;
 mod vector;
 
+pub use bracket::Bracket;
 pub use dual::Dual;
 pub use functions::angle::{KnownAngle, NEAR_RAD, sin_cos, sin_cos_near};
 pub use functions::arctangent::arctangent;

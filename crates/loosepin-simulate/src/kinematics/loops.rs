@@ -8,9 +8,10 @@ use loosepin_result::kinematics::{LoopClass, LoopProperties};
 /// Lengths whose sums differ by a smaller share are equal: a change point is written with round numbers, and read with round-off.
 const EQUAL: f64 = 1e-12;
 
-/// A pin between two bodies: the joint, and the point of each body.
+/// A pin of a loop, with its points on the body before and behind it.
 #[derive(Clone, Copy)]
-struct Pin {
+pub struct Pin {
+    /// Index of its joint in the model.
     joint: usize,
     points: [PointId; 2],
 }
@@ -34,22 +35,9 @@ impl Pin {
 /// A loop through the ground, by its joints from the ground on.
 pub enum GroundLoop {
     /// Ground to link, link to coupler, coupler to other link, other link to ground.
-    FourBar([Joint; 4]),
+    FourBar([Pin; 4]),
     /// Ground to crank, crank to rod, rod to slider; the slider's guide.
-    SliderCrank([Joint; 3], usize),
-}
-
-/// A joint of a loop, with its points on the body before and behind it.
-pub struct Joint {
-    /// Index in the model.
-    pub index: usize,
-    points: [PointId; 2],
-}
-
-impl From<Pin> for Joint {
-    fn from(pin: Pin) -> Self {
-        Self { index: pin.joint, points: pin.points }
-    }
+    SliderCrank([Pin; 3], usize),
 }
 
 /// All loops of `model` of these kinds.
@@ -67,7 +55,7 @@ pub fn ground_loops(model: &Model) -> Vec<GroundLoop> {
             for third in from(second.to()).filter(|pin| pin.joint != second.joint && pin.to() != first.to()) {
                 for last in from(third.to()).filter(|pin| pin.to() == 0 && pin.joint > first.joint) {
                     if third.to() != 0 {
-                        found.push(GroundLoop::FourBar([first, second, third, last].map(Joint::from)));
+                        found.push(GroundLoop::FourBar([first, second, third, last]));
                     }
                 }
                 for (guide, joint) in model.joints.iter().enumerate() {
@@ -75,7 +63,7 @@ pub fn ground_loops(model: &Model) -> Vec<GroundLoop> {
                     let mut ends = [line.guide.body.0, line.slider.body.0];
                     ends.sort_unstable();
                     if third.to() != 0 && ends == [0, third.to()] {
-                        found.push(GroundLoop::SliderCrank([first, second, third].map(Joint::from), guide));
+                        found.push(GroundLoop::SliderCrank([first, second, third], guide));
                     }
                 }
             }
@@ -139,14 +127,14 @@ impl GroundLoop {
         };
         match self {
             Self::FourBar([first, second, third, last]) => {
-                if is_driven(first.index) {
+                if is_driven(first.joint) {
                     let coupler = line(third.points[0], second.points[1]);
                     return Some((coupler, line(third.points[1], last.points[0]), false));
                 }
                 let coupler = line(second.points[1], third.points[0]);
-                is_driven(last.index).then(|| (coupler, line(second.points[0], first.points[1]), false))
+                is_driven(last.joint).then(|| (coupler, line(second.points[0], first.points[1]), false))
             }
-            Self::SliderCrank([first, second, third], guide) if is_driven(first.index) => {
+            Self::SliderCrank([first, second, third], guide) if is_driven(first.joint) => {
                 let [_, (point, angle_rad)] = guide_line(model, values, *guide)?;
                 Some((line(second.points[1], third.points[0]), (point.body.0, angle_rad), true))
             }

@@ -22,7 +22,11 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Classes of the four-bar loops and slider-cranks of `model` through the ground, by their lengths.
 pub fn loop_properties(model: &Model, values: &Values) -> Vec<LoopProperties> {
-    ground_loops(model).iter().map(|found| found.properties(model, values)).collect()
+    properties_of(&ground_loops(model), model, values)
+}
+
+fn properties_of(loops: &[GroundLoop], model: &Model, values: &Values) -> Vec<LoopProperties> {
+    loops.iter().map(|each| each.properties(model, values)).collect()
 }
 
 /// Properties of the motion through `states`, in the order of the drive's angle.
@@ -34,7 +38,8 @@ pub fn kinematic_properties(
 ) -> KinematicProperties {
     let model = &mechanism.model;
     let walked = Walked { states, input };
-    let mut found = KinematicProperties { loops: loop_properties(model, values), ..Default::default() };
+    let loops = ground_loops(model);
+    let mut found = KinematicProperties { loops: properties_of(&loops, model, values), ..Default::default() };
     if !walked.is_whole_turn() {
         return found;
     }
@@ -64,9 +69,8 @@ pub fn kinematic_properties(
         let least = ROUND_OFF * mechanism.size_m;
         found.ranges.extend(range(&walked, &joint.name, SiUnit::LENGTH, is_at_ground, &travel, least));
     }
-    for each in ground_loops(model) {
-        found.transmission_angles.extend(transmission_angle(mechanism, values, &walked, &each));
-    }
+    let angles = loops.iter().filter_map(|each| transmission_angle(mechanism, values, &walked, each));
+    found.transmission_angles.extend(angles);
     found
 }
 

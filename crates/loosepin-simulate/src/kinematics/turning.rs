@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use loosepin_math::Bracket;
 use loosepin_mechanics::mechanism::IdealMotion;
 use loosepin_mechanics::model::CycleInput;
 
@@ -66,40 +67,23 @@ pub fn crossings<'m>(walked: &Walked<'_, 'm>, of: &dyn Fn(&IdealMotion<'_>) -> f
     found
 }
 
-/// The sign change between two states, by false position with halving (Illinois).
+/// The sign change between two states.
 fn crossing<'m>(
     from: &IdealMotion<'m>,
     to: &IdealMotion<'m>,
-    [mut low, mut high]: [f64; 2],
+    values: [f64; 2],
     of: &dyn Fn(&IdealMotion<'_>) -> f64,
 ) -> Option<IdealMotion<'m>> {
-    let [mut from_s, mut to_s] = [from.time_s(), to.time_s()];
-    let least_s = LOCATED_TURNS * (to_s - from_s).abs().max(f64::MIN_POSITIVE);
+    let mut bracket = Bracket::new([from.time_s(), to.time_s()], values);
+    let least_s = LOCATED_TURNS * (to.time_s() - from.time_s()).max(f64::MIN_POSITIVE);
     let mut state = from.clone();
-    let mut last_side = None;
     for _ in 0..MAX_STEPS {
-        let middle_s = from_s + (to_s - from_s) * low / (low - high);
+        let (next_s, [from_s, to_s]) = (bracket.next(), bracket.places());
         state = from.clone();
-        state.move_to(middle_s).ok()?;
+        state.move_to(next_s).ok()?;
         let value = of(&state);
-        if value == 0.0 || (to_s - from_s).abs() <= least_s {
-            break;
-        }
-        let is_low = (value > 0.0) == (low > 0.0);
-        let moved_s = if is_low { (middle_s - from_s).abs() } else { (to_s - middle_s).abs() };
-        if is_low {
-            (from_s, low) = (middle_s, value);
-            if last_side == Some(true) {
-                high *= 0.5;
-            }
-        } else {
-            (to_s, high) = (middle_s, value);
-            if last_side == Some(false) {
-                low *= 0.5;
-            }
-        }
-        last_side = Some(is_low);
-        if moved_s <= least_s {
+        let moved_s = if bracket.take(next_s, value) { next_s - from_s } else { to_s - next_s };
+        if value == 0.0 || moved_s <= least_s {
             break;
         }
     }

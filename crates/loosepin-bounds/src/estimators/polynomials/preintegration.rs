@@ -11,6 +11,7 @@
 
 use super::basis::Basis;
 use super::orthogonal::{Axis, Univariate};
+use loosepin_math::Bracket;
 use loosepin_uncertainty::{ScrambledSobol, hash};
 
 /// Nodes of the two Gauss rules along one axis where one or two other axes are integrated over.
@@ -273,27 +274,16 @@ fn turns(of: &Univariate, slopes: &[f64]) -> Vec<Turn> {
     turns
 }
 
-/// The point where the slope vanishes between two places with the slopes `slopes`, by false position with the Illinois rule (M. Dowell and
-/// P. Jarratt, "A modified regula falsi method for computing the root of an equation", BIT 11 (1971) 168-174). The value is flat there, so
-/// that it is known far better than the place.
-fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut at_right]: [f64; 2]) -> f64 {
-    let (mut found, mut has_moved_left) = (left, None);
+/// The point where the slope vanishes between two places with the slopes `slopes`. The value is flat there, so that it is known far better
+/// than the place.
+fn extreme(of: &Univariate, places: [f64; 2], slopes: [f64; 2]) -> f64 {
+    let (mut found, mut bracket) = (places[0], Bracket::new(places, slopes));
     // Where the slope at an end is next to nothing the first steps are short, and say nothing of how near the extreme is.
     let mut has_moved = [false; 2];
     for _ in 0..ROOT_STEPS {
-        let between = right - at_right * (right - left) / (at_right - at_left);
-        let next = if between > left && between < right { between } else { 0.5 * (left + right) };
+        let next = bracket.next();
         let slope = of.at(next).1;
-        let is_left = (slope > 0.0) == (at_left > 0.0);
-        if is_left {
-            (left, at_left) = (next, slope);
-            at_right *= if has_moved_left == Some(true) { 0.5 } else { 1.0 };
-        } else {
-            (right, at_right) = (next, slope);
-            at_left *= if has_moved_left == Some(false) { 0.5 } else { 1.0 };
-        }
-        has_moved_left = Some(is_left);
-        has_moved[usize::from(is_left)] = true;
+        has_moved[usize::from(bracket.take(next, slope))] = true;
         if slope == 0.0 || (has_moved == [true; 2] && (next - found).abs() < LAST_NEWTON_STEP) {
             return next;
         }
