@@ -41,7 +41,6 @@ mod words;
 pub use bands::draft_band::{DraftBand, draft_bands};
 pub use bands::draft_text::draft_text;
 pub use bands::live_band::{BandPart, LiveBand, LiveLimit, PartKind, live_bands};
-pub use bands::live_curve::{CurveKind, LiveCurve, live_curves};
 pub use bands::live_path::{LivePath, live_paths};
 pub use cases_page::{cases_page, cases_text};
 pub use charts::figure::{Figure, figures};

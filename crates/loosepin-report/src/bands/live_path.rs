@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use crate::mechanism::figure::pose_step;
+use crate::mechanism::shapes::MM_PER_M;
 use crate::medium::script_data::rounded;
 use loosepin_result::motion::MotionRecord;
-
-const MM_PER_M: f64 = 1e3;
 
 /// The tolerance zone about the path of an output point.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -20,7 +19,8 @@ pub struct LivePath {
     pub across_mm: Vec<Option<f64>>,
 }
 
-/// The zones of all outputs that are paths in the frame of the ground, where anything takes their points off their paths.
+/// The zones of all outputs that are paths, where anything takes their points off them. The words of a path relative to another point name no
+/// point of the drawing, which therefore shows no zone of it.
 pub fn live_paths(record: &MotionRecord) -> Vec<LivePath> {
     let step = pose_step(record.drive_angle_rad.len());
     let zones = record.paths.iter().filter(|path| path.has_zone() && path.is_complete());

@@ -712,8 +712,6 @@ export interface View {
   drawing: MovingDrawing | null;
   /** The band of each output that has one. */
   bands: LiveBand[];
-  /** Position, velocity and acceleration of each output, and efforts of drives, over the poses of the drawing. */
-  curves: LiveCurve[];
   /** The zones about the paths of output points. */
   paths: LivePath[];
   /** The limits among them. */
@@ -778,31 +776,6 @@ export type PartKind =
   | 'play'
   /** The scatter of a dimension. */
   | 'part';
-
-/** A quantity over the cycle. */
-export interface LiveCurve {
-  /** Name of the output. */
-  name: string;
-  /** The quantity in words. */
-  words: string;
-  /** The unit of the values. */
-  unit: string;
-  /** Its kind. */
-  kind: CurveKind;
-  /** A value for each pose of the drawing; null where there is none. */
-  values: (number | null)[];
-}
-
-/** Kind of a curve. */
-export type CurveKind =
-  /** Ideal position or angle. */
-  | 'position'
-  /** Its first time derivative at the speed of the drive. */
-  | 'velocity'
-  /** Its second time derivative. */
-  | 'acceleration'
-  /** Torque, force or power of a drive. */
-  | 'effort';
 
 /** The tolerance zone about the path of an output point. */
 export interface LivePath {

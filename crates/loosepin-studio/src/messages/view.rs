@@ -1,6 +1,6 @@
 //! The mechanism as the page shows it.
 
-use loosepin::report::{LiveBand, LiveCurve, LivePath, MovingDrawing};
+use loosepin::report::{LiveBand, LivePath, MovingDrawing};
 use serde::Serialize;
 
 use super::diagnostics::Document;
@@ -198,8 +198,6 @@ pub struct View {
     pub drawing: Option<MovingDrawing>,
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
-    /// Position, velocity and acceleration of each output, and efforts of drives, over the poses of the drawing.
-    pub curves: Vec<LiveCurve>,
     /// The zones about the paths of output points.
     pub paths: Vec<LivePath>,
     /// The limits among them.

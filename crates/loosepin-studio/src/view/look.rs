@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
-use loosepin::report::{LiveLimit, live_bands, live_curves, live_paths, motion_sentences, moving_drawing};
+use loosepin::report::{LiveLimit, live_bands, live_paths, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
@@ -136,7 +136,6 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
         bands: live_bands(record, &lines),
-        curves: live_curves(record),
         paths: live_paths(record),
         limits: limits.into_iter().flatten().collect(),
         outline: outline(file.model(), &record.drawing, outputs(record)),
@@ -157,7 +156,6 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
         ],
         drawing: moving_drawing(drawing, "the cycle"),
         bands: Vec::new(),
-        curves: Vec::new(),
         paths: Vec::new(),
         limits: Vec::new(),
         outline: outline(model, drawing, named_outputs(model)),
@@ -177,7 +175,6 @@ fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: 
         sentences: Vec::new(),
         drawing: moving_drawing(&drawing, "the cycle"),
         bands: Vec::new(),
-        curves: Vec::new(),
         paths: Vec::new(),
         limits: Vec::new(),
         outline: outline(model, &drawing, named_outputs(model)),

@@ -608,27 +608,3 @@ fn an_open_mechanism_is_drawn_where_it_was_put_together() {
     assert!(view.drawing.is_some() && view.bands.is_empty());
     let InputFile::Study(_) = desk.texts.read().unwrap() else { panic!("a study") };
 }
-
-#[test]
-fn identity_curves_are_derivatives_of_each_other_over_the_poses_of_the_drawing() {
-    let desk = Desk::template(find_template("slider-crank").unwrap());
-    let look = crate::messages::Look {
-        seq: 1,
-        model: crate::messages::SentText { path: "model.toml".into(), text: desk.texts.model.text().into() },
-        study: None,
-        positions: 360,
-        grip: None,
-        poses: None,
-    };
-    let view = crate::view::look::look(&desk.folder, &look).view.expect("it moves");
-    let [position, velocity, acceleration, ..] = &view.curves[..] else { panic!("{:?}", view.curves.len()) };
-    assert_eq!([&position.unit, &velocity.unit, &acceleration.unit], ["mm", "m/s", "m/s²"]);
-    assert_eq!(position.values.len(), 361);
-    let number = |values: &[Option<f64>], place: usize| values[place].expect("finite");
-    let slope = |values: &[Option<f64>], place: usize| number(values, place + 1) - number(values, place - 1);
-    // Central differences have the same ratio to the derivative at all angles.
-    for (value, rate) in [(position, velocity), (velocity, acceleration)] {
-        let ratio = |place: usize| slope(&value.values, place) / number(&rate.values, place);
-        assert!((ratio(50) / ratio(300) - 1.0).abs() < 1e-3, "{} {}", ratio(50), ratio(300));
-    }
-}
