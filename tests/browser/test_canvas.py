@@ -178,6 +178,22 @@ def test_a_length_is_edited_where_it_stands_with_its_tolerance(studio):  # noqa:
     assert re.search(r'^"parameter.rocker_length" = \{ tolerance = "181.5 mm ± 0.2 mm" \}', study, re.MULTILINE), study
 
 
+def test_a_number_in_place_closes_when_it_is_left_and_nothing_changes(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    # One that is known exactly, so that its field is not empty.
+    studio.click(".outline button", "crank")
+    studio.wait("document.querySelector('.drawing text.editable')")
+    studio.browser.evaluate("(document.querySelector('.drawing text.editable').focus(), true)")
+    studio.key("Enter")
+    studio.wait("document.activeElement.closest('.in-place')")
+    assert studio.browser.evaluate("document.activeElement.value") == "80 mm"
+    studio.browser.evaluate("(document.activeElement.blur(), true)")
+    studio.wait("!document.querySelector('.in-place')")
+    assert studio.browser.evaluate("document.querySelector('.bar').innerText.includes('· saved')")
+
+
 def test_the_zone_about_a_path_is_as_wide_as_motion_says(studio):  # noqa: F811
     studio.browser.view(1280, 800, reduced_motion=True)
     open_small(studio, "four-bar")

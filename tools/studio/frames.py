@@ -101,7 +101,7 @@ def drag(studio, pin):
         step += 1
         mouse("mouseMoved", 12 * math.sin(0.08 * step) + 3, -8 * math.sin(0.056 * step), buttons=1)
         time.sleep(0.012)
-    times = browser.evaluate("[window.frames_ms.slice(), window.answers_ms]")
+    times = browser.evaluate("[window.frames_ms, window.answers_ms]")
     mouse("mouseReleased", 0, 0, clickCount=1)
     studio.settle()
     times.append(zoom(browser, x, y))
@@ -121,7 +121,7 @@ def zoom(browser, x, y):
         step += 1
         browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=-60 * math.sin(0.05 * step))
         time.sleep(0.012)
-    frames = browser.evaluate("window.frames_ms.slice()")
+    frames = browser.evaluate("window.frames_ms")
     for kind in ("keyDown", "keyUp"):
         browser.call("Input.dispatchKeyEvent", type=kind, key=" ")
     browser.call("Input.dispatchKeyEvent", type="keyDown", key="0")
