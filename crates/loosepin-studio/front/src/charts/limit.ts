@@ -1,11 +1,6 @@
 // A limit as it is written, with another value.
 import type { LimitView } from '../messages.ts';
-
-/** The least of 1, 2, 5 times a power of ten that is not below `least`. */
-export function roundStep(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least) + 1e-9);
-  return [1, 2, 5, 10].map((first) => first * power).find((step) => step >= least * (1 - 1e-9)) ?? least;
-}
+import { roundStep } from '../numbers/rounds.ts';
 
 export function rounded(value: number, step: number): string {
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));

@@ -54,21 +54,31 @@ export function takeLabels(svg: SVGSVGElement): Label[] {
   return found;
 }
 
-/** What is drawn of a body beyond the hull of its points: a block, by its corners in the frame of the body, mm. */
-export interface Block {
+/** A shape that is drawn of a body: its corners in the frame of the body, mm. A name inside one with an area hides it, too. */
+export interface Shape {
   body: number;
   corners: [number, number][];
 }
 
-/** The blocks of the picture. */
-export function blocksOf(svg: SVGSVGElement): Block[] {
-  return [...svg.querySelectorAll<SVGRectElement>('.body[data-body] rect.block')].map((rect) => {
-    const [x = 0, y = 0, width = 0, height = 0] = ['x', 'y', 'width', 'height'].map((name) => Number(rect.getAttribute(name)));
-    const [degrees = 0, aboutX = 0, aboutY = 0] = (/rotate\(([^)]*)\)/.exec(rect.getAttribute('transform') ?? '')?.[1] ?? '').split(/\s+/).map(Number);
-    const corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]] as [number, number][];
-    const turned = corners.map(([ownX, ownY]): [number, number] => worldOf([aboutX, aboutY, degrees], ownX - aboutX, ownY - aboutY));
-    return { body: Number(rect.closest<SVGElement>('.body')?.dataset.body), corners: turned };
-  });
+/** The bars, plates and blocks of the picture. */
+export function shapesOf(svg: SVGSVGElement): Shape[] {
+  return [...svg.querySelectorAll<SVGElement>('.body[data-body] :is(.bar, .plate, rect.block)')].map((drawn) => ({
+    body: Number(drawn.closest<SVGElement>('.body')?.dataset.body),
+    corners: drawn.matches('rect') ? cornersOf(drawn) : pointsOf(drawn.getAttribute('d') ?? ''),
+  }));
+}
+
+/** Of a path of straight lines. */
+function pointsOf(d: string): [number, number][] {
+  return [...d.matchAll(/[ML]\s*(\S+)\s+(\S+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
+}
+
+/** Of a rectangle that may be turned about a point. */
+function cornersOf(rect: SVGElement): [number, number][] {
+  const [x = 0, y = 0, width = 0, height = 0] = ['x', 'y', 'width', 'height'].map((name) => Number(rect.getAttribute(name)));
+  const [degrees = 0, aboutX = 0, aboutY = 0] = (/rotate\(([^)]*)\)/.exec(rect.getAttribute('transform') ?? '')?.[1] ?? '').split(/\s+/).map(Number);
+  const corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]] as [number, number][];
+  return corners.map(([ownX, ownY]) => worldOf([aboutX, aboutY, degrees], ownX - aboutX, ownY - aboutY));
 }
 
 /** Radius of a drawn pin, mm: signs at points are multiples of it. */
@@ -97,22 +107,6 @@ function crosses({ left, right, top, bottom }: Area, a: Px, b: Px): boolean {
   return from < to;
 }
 
-/** Corners of the convex hull (Andrew's monotone chain): what a plate is drawn as. */
-function hull(points: Px[]): Px[] {
-  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  if (sorted.length < 3) return sorted;
-  const turn = (o: Px, a: Px, b: Px): number => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-  const half = (list: Px[]): Px[] => {
-    const chain: Px[] = [];
-    for (const point of list) {
-      while (chain.length > 1 && turn(chain.at(-2) as Px, chain.at(-1) as Px, point) <= 0) chain.pop();
-      chain.push(point);
-    }
-    return chain.slice(0, -1);
-  };
-  return [...half(sorted), ...half([...sorted].reverse())];
-}
-
 interface Scene {
   bars: [Px, Px][];
   /** Filled outlines of plates: a name inside hides them as well. */
@@ -120,23 +114,25 @@ interface Scene {
   pins: { at: Px; radius: number }[];
 }
 
+/** Whether a point lies in a convex outline, whichever way that goes round. */
 function inside(point: Px, corners: Px[]): boolean {
-  return corners.every((a, index) => {
+  const sides = corners.map((a, index) => {
     const b = corners[(index + 1) % corners.length] as Px;
-    return (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]) >= 0;
+    return (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
   });
+  return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
 }
 
 /** What names may hide. */
 export interface Surroundings {
   parts: BodyView[];
-  blocks: Block[];
+  shapes: Shape[];
   motion: Motion;
   /** Radius of a pin, mm. */
   pinMm: number;
 }
 
-function sceneAt(view: Viewport, { parts, blocks, motion }: Surroundings, angle: number, pinPx: number): Scene {
+function sceneAt(view: Viewport, { parts, shapes, motion }: Surroundings, angle: number, pinPx: number): Scene {
   const poses = posesAt(motion, angle);
   const scene: Scene = { bars: [], plates: [], pins: [] };
   parts.forEach((part, index) => {
@@ -145,20 +141,16 @@ function sceneAt(view: Viewport, { parts, blocks, motion }: Surroundings, angle:
     const points = part.points.map(({ x, y }) => view.pixels(worldOf(pose, x, y)));
     // Supports and blocks reach farther than a pin.
     points.forEach((at) => scene.pins.push({ at, radius: (index === 0 ? 3.6 : 1.6) * pinPx }));
-    if (index === 0) return;
-    const corners = hull(points);
-    corners.forEach((corner, place) => {
-      const next = corners[(place + 1) % corners.length];
-      if (next && (corners.length > 2 || place === 0)) scene.bars.push([corner, next]);
-    });
-    if (corners.length > 2) scene.plates.push(corners);
   });
-  for (const { body, corners } of blocks) {
+  for (const { body, corners } of shapes) {
     const pose = poses[body];
     if (!pose) continue;
     const outline = corners.map(([x, y]) => view.pixels(worldOf(pose, x, y)));
-    outline.forEach((corner, place) => scene.bars.push([corner, outline[(place + 1) % outline.length] as Px]));
-    scene.plates.push(hull(outline));
+    outline.forEach((corner, place) => {
+      const next = outline[(place + 1) % outline.length];
+      if (next && (outline.length > 2 || place === 0)) scene.bars.push([corner, next]);
+    });
+    if (outline.length > 2) scene.plates.push(outline);
   }
   return scene;
 }

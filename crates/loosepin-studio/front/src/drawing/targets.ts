@@ -3,6 +3,7 @@ import type { End, Motion, BodyView } from '../messages.ts';
 import type { Point } from '../editing/drag.ts';
 import { element } from './element.ts';
 import { posesAt, worldOf } from './player.ts';
+import { roundStep } from '../numbers/rounds.ts';
 
 export interface PointName {
   body: string;
@@ -67,12 +68,6 @@ export function endsAt(first: { points: PointName[]; at: Point }, second: { poin
     if (other) return [{ at: 'point', ...one }, { at: 'point', ...other }];
   }
   return [endAt(first), endAt(second)];
-}
-
-/** The next of 1, 2, 5 times a power of ten that is not below `least`. */
-export function roundStep(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return ([1, 2, 5, 10].find((first) => first * power >= least * (1 - 1e-9)) ?? 10) * power;
 }
 
 const barPx = 70;

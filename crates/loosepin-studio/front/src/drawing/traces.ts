@@ -3,6 +3,7 @@ import type { Point } from '../editing/drag.ts';
 import type { Motion } from '../messages.ts';
 import { element } from './element.ts';
 import { posesAt, worldOf } from './player.ts';
+import { roundBelow } from '../numbers/rounds.ts';
 
 /** A point whose path is drawn. */
 export interface Traced {
@@ -28,9 +29,7 @@ const zonePx = 14;
 export function zoneFactor(across: (number | null)[][], pxPerMm: number): number {
   const widest = Math.max(...across.flat().map((value) => value ?? 0), 0);
   if (widest <= 0) return 1;
-  const most = zonePx / (widest * pxPerMm);
-  const power = 10 ** Math.floor(Math.log10(most));
-  return Math.max([5, 2, 1].map((first) => first * power).find((one) => one <= most * (1 + 1e-9)) ?? 1, 1);
+  return Math.max(roundBelow(zonePx / (widest * pxPerMm)), 1);
 }
 
 /** Both edges of the zone about a path: so far to either side of it, across the motion. */
