@@ -83,6 +83,11 @@ fn range(
     quantity: &dyn Quantity,
     least: f64,
 ) -> Option<MotionRange> {
+    // What stays at its value has rates of round-off, whose signs change at every other state.
+    let values = || walked.states.iter().map(|state| quantity.value(state));
+    if values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min) <= least {
+        return None;
+    }
     let ends = walked.turning_points(quantity);
     let lowest = ends.iter().min_by(|a, b| a.value.total_cmp(&b.value))?;
     let highest = ends.iter().max_by(|a, b| a.value.total_cmp(&b.value))?;

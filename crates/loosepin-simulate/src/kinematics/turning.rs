@@ -79,7 +79,6 @@ fn crossing<'m>(
     let mut state = from.clone();
     for _ in 0..MAX_STEPS {
         let (next_s, [from_s, to_s]) = (bracket.next(), bracket.places());
-        state = from.clone();
         state.move_to(next_s).ok()?;
         let value = of(&state);
         let moved_s = if bracket.take(next_s, value) { next_s - from_s } else { to_s - next_s };
