@@ -57,6 +57,8 @@ def test_names_of_all_templates_hide_neither_each_other_nor_links(studio, width,
         studio.open()
         studio.click("button.card", name)
         settle(studio)
+        # The words of the scale stand apart from the buttons.
+        assert studio.browser.evaluate("document.querySelector('.scale-bar').getBoundingClientRect().right <= document.querySelector('.drawing .zoom').getBoundingClientRect().left"), name
         if hidden := studio.browser.evaluate(HIDDEN):
             faults[name] = hidden
     assert not faults, faults
