@@ -1,41 +1,6 @@
 // What the studio and its server say to each other, from the types of the server in Rust.
 // Not written by hand: `just studio-messages` writes it, and a test of the architecture compares it.
 
-/** Support of a pin. */
-export type Hold =
-  /** Links alone. */
-  | { kind: 'free' }
-  /** The ground. */
-  | { kind: 'ground' }
-  /** A block in a guide of the ground, at an angle from the horizontal. */
-  | {
-      kind: 'slider';
-      /** Degrees. */
-      angle_deg: number;
-    };
-
-/** A pin. */
-export interface DrawnPin {
-  /** To the right, mm. */
-  x: number;
-  /** Upwards, mm. */
-  y: number;
-  /** Its support. */
-  hold: Hold;
-}
-
-/** A drawing. */
-export interface Drawn {
-  /** Name of the mechanism. */
-  name: string;
-  /** Its pins. */
-  pins: DrawnPin[];
-  /** The pins of each link: two of a bar, more of a plate. */
-  links: number[][];
-  /** The pin on the ground at which the motor turns a link. */
-  motor?: number | null;
-}
-
 /** Something with a name: `joint.gudgeon`, `body.rod`, or the point `body.rod.points.small_end`. */
 export interface Named {
   /** The table that it stands in: `body`, `joint`, `output`, ... */
@@ -1034,10 +999,10 @@ export interface RestructureAnswer extends Partial<Restructured> {
   refusal: Refused | null;
 }
 
-/** A template to be made a mechanism of one's own. */
+/** A mechanism of one's own, from a template or from nothing. */
 export interface NewRequest {
-  /** Its name. */
-  template: string;
+  /** Name of the template; without one, nothing is drawn yet. */
+  template?: string | null;
   /** Path of the new folder. */
   folder: string;
 }
@@ -1048,22 +1013,6 @@ export interface NewAnswer {
   model: string;
   /** Path of the study. */
   study: string;
-}
-
-/** A drawing from nothing. */
-export interface DrawRequest extends Drawn {
-  /** Path of the new folder into which model and study go; `None` if only words are asked for. */
-  folder?: string | null;
-}
-
-/** Findings of the library on a drawing. */
-export interface DrawAnswer {
-  /** Degrees of freedom in words, or what is missing. */
-  says: string[];
-  /** Why it is no mechanism. */
-  refusal: Refused | null;
-  /** Path of the study that was written. */
-  study: string | null;
 }
 
 /** Destination of a drawing in the DXF format. */

@@ -1,6 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
-import type { EditTool, Tool } from './editing/toolset.ts';
-import type { Document, Hold, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
+import type { EditTool, JoinKind, RecordKind } from './editing/toolset.ts';
+import type { Document, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -8,6 +8,9 @@ const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
 function count(number: number, one: string, many: string): string {
   return whole.format(number) + ' ' + (number === 1 ? one : many);
 }
+
+/** Thousandths of a millimetre are finer than any drawing. */
+const short = (mm: number): string => String(Math.round(mm * 1000) / 1000 + 0);
 
 export const words = {
   studio: 'loosepin studio',
@@ -68,6 +71,8 @@ export const words = {
     findHint: 'Name of a study, a model or a mechanism',
     continue: 'Continue',
     draw: 'Draw from nothing',
+    /** Folder and name of what is drawn. */
+    blank: 'drawn',
     import: 'Import a drawing (DXF)',
     unit: 'Unit',
     ownUnit: 'of the drawing',
@@ -110,6 +115,10 @@ export const words = {
     saveAndRun: 'Save and run',
     noStudy: 'Only a study can be run, but this model was opened without one.',
     noModel: 'The study does not name a model that can be read. Correct the line `model = …`, save, and open it again.',
+    broughtBack: (ago: string): string => `Changes of ${ago} that were not saved are here again. Undo takes them back.`,
+    olderDraft: (ago: string): string => `There are changes of ${ago} that were not saved, of an older text: the file has changed since.`,
+    takeDraft: 'Show them',
+    dropDraft: 'Discard them',
     leaveQuestion: 'The texts have changes that are not saved.',
     saveAndLeave: 'Save and leave',
     leaveWithout: 'Leave without saving',
@@ -210,106 +219,57 @@ export const words = {
     goTo: (label: string): string => `Show ${label} in the text`,
   },
 
-  draw: {
-    heading: 'Draw a mechanism',
-    back: '← Gallery',
-    name: 'Name',
-    firstName: 'drawn',
-    undo: 'Undo',
-    redo: 'Redo',
-    make: 'Make it move',
-    tools: 'Tools',
-    canvas: 'Drawing, 10 mm per square',
-    names: { link: 'Link', plate: 'Plate', ground: 'Ground', slider: 'Slider', motor: 'Motor', delete: 'Delete' } as Record<Tool, string>,
-    keys: { link: 'l', plate: 'p', ground: 'g', slider: 's', motor: 'm', delete: 'd' } as Record<Tool, string>,
-    linkStart: 'Click where a link begins: a pin, or a free place. With Shift, the pin is on the ground.',
-    linkEnd: (pin: string): string => `The link begins at ${pin}. Click where it ends; a click on a pin joins it.`,
-    plateNext: 'Click places or pins that belong to the plate. Escape ends it.',
-    hints: {
-      link: '',
-      plate: 'Click a link: it becomes a plate with additional pins.',
-      ground: 'Click a pin to fix it to the ground, or to free it again.',
-      slider: 'Click a pin to make it a block in a horizontal guide; click again for a vertical guide, and again to free it.',
-      motor: 'Click a pin on the ground: the motor turns the link at it.',
-      delete: 'Click a pin or a link to delete it.',
-    } as Record<Tool, string>,
-    begin: 'A mechanism needs pins on the ground, links between pins, and a motor.',
-    ready: 'Masses, speed and tolerances are first guesses, marked so in the text.',
-    at: (x: number, y: number): string => `${x}, ${y} mm`,
-    pin: (name: string, hold: Hold, isMotor: boolean): string =>
-      `${name}, ${hold.kind === 'free' ? 'free' : hold.kind === 'ground' ? 'on the ground' : `block in a guide at ${hold.angle_deg}°`}${isMotor ? ', with the motor' : ''}`,
-    larger: 'Larger',
-    smaller: 'Smaller',
-    lists: 'Pins and links as lists',
-    pins: 'Pins',
-    links: 'Links',
-    noLinks: 'A link goes from one pin to another: it needs two.',
-    holds: { free: 'free', ground: 'on the ground', slider: 'block in a guide' } as Record<Hold['kind'], string>,
-    heldBy: (name: string): string => `Support of ${name}`,
-    angle: 'at',
-    remove: (name: string): string => `Remove ${name}`,
-    addPin: 'Add a pin',
-    addTo: (link: string): string => `Add a pin to ${link}`,
-    addToLink: 'add a pin …',
-    addLink: 'Add a link',
-    ends: ['From', 'To'],
-  },
-
   build: {
     tools: 'Tools',
-    names: { move: 'Move', link: 'Link', plate: 'Plate', join: 'Join', slider: 'Slider', ground: 'Ground', motor: 'Motor', delete: 'Delete' } as Record<EditTool, string>,
-    keys: { move: 'v', link: 'l', plate: 'p', join: 'j', slider: 's', ground: 'g', motor: 'm', delete: 'd' } as Record<EditTool, string>,
+    names: { move: 'Move', link: 'Link', plate: 'Plate', join: 'Join', slider: 'Slider', ground: 'Ground', motor: 'Motor', record: 'Record', delete: 'Delete' } satisfies Record<EditTool, string>,
+    keys: { move: 'v', link: 'l', plate: 'p', join: 'j', slider: 's', ground: 'g', motor: 'm', record: 'r', delete: 'd' } satisfies Record<EditTool, string>,
+    first: 'Click where the crank turns: a pin on the ground, with the motor. Then click its other end.',
     hints: {
       move: '',
       link: 'Click where the link begins: a point, a link, or a free place. With Shift it begins on the ground.',
       plate: 'Click a link to add points to it.',
-      join: 'Click a point, then the point to pin to it.',
-      slider: 'Click a point to make it a pin in a block, in a horizontal guide on the ground.',
+      join: 'Click a point, then the point to join to it.',
+      slider: 'Click a point to make it a pin in a block, in a guide on the ground.',
       ground: 'Click a point to pin it to the ground.',
       motor: 'Click a pin without play to put the motor there.',
+      record: 'Click what is to be recorded: a point, or a link and then the place of a new point on it.',
       delete: 'Click a pin, a point or a link to delete it. Everything that is deleted with it is shown first.',
-    } as Record<EditTool, string>,
+    } satisfies Record<EditTool, string>,
+    chain: (start: string): string => `The next link begins at ${start}. Click where it ends, or click ${start} again to pin it to the ground. Escape ends the chain.`,
     next: (tool: EditTool, start: string): string =>
       tool === 'link'
         ? `The link begins at ${start}. Click where it ends; with Shift, the end is on the ground.`
         : tool === 'plate'
           ? `Click places or points that belong to ${start}. Escape ends it.`
-          : `Click the point to pin to ${start}.`,
-    target: (points: string[], at: [number, number]): string => `${points.join(' and ')}, at ${words.draw.at(Math.round(at[0] * 1000) / 1000, Math.round(at[1] * 1000) / 1000)}`,
+          : tool === 'record'
+            ? `Click the place of the new point on ${start}; it may lie beside the link.`
+            : `Click the point to join to ${start}.`,
+    at: ([x, y]: readonly [number, number]): string => `${short(x)}, ${short(y)} mm`,
+    /** Length and direction of a link that is being drawn. */
+    reach: (mm: number, degrees: number): string => `${short(mm)} mm, ${degrees.toFixed(1)}°`,
+    equal: (link: string): string => `as long as ${link}`,
+    playAt: (play: string | null): string => `play ${play ?? 'none'}`,
+    target: (points: string[], at: [number, number]): string => `${points.join(' and ')}, at ${words.build.at(at)}`,
     along: (axes: ('x' | 'y')[]): string => (axes.length === 2 ? 'in line with two points' : axes[0] === 'x' ? 'above or below a point' : 'level with a point'),
     done: 'Done',
     incomplete: 'Not complete yet',
-    add: 'Add',
-    addLink: 'Add a link',
-    from: 'From',
-    to: 'To',
-    freePlace: 'a free place',
-    onGround: 'a place on the ground',
-    join: 'Join two points',
-    first: 'Point',
-    second: 'With',
     as: 'As',
-    kinds: { pin: 'a pin', slider: 'a slider on a line', slot: 'a pin in a slot', rigid: 'one body' } as Record<string, string>,
+    kinds: { pin: 'a pin', slider: 'a slider on a line', slot: 'a pin in a slot', rigid: 'one body' } satisfies Record<JoinKind, string>,
     play: 'Play',
     noPlay: 'none',
     angle: 'Line at',
-    block: 'Add a slider block',
-    blockAt: 'Pin at',
-    blockAngle: 'Guide at',
-    motor: 'Move the motor to',
-    motorAt: 'Pin',
-    take: 'Turn it',
-    watch: 'Add an output',
-    watched: 'Record',
-    watchKinds: {
+    place: 'Place',
+    placeHint: 'Type x and y and press Enter; with Shift+Enter the place is on the ground.',
+    placeWrong: 'two numbers, such as 120, 90',
+    recorded: 'Record',
+    recordKinds: {
       path: 'the path of a point',
       x: 'the x position of a point',
       y: 'the y position of a point',
       angle: 'the angle of a body',
       angular_velocity: 'the angular velocity of a body',
       force: 'the force in a joint',
-    },
-    watchedOf: 'Of',
+    } satisfies Record<RecordKind, string>,
     addPoint: (body: string): string => `Add a point to ${body}`,
     ownPlace: 'own frame, mm',
     points: 'Points',

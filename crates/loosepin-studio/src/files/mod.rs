@@ -2,6 +2,7 @@
 //! Nothing outside of it is opened.
 
 pub(crate) mod adopt;
+pub(crate) mod blank;
 pub(crate) mod folder;
 pub(crate) mod gallery;
 pub(crate) mod listed;

@@ -64,7 +64,7 @@ fn read<T>(
 /// An older version has kept no texts, or this one cannot read them.
 pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
     let unreadable = || Refusal::bad("this version cannot read the model and the study in this result");
-    let file = Texts::of_result(result)?.read().map_err(|_| unreadable())?;
+    let file = Texts::of_result(result)?.read_to_run().map_err(|_| unreadable())?;
     file.into_study().map_err(|_| unreadable())
 }
 

@@ -52,7 +52,7 @@ pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<
         None => Texts::of_study(folder, path),
     };
     let texts = texts.map_err(message_and_hint)?;
-    let file = texts.read().map_err(|diagnostics| words(&diagnostics))?;
+    let file = texts.read_to_run().map_err(|diagnostics| words(&diagnostics))?;
     file.into_study().map_err(|diagnostics| words(&diagnostics))
 }
 

@@ -3,7 +3,6 @@
 use loosepin::report::Comparison;
 use serde::{Deserialize, Serialize};
 
-use crate::drawing::drawn::Drawn;
 use crate::drawing::still::NamedPoses;
 use crate::edit::{Edit, Restructured};
 use crate::files::adopt::AdoptedTexts;
@@ -119,11 +118,11 @@ pub struct RestructureAnswer {
     pub refusal: Option<Refused>,
 }
 
-/// A template to be made a mechanism of one's own.
+/// A mechanism of one's own, from a template or from nothing.
 #[derive(Deserialize)]
 pub struct NewRequest {
-    /// Its name.
-    pub template: String,
+    /// Name of the template; without one, nothing is drawn yet.
+    pub template: Option<String>,
     /// Path of the new folder.
     pub folder: String,
 }
@@ -135,27 +134,6 @@ pub struct NewAnswer {
     pub model: String,
     /// Path of the study.
     pub study: String,
-}
-
-/// A drawing from nothing.
-#[derive(Deserialize)]
-pub struct DrawRequest {
-    /// It.
-    #[serde(flatten)]
-    pub drawn: Drawn,
-    /// Path of the new folder into which model and study go; `None` if only words are asked for.
-    pub folder: Option<String>,
-}
-
-/// Findings of the library on a drawing.
-#[derive(Serialize)]
-pub struct DrawAnswer {
-    /// Degrees of freedom in words, or what is missing.
-    pub says: Vec<String>,
-    /// Why it is no mechanism.
-    pub refusal: Option<Refused>,
-    /// Path of the study that was written.
-    pub study: Option<String>,
 }
 
 /// Destination of a drawing in the DXF format.

@@ -12,6 +12,7 @@ use loosepin::templates::find_template;
 use serde::de::DeserializeOwned;
 
 use crate::edit;
+use crate::files::blank::{blank_model, blank_study};
 use crate::files::folder::{MAX_TEXT, StoredText};
 use crate::files::gallery::cards;
 use crate::files::listing::listing;
@@ -19,7 +20,7 @@ use crate::messages::Look;
 use crate::network::page;
 use crate::network::refusal::{Refusal, json};
 use crate::network::requests::{
-    DrawAnswer, DrawRequest, ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, Limits, NewAnswer, NewRequest,
+    ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, Limits, NewAnswer, NewRequest,
     OpenAnswer, OpenRequest, OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer, SaveRequest,
     SetUncertaintyAnswer, SetUncertaintyRequest, ViewAnswer, ViewRequest,
 };
@@ -119,34 +120,22 @@ pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> RouteResu
 
 pub async fn new(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let NewRequest { template, folder } = parsed(&body)?;
-    let template = find_template(&template).ok_or_else(|| {
-        Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
-    })?;
+    let [model, study] = match template {
+        None => [blank_model(&folder), blank_study(&folder)],
+        Some(name) => {
+            let found = find_template(&name).ok_or_else(|| {
+                Refusal::new(StatusCode::NOT_FOUND, "there is no such template")
+                    .with_hint("GET /api/templates lists them")
+            })?;
+            [found.model.to_owned(), found.study.to_owned()]
+        }
+    };
     let written = NewAnswer { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
-    let texts = [("model.toml", template.model), ("study.toml", template.study)];
-    in_background(move || studio.folder.write_new_folder(&folder, &texts)).await?;
+    let write = move || {
+        studio.folder.write_new_folder(&folder, &[("model.toml", &model), ("study.toml", &study)])
+    };
+    in_background(write).await?;
     Ok(json(&written))
-}
-
-/// Findings of the library on a drawing; if a folder is named and the mechanism moves, model and study are written there.
-pub async fn draw(State(studio): State<Studio>, body: Bytes) -> RouteResult {
-    let DrawRequest { drawn, folder: name } = parsed(&body)?;
-    let folder = studio.folder.clone();
-    let said = in_background(move || {
-        let wrong = |refusal: Refusal| DrawAnswer { says: Vec::new(), refusal: Some(refusal.into()), study: None };
-        let texts = match drawn.texts() {
-            Ok(texts) => texts,
-            Err(refusal) => return Ok(wrong(refusal)),
-        };
-        let says = match texts.says {
-            Ok(says) => says,
-            Err(found) => return Ok(wrong(Refusal::bad(found.join("\n")))),
-        };
-        let Some(name) = name else { return Ok(DrawAnswer { says, refusal: None, study: None }) };
-        folder.write_new_folder(&name, &[("model.toml", &texts.model), ("study.toml", &texts.study)])?;
-        Ok(DrawAnswer { says, refusal: None, study: Some(format!("{name}/study.toml")) })
-    });
-    Ok(json(&said.await?))
 }
 
 /// A drawing in the DXF format becomes the skeleton of a model, in a new folder.

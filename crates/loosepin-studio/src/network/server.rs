@@ -143,7 +143,6 @@ fn router(studio: Studio) -> Router {
         .route("/api/new", post(routes::new))
         .route("/api/set-uncertainty", post(routes::set_uncertainty))
         .route("/api/restructure", post(routes::restructure))
-        .route("/api/draw", post(routes::draw))
         .route("/api/import", post(routes::import))
         .route("/api/explain/{code}", get(routes::explain))
         .route("/api/view", post(routes::view))

@@ -96,17 +96,32 @@ impl Texts {
         Self { model: source(model), study: study.map(source) }
     }
 
-    /// The study, or the model where there is none.
+    /// The study, or the model where there is none. The study may have no uncertain input and no question yet.
     ///
     /// # Errors
     /// Everything that is wrong with them.
     pub fn read(&self) -> Result<InputFile, Diagnostics> {
+        self.read_by(Study::draft_of_model)
+    }
+
+    /// As [`Texts::read`], with all that a run needs.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, or missing.
+    pub fn read_to_run(&self) -> Result<InputFile, Diagnostics> {
+        self.read_by(Study::of_model)
+    }
+
+    fn read_by(
+        &self,
+        read: fn(&Arc<Source>, Model, &Path) -> Result<Study, Diagnostics>,
+    ) -> Result<InputFile, Diagnostics> {
         let model = Model::from_source(Arc::clone(&self.model))?;
         match &self.study {
             None => Ok(InputFile::Model(Box::new(model))),
             Some(study) => {
                 let path = PathBuf::from(self.model.name());
-                Ok(InputFile::Study(Box::new(Study::of_model(study, model, &path)?)))
+                Ok(InputFile::Study(Box::new(read(study, model, &path)?)))
             }
         }
     }

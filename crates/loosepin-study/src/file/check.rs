@@ -63,8 +63,8 @@ impl StudyReader {
         self.model.play_from(quantity).map(|(_, clearance)| clearance).collect()
     }
 
-    /// Checks what only the whole study shows.
-    pub fn check_whole(&mut self, root: &StudyTable<'_>) {
+    /// Checks that something is uncertain, and that something is asked.
+    pub fn check_complete(&mut self, root: &StudyTable<'_>) {
         let is_empty = |reader: &mut Self, entries: &[&Option<Entry<'_>>]| {
             entries.iter().copied().flatten().all(|entry| {
                 if entry.is_table() { reader.reader.any_keys(entry).is_empty() } else { entry.is_empty_list() }
@@ -77,6 +77,10 @@ impl StudyReader {
         if is_empty(self, &[&root.ask, &root.require, &root.measured]) {
             self.reader.report(&StudyProblem::NothingAsked, root.table.span);
         }
+    }
+
+    /// Checks what only the whole study shows.
+    pub fn check_whole(&mut self, root: &StudyTable<'_>) {
         self.check_model_values(root);
         if self.reader.diagnostics.has_errors() {
             return;

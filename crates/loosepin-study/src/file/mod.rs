@@ -107,7 +107,7 @@ impl Study {
 
     fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Diagnostics> {
         let folder = path.parent().unwrap_or(Path::new(""));
-        read(source, |written| {
+        read(source, Stage::Complete, |written| {
             let model_path = folder.join(written);
             let file = read_source(&model_path)?;
             if says_study(&file) {
@@ -126,7 +126,7 @@ impl Study {
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
     pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Diagnostics> {
-        read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
+        read(&Source::new(name, text), Stage::Complete, |written| Ok((model, PathBuf::from(written))))
     }
 
     /// Reads a study of `model`, which stands at `model_path`, from a text with its name and, where [`Source::with_files`] gave
@@ -135,7 +135,16 @@ impl Study {
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
     pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Diagnostics> {
-        read(source, |_| Ok((model, model_path.to_owned())))
+        read(source, Stage::Complete, |_| Ok((model, model_path.to_owned())))
+    }
+
+    /// As [`Study::of_model`], of a study that is still being written: it may have no uncertain input and no question yet. Such a study has an
+    /// ideal motion; before it runs, it is read by [`Study::of_model`].
+    ///
+    /// # Errors
+    /// As for [`Study::of_model`].
+    pub fn draft_of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Diagnostics> {
+        read(source, Stage::Draft, |_| Ok((model, model_path.to_owned())))
     }
 
     /// Whether `loosepin study` has something to answer. A study of readings of a rig may have nothing: it is for `loosepin identify`.
@@ -187,8 +196,18 @@ impl Study {
     }
 }
 
+/// Whether a study must be able to run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    /// It has uncertain inputs and questions.
+    Complete,
+    /// Either may be missing.
+    Draft,
+}
+
 fn read(
     source: &Arc<Source>,
+    stage: Stage,
     open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Diagnostics>,
 ) -> Result<Study, Diagnostics> {
     let toml = parse_toml(source)?;
@@ -239,6 +258,9 @@ fn read(
         file.refuse_surrogate(root.surrogate.as_ref());
     }
     let questions = read_questions(&root.table, &mut file.reader);
+    if stage == Stage::Complete {
+        file.check_complete(&root);
+    }
     file.check_whole(&root);
     if !file.reader.diagnostics.has_errors() {
         file.check_tolerance(&sampling_table, sampling.tolerance_m);

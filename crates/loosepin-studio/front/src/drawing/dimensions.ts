@@ -1,5 +1,5 @@
 // Dimensions of what is chosen, on the drawing: a line with its ends, and the length with its tolerance.
-import type { BodyView, DimensionView } from '../messages.ts';
+import type { BodyView, DimensionView, PinView } from '../messages.ts';
 import { element } from './element.ts';
 
 /** The side of a line on which a body has less: 1 is to the left of it. */
@@ -34,14 +34,30 @@ export function addDimensions(svg: SVGSVGElement, dimensions: DimensionView[], p
     const rider = element('g', { 'data-rides': String(body), 'data-x': String(x), 'data-y': String(y) });
     const text = element('text', { class: 'dimension', transform: 'scale(1 -1)', 'text-anchor': 'middle', 'dominant-baseline': 'middle' });
     text.textContent = textOf(dimension);
-    if (dimension.path !== null) {
-      text.classList.add('editable');
-      text.dataset.path = dimension.path;
-      // A button of the canvas: the number is edited where it stands.
-      Object.entries({ role: 'button', tabindex: '0' }).forEach(([name, value]) => text.setAttribute(name, value));
-    }
+    if (dimension.path !== null) makeEditable(text, dimension.path);
     rider.append(text);
     upright.append(moving, rider);
   }
+  svg.append(upright);
+}
+
+/** A button of the canvas: the number is edited where it stands. */
+function makeEditable(text: SVGElement, path: string): void {
+  text.classList.add('editable');
+  text.dataset.path = path;
+  Object.entries({ role: 'button', tabindex: '0' }).forEach(([name, value]) => text.setAttribute(name, value));
+}
+
+/** Adds the play of a pin beside it, or that it has none yet. */
+export function addPlay(svg: SVGSVGElement, { body, x, y }: PinView, path: string, written: string, fontMm: number): void {
+  const size = 1.1 * fontMm;
+  const upright = element('g', { transform: 'scale(1 -1)', class: 'dimensions' });
+  upright.style.fontSize = size.toFixed(4) + 'px';
+  const rider = element('g', { 'data-rides': String(body), 'data-x': String(x), 'data-y': String(y) });
+  const text = element('text', { class: 'dimension', transform: 'scale(1 -1)', x: (1.4 * size).toFixed(4), y: (1.9 * size).toFixed(4), 'dominant-baseline': 'middle' });
+  text.textContent = written;
+  makeEditable(text, path);
+  rider.append(text);
+  upright.append(rider);
   svg.append(upright);
 }

@@ -10,14 +10,16 @@ export interface PointName {
   point: string;
 }
 
-export interface Target {
-  /** Points of different bodies at one place. */
+/** Points of different bodies at one place, mm. */
+export interface Place {
   points: PointName[];
+  at: Point;
+}
+
+export interface Target extends Place {
   /** Index of the body that carries the first of them, and where it is in its frame, mm. */
   body: number;
   own: Point;
-  /** Where it is now, mm. */
-  at: Point;
 }
 
 const samePlaceMm = 1e-3;
@@ -56,13 +58,13 @@ export function addTargets(svg: SVGSVGElement, targets: Target[], nameOf: (targe
 }
 
 /** An end at a target: of a body other than `not`, where there is one. */
-export function endAt(target: { points: PointName[]; at: Point }, not: string | null = null): End {
+export function endAt(target: Place, not: string | null = null): End {
   const found = target.points.find(({ body }) => body !== not) ?? target.points[0];
   return found ? { at: 'point', ...found } : { at: 'free', x: target.at[0], y: target.at[1] };
 }
 
 /** Ends at two targets, of two bodies where that can be. */
-export function endsAt(first: { points: PointName[]; at: Point }, second: { points: PointName[]; at: Point }): [End, End] {
+export function endsAt(first: Place, second: Place): [End, End] {
   for (const one of first.points) {
     const other = second.points.find(({ body }) => body !== one.body);
     if (other) return [{ at: 'point', ...one }, { at: 'point', ...other }];
@@ -75,32 +77,4 @@ const barPx = 70;
 /** Length of the bar of a scale, mm: the shortest round one that is long enough on the screen. */
 export function barLength(pxPerMm: number): number {
   return roundStep(barPx / pxPerMm);
-}
-
-export interface Snapped {
-  at: Point;
-  /** Index of the target that holds it, where one does. */
-  target: number | null;
-  /** What holds it: another target on the same horizontal or vertical. */
-  along: ('x' | 'y')[];
-}
-
-/** A place, held by a target near it, else by the horizontals and verticals of targets, else by round numbers. */
-export function snapped(place: Point, targets: Target[], mmPerPx: number, isFree: boolean): Snapped {
-  const [nearPx, alignedPx, stepPx] = [12, 5, 4];
-  const near = targets
-    .map((target, index) => ({ index, far: Math.hypot(target.at[0] - place[0], target.at[1] - place[1]) }))
-    .filter(({ far }) => far < nearPx * mmPerPx)
-    .sort((a, b) => a.far - b.far)[0];
-  const held = near && targets[near.index];
-  if (near && held) return { at: held.at, target: near.index, along: [] };
-  if (isFree) return { at: place, target: null, along: [] };
-  const step = roundStep(stepPx * mmPerPx);
-  const along: Snapped['along'] = [];
-  const at = ([0, 1] as const).map((axis) => {
-    const line = targets.map((target) => target.at[axis]).find((value) => Math.abs(value - place[axis]) < alignedPx * mmPerPx);
-    if (line !== undefined) along.push(axis === 0 ? 'x' : 'y');
-    return line ?? Math.round(place[axis] / step) * step;
-  }) as Point;
-  return { at, target: null, along };
 }

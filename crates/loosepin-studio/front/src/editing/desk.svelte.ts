@@ -61,8 +61,8 @@ export class Desk {
   /** The body or output that is looked at. */
   part = $state.raw<Named | null>(null);
   readonly build = new Build(this);
-  /** What the last edit of links and joints says: degrees of freedom, or why it was not made. */
-  built = $state.raw<{ words: string[]; isRefused: boolean } | null>(null);
+  /** What the last edit of links and joints says: degrees of freedom, or why it was not made; and the name of what it brought. */
+  built = $state.raw<{ words: string[]; isRefused: boolean; name: string | null } | null>(null);
   /** What is to be taken out, once that is confirmed. */
   removal = $state.raw<Removal | null>(null);
   /** What is dragged. */
@@ -344,14 +344,14 @@ export class Desk {
   }
 
   private refuse(words: string): string {
-    this.built = { words: [words], isRefused: true };
+    this.built = { words: [words], isRefused: true, name: null };
     return words;
   }
 
   private takeOver(answer: RestructureAnswer, name: string): void {
     this.poses = { ...this.poses, ...(answer.poses ?? {}) };
     this.apply(answer.changes ?? [], name);
-    this.built = { words: answer.says ?? [], isRefused: false };
+    this.built = { words: answer.says ?? [], isRefused: false, name: answer.name ?? null };
   }
 
   /** Remembers where the bodies are at the start. */

@@ -1,4 +1,5 @@
 // The two texts: the only truth of the editor. All edits pass through here, whoever makes them.
+import type { Draft } from './drafts.ts';
 import { applied, History, type Change, type Gesture, type Step } from './history.ts';
 import type { Range } from './place.ts';
 import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
@@ -82,6 +83,28 @@ export class Documents {
       if (entry.version > version && entry.document === document) place = movedRange(place, entry.change);
     }
     return { ...range, from: place.from, to: place.to };
+  }
+
+  /** The texts that are not saved, each with the tag of the file from which it began. */
+  get unsaved(): Draft['texts'] {
+    const texts = (['model', 'study'] as const).flatMap((which) => {
+      const sheet = this.sheet(which);
+      return sheet && sheet.text !== sheet.savedText ? [[which, { text: sheet.text, tag: sheet.tag }] as const] : [];
+    });
+    return Object.fromEntries(texts);
+  }
+
+  /** Takes unsaved texts over, as one step to undo. */
+  takeDraft({ texts, at }: Draft): void {
+    for (const which of ['model', 'study'] as const) {
+      const [sheet, draft] = [this.sheet(which), texts[which]];
+      if (sheet && draft) this.change(which, { from: 0, to: sheet.text.length, insert: draft.text }, { name: `draft ${at}`, joins: 'always' });
+    }
+  }
+
+  /** Whether unsaved texts began from the files as they are on the disk. */
+  isOfFiles({ texts }: Draft): boolean {
+    return (['model', 'study'] as const).every((which) => texts[which] === undefined || texts[which].tag === this.sheet(which)?.tag);
   }
 
   async save(): Promise<void> {

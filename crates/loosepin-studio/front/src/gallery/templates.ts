@@ -1,6 +1,7 @@
 // Makes a folder from a template, with the first name that is free.
 import type { ImportAnswer, ImportRequest, NewAnswer, NewRequest } from '../messages.ts';
 import { ask, Refusal } from '../network/wire.ts';
+import { words } from '../words.ts';
 
 const mostTried = 100;
 
@@ -15,8 +16,9 @@ export async function firstFree<T>(name: string, make: (free: string) => Promise
   }
 }
 
-export async function makeFrom(template: string): Promise<string> {
-  return (await firstFree(template, (folder) => ask<NewAnswer>('POST', '/api/new', { template, folder } satisfies NewRequest))).study;
+/** A folder with a model and a study from a template; without one, with nothing drawn yet. */
+export async function makeFrom(template: string | null): Promise<string> {
+  return (await firstFree(template ?? words.gallery.blank, (folder) => ask<NewAnswer>('POST', '/api/new', { template, folder } satisfies NewRequest))).study;
 }
 
 /** A folder with the skeleton of a model from a drawing. */

@@ -11,6 +11,8 @@ class Session {
   notice = $state<string | null>(null);
   /** A message that the server did not take, in its words. */
   refusal = $state<string | null>(null);
+  /** The server has said what it is, or that it does not. */
+  greeted: Promise<void> = Promise.resolve();
   private readonly live = new Live((message) => this.hear(message), (connection) => this.connected(connection));
   private readonly seenBy = new Set<(seen: LookAnswer) => void>();
   private readonly changedBy = new Set<(path: string) => void>();
@@ -38,7 +40,7 @@ class Session {
   }
 
   private greet(): void {
-    ask<HelloAnswer>('GET', '/api/hello').then(
+    this.greeted = ask<HelloAnswer>('GET', '/api/hello').then(
       (hello) => {
         this.hello = hello;
         this.isRefused = false;

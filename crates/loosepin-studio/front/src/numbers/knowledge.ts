@@ -49,3 +49,11 @@ export function knownOf(path: string, quantities: QuantityView[], textOf: (quant
   }
   return number ? { kind: 'exact', short: textOf(number) } : null;
 }
+
+/** The number that is the play of a joint, and how well it is known; null where it has none yet. */
+export function playOf(joint: string, quantities: QuantityView[], textOf: (quantity: QuantityView) => string): { path: string; isDiametral: boolean; known: Known | null } {
+  const [radial, diametral] = ['radial', 'diametral'].map((which) => `joint.${joint}.${which}_clearance`) as [string, string];
+  const isDiametral = quantities.some(({ path }) => path === diametral);
+  const path = isDiametral ? diametral : radial;
+  return { path, isDiametral, known: knownOf(path, quantities, textOf) };
+}

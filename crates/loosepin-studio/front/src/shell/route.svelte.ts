@@ -2,19 +2,16 @@
 
 export type Route =
   | { screen: 'gallery' }
-  | { screen: 'draw' }
   | { screen: 'edit' | 'report'; path: string }
   | { screen: 'compare'; before: string | null; after: string | null };
 
 export function addressOf(route: Route): string {
   if (route.screen === 'gallery') return '#/';
-  if (route.screen === 'draw') return '#/draw';
   if (route.screen === 'compare') return '#/compare/' + [route.before, route.after].map((path) => encodeURIComponent(path ?? '')).join('/');
   return '#/' + route.screen + '/' + route.path.split('/').map(encodeURIComponent).join('/');
 }
 
 export function readAddress(fragment: string): Route {
-  if (fragment === '#/draw') return { screen: 'draw' };
   const pair = /^#\/compare\/([^/]*)\/([^/]*)$/.exec(fragment);
   const found = /^#\/(edit|report)\/(.+)$/.exec(fragment);
   if (!found && !pair) return { screen: 'gallery' };

@@ -1,4 +1,4 @@
-//! Additions to the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
+//! Additions to the model: links, points, joints, blocks, outputs. First guesses are marked so.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -8,7 +8,7 @@ use loosepin::units::format_number;
 use super::edit::{End, Joined, Watched};
 use super::watch::output;
 use crate::drawing::still::{NamedPoses, Pose, in_body_m};
-use crate::edit::toml::lines::EditedText;
+use crate::edit::toml::lines::{EditedText, owned};
 use crate::network::refusal::Refusal;
 
 const MM_PER_M: f64 = 1e3;
@@ -24,6 +24,9 @@ const BLOCK_MASS: &str = "\"0.2 kg\"";
 const BLOCK_INERTIA: &str = "\"5e-5 kg m^2\"";
 const FIRST_BAR: &str = "first guess: a steel bar of 20 mm x 8 mm";
 const FIRST_GUESS: &str = "first guess";
+/// Speed of a motor that nobody has described.
+const FIRST_SPEED: &str = "\"60 rpm\"  # first guess";
+const MOTOR: &str = "motor";
 const ORIGIN: &str = "[\"0 mm\", \"0 mm\"]";
 
 /// A model to which something is added.
@@ -77,7 +80,8 @@ impl<'m> Draft<'m> {
         DraftOutcome { lines: self.lines, added: self.added, new_poses: self.new_poses }
     }
 
-    /// A link between two places. Where it begins or ends at something, a pin joins both.
+    /// A link between two places. Where it begins or ends at something, a pin joins both. The first link of a mechanism is its crank: a motor
+    /// turns it at its pin on the ground.
     ///
     /// # Errors
     /// Why there is no such link, in words.
@@ -109,11 +113,21 @@ impl<'m> Draft<'m> {
             ],
         )?;
         let pose = Pose { origin_m: ends[0].at_m, angle_rad: y.atan2(x) };
-        self.guess(&name, pose)?;
+        let is_first = self.model.bodies.len() == 1 && self.model.drives.is_empty();
+        let is_crank = is_first && ends[0].body.as_deref() == Some(GROUND);
+        if is_crank {
+            // The motor says how it lies at the start.
+            self.place(&name, pose);
+        } else {
+            self.guess(&name, pose)?;
+        }
         for (end, own) in ends.iter().zip(["a", "b"]) {
             if let Some(point) = &end.point {
                 let joint = self.free_named("joint", &format!("{name}_{own}"));
                 self.revolute(&joint, point, &format!("{name}.{own}"))?;
+                if is_crank && own == "a" {
+                    self.add_motor(&joint, pose.angle_rad)?;
+                }
             }
         }
         Ok(name)
@@ -252,8 +266,7 @@ impl<'m> Draft<'m> {
             ],
         )?;
         let pose = Pose { origin_m: end.at_m, angle_rad: angle_deg.to_radians() };
-        self.new_poses.insert(name.clone(), pose.for_page());
-        self.poses.insert(name.clone(), pose);
+        self.place(&name, pose);
         let guide = self.free("joint", "guide");
         self.table(
             "joint",
@@ -286,20 +299,13 @@ impl<'m> Draft<'m> {
         }
         let angle =
             |point: PointId| self.poses.get(&self.model.bodies[point.body.0].name).map_or(0.0, |pose| pose.angle_rad);
-        let start = format!("\"{} deg\"", degrees((angle(journal) - angle(bearing)).to_degrees()));
+        let start_rad = angle(journal) - angle(bearing);
+        let start = start_angle(start_rad);
         let [drive] = &self.model.drives[..] else {
             if !self.model.drives.is_empty() {
                 return Err(Refusal::bad("there are several drives").with_hint("choose their joints in the text"));
             }
-            let name = self.free_named("drive", "motor");
-            let speed = "\"60 rpm\"  # first guess".to_owned();
-            self.table(
-                "drive",
-                &name,
-                "",
-                &[("joint", format!("\"{joint}\"")), ("speed", speed), ("start_angle", start)],
-            )?;
-            return Ok(name);
+            return self.add_motor(joint, start_rad);
         };
         self.set(&["drive", &drive.name, "joint"], &format!("\"{joint}\""))?;
         if self.model.quantities.id(&format!("drive.{}.start_angle", drive.name)).is_some() {
@@ -307,6 +313,23 @@ impl<'m> Draft<'m> {
         }
         self.added.insert(format!("drive.{}", drive.name));
         Ok(drive.name.clone())
+    }
+
+    /// A motor at a joint. A cycle of a mechanism that nothing has moved until now counts its turns.
+    fn add_motor(&mut self, joint: &str, start_rad: f64) -> Result<String, Refusal> {
+        let name = self.free_named("drive", MOTOR);
+        let entries =
+            [("joint", format!("\"{joint}\"")), ("speed", FIRST_SPEED.to_owned()), ("start_angle", start_angle(start_rad))];
+        self.table("drive", &name, "", &entries)?;
+        let duration = ["cycle", "duration"];
+        if self.model.controls.is_empty() && self.lines.value_span(&duration)?.is_some() {
+            self.lines.remove(&[owned(&duration)])?;
+            self.added.insert(duration.join("."));
+            for (key, value) in [("drive", format!("\"{name}\"")), ("transient_turns", "1".to_owned()), ("recorded_turns", "1".to_owned())] {
+                self.lines.add_entry(&["cycle"], key, &value)?;
+            }
+        }
+        Ok(name)
     }
 
     /// An output.
@@ -385,11 +408,16 @@ impl<'m> Draft<'m> {
 
     /// A new link lies as it was drawn: its loop may close in another way too.
     fn guess(&mut self, body: &str, pose: Pose) -> Result<(), Refusal> {
-        self.new_poses.insert(body.to_owned(), pose.for_page());
-        self.poses.insert(body.to_owned(), pose);
+        self.place(body, pose);
         self.added.insert(format!("assembly.guess.{body}"));
         let value = format!("\"{} deg\"", degrees(pose.angle_rad.to_degrees()));
         self.lines.add_entry(&["assembly", "guess"], body, &value)
+    }
+
+    /// Where a new body lies.
+    fn place(&mut self, body: &str, pose: Pose) {
+        self.new_poses.insert(body.to_owned(), pose.for_page());
+        self.poses.insert(body.to_owned(), pose);
     }
 
     fn entry(&mut self, table: &[&str], key: &str, value: &str) -> Result<(), Refusal> {
@@ -444,6 +472,10 @@ fn is_angle(degrees: f64) -> Result<(), Refusal> {
 /// Thousandths of a millimetre are finer than any drawing.
 fn mm(value: f64) -> String {
     format_number((value * 1e3).round() / 1e3 + 0.0)
+}
+
+fn start_angle(radians: f64) -> String {
+    format!("\"{} deg\"", degrees(radians.to_degrees()))
 }
 
 /// From -180 to 180, in tenths of a millidegree.

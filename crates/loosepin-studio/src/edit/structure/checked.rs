@@ -32,6 +32,8 @@ pub struct IntendedChange {
     pub renamed: Option<(Named, String)>,
     /// Paths of the entries of the study that go.
     pub of_study: Vec<Vec<String>>,
+    /// The output about which the study asks from now on.
+    pub asked: Option<Named>,
 }
 
 /// Findings of the library on a mechanism.
@@ -74,7 +76,7 @@ fn check_study(old: &Texts, new: &Texts, due: &IntendedChange, before: Model, af
     let gone = PathPrefixes::of(&due.of_study);
     let goes = |path: &[String]| gone.first_of(path).is_some();
     let named = mentions(Document::Study, &old_scan).into_iter().filter(|mention| !goes(&mention.path));
-    let expected_names: Vec<Named> = named.map(|mention| due.named(mention.of)).collect();
+    let expected_names: Vec<Named> = named.map(|mention| due.named(mention.of)).chain(due.asked.clone()).collect();
     let names: Vec<Named> = mentions(Document::Study, &new_scan).into_iter().map(|mention| mention.of).collect();
     if expected_names != names {
         return Err(otherwise("study"));
@@ -85,7 +87,7 @@ fn check_study(old: &Texts, new: &Texts, due: &IntendedChange, before: Model, af
     let path = std::path::PathBuf::from(old.model.name());
     // What an edit leaves without a question, or asks of play that went, is told, and read again when it is mended.
     if let (Ok(before), Ok(after)) =
-        (Study::of_model(old_source, before, &path), Study::of_model(new_source, after.clone(), &path))
+        (Study::draft_of_model(old_source, before, &path), Study::draft_of_model(new_source, after.clone(), &path))
     {
         let of = |study: &Study| -> BTreeMap<String, String> {
             let random = study.random.iter().map(|input| (input.path.clone(), "random".to_owned()));
@@ -222,14 +224,14 @@ impl IntendedChange {
     }
 }
 
-/// Findings of the library on the mechanism in some texts, whose model can be read.
-pub fn said(texts: &Texts) -> LibraryFindings {
-    let mut asks_nothing = None;
-    let file = texts.read().or_else(|found| {
-        asks_nothing =
-            found.sorted().into_iter().next().map(|first| format!("The study cannot run: {}", first.message));
-        Texts { model: texts.model.clone(), study: None }.read()
+/// Findings of the library on the mechanism in some texts after an edit, whose model can be read.
+pub fn said(before: &Texts, texts: &Texts) -> LibraryFindings {
+    // A study that could not run before is not said to have become one.
+    let lost = texts.read_to_run().err().filter(|_| before.read_to_run().is_ok());
+    let asks_nothing = lost.and_then(|found| {
+        found.sorted().into_iter().next().map(|first| format!("The study cannot run: {}", first.message))
     });
+    let file = texts.read().or_else(|_| Texts { model: texts.model.clone(), study: None }.read());
     let Ok(file) = file else { return LibraryFindings { is_complete: false, words: Vec::new() } };
     let mut said = match file.ideal_motion(POSITIONS, &[]) {
         Ok(record) => {

@@ -30,7 +30,7 @@ use serde::Serialize;
 
 use add::Draft;
 use checked::{IntendedChange, check, said, unreadable};
-use edit::Joined;
+use edit::{Joined, Named};
 use remove::removed;
 use rename::renamed;
 
@@ -80,7 +80,7 @@ struct New {
 /// Why there is no such change, in words.
 pub fn restructured(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<Restructured, Refusal> {
     let (after, new) = after(folder, texts, edit, poses)?;
-    let said = said(&after);
+    let said = said(texts, &after);
     let mut list = changes(Document::Model, &texts.model, after.model.text());
     if let (Some(old), Some(new)) = (&texts.study, &after.study) {
         list.extend(changes(Document::Study, old, new.text()));
@@ -148,7 +148,12 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
         }
         Edit::Watch { what } => {
             let name = draft.watch(what)?;
-            added(draft, name)
+            let mut new = added(draft, name.clone());
+            if let Some(study) = new.study.as_mut().filter(|study| asks_nothing(study)) {
+                study.insert(study.text().len(), &watch::question(what, &name))?;
+                new.due.asked = Some(Named::new("output", &name));
+            }
+            new
         }
         Edit::Remove { what } => {
             let removed = removed(&lines, study.as_ref(), what)?;
@@ -170,6 +175,14 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
             let new = lock::locked(&lines, span.start, *is_locked)?;
             plain(new, study, IntendedChange::default(), Vec::new())
         }
+    })
+}
+
+/// Whether a study has no question and no requirement; of one that cannot be read nothing is said.
+fn asks_nothing(study: &EditedText) -> bool {
+    study.scanned().is_ok_and(|scanned| {
+        let first = |path: &[String]| path.first().map(String::as_str).unwrap_or_default().to_owned();
+        !scanned.statements.iter().any(|one| ["ask", "require"].contains(&first(&one.path).as_str()))
     })
 }
 

@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 
 use loosepin::model::Model;
-use loosepin::study::InputFile;
+use loosepin::study::{InputFile, plan_runs};
 use loosepin::templates::{TEMPLATES, Template, find_template};
 
 use super::checked::facts;
 use super::edit::{Axis, Edit, End, Joined, Named, Watched};
 use super::{Restructured, restructured};
 use crate::drawing::still::NamedPoses;
+use crate::edit::set_uncertainty::set_uncertainty;
 use crate::edit::tests::{applied, served, texts};
+use crate::files::blank::{blank_model, blank_study};
 use crate::files::folder::Folder;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
@@ -129,6 +131,68 @@ fn a_link_becomes_a_dyad_and_moves_as_its_geometry_says() {
         "{}",
         desk.texts.model.text()
     );
+}
+
+/// A four-bar of 30, 120, 90 on a base of 110 mm with a point on its coupler, drawn on an empty sheet.
+fn drawn_four_bar() -> Desk {
+    let mut desk = Desk::of(&blank_model("my four-bar"), &blank_study("my four-bar"));
+    let ground = |x: f64, y: f64| End::On { body: "ground".into(), x, y, is_own: false };
+    let free = |x: f64, y: f64| End::Free { x, y };
+    desk.edit(&Edit::AddLink { from: ground(0.0, 0.0), to: free(15.0, 26.0) });
+    desk.edit(&Edit::AddLink { from: point("link_1", "b"), to: free(120.0, 90.0) });
+    desk.edit(&Edit::AddLink { from: point("link_2", "b"), to: ground(110.0, 0.0) });
+    desk.edit(&Edit::AddPoint { body: "link_2".into(), to: free(60.0, 110.0) });
+    desk
+}
+
+#[test]
+fn a_four_bar_is_drawn_on_an_empty_sheet() {
+    let mut desk = drawn_four_bar();
+    let record = desk.texts.read().unwrap().ideal_motion(73, &[]).unwrap();
+    assert_eq!(record.mobility, "1 degree of freedom, 1 drive");
+    // The crank turns from where it was drawn, and the cycle counts its turns.
+    let model = desk.texts.model.text();
+    assert!(model.contains("start_angle = \"60.0184 deg\""), "{model}");
+    assert!(model.contains("drive = \"motor\"\ntransient_turns = 1") && !model.contains("duration"), "{model}");
+    assert!(!model.contains("link_1 = \"60"), "the motor says how the crank lies: {model}");
+    let table = &record.drawing.poses;
+    let body = record.drawing.bodies.iter().position(|body| body.name == "link_3").unwrap();
+    let found = [1e3 * table.x_m[body][0], 1e3 * table.y_m[body][0]];
+    assert!((found[0] - 120.0).abs() < 0.005 && (found[1] - 90.0).abs() < 0.005, "{found:?}");
+    // A play that is typed, and a study that asks: it runs.
+    assert!(desk.texts.read_to_run().is_err(), "nothing is uncertain, and nothing is asked");
+    desk.edit(&Edit::Watch { what: Watched::Path { body: "link_2".into(), point: "p1".into() } });
+    let changes = set_uncertainty(&desk.folder, &desk.texts, "joint.link_2_a.radial_clearance", "0.05..0.2").unwrap();
+    desk.texts = applied(&desk.folder, &desk.texts, &changes);
+    let file = desk.texts.read_to_run().unwrap_or_else(|found| panic!("{found}\n{}", desk.study()));
+    let record = file.ideal_motion(73, &[]).unwrap();
+    let [path] = &record.paths[..] else { panic!("one path") };
+    let widest_m = path.play_reach_m.iter().copied().fold(0.0, f64::max);
+    assert!(widest_m > 0.05e-3, "the play of 0.05 to 0.2 mm moves the point: {widest_m}");
+}
+
+#[test]
+fn a_study_that_asks_nothing_asks_about_the_first_output() {
+    let named = |name: &str| name.to_owned();
+    let of_point = |along| Watched::Position { body: named("link_2"), point: named("p1"), along };
+    for what in [
+        Watched::Path { body: named("link_2"), point: named("p1") },
+        of_point(Axis::X),
+        of_point(Axis::Y),
+        Watched::Angle { body: named("link_3") },
+        Watched::AngularVelocity { body: named("link_3") },
+        Watched::Force { joint: named("link_2_a") },
+    ] {
+        let mut desk = drawn_four_bar();
+        let changes = set_uncertainty(&desk.folder, &desk.texts, "joint.link_2_a.radial_clearance", "0.1..0.2").unwrap();
+        desk.texts = applied(&desk.folder, &desk.texts, &changes);
+        desk.edit(&Edit::Watch { what: what.clone() });
+        let file = desk.texts.read_to_run().unwrap_or_else(|found| panic!("{what:?}\n{found}\n{}", desk.study()));
+        plan_runs(&file.into_study().unwrap()).unwrap_or_else(|error| panic!("{what:?}: {error}"));
+        let before = desk.study().to_owned();
+        desk.edit(&Edit::Watch { what });
+        assert_eq!(desk.study(), before, "what is asked already is left");
+    }
 }
 
 #[test]

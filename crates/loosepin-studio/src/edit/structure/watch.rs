@@ -1,4 +1,4 @@
-//! Recording of a mechanism: the output that the page asks for, as entries of the model.
+//! Recording of a mechanism: the output that the page asks for, as entries of the model and a question of the study.
 
 use super::edit::Watched;
 
@@ -19,4 +19,16 @@ pub fn output(what: &Watched) -> (String, Vec<(&'static str, String)>) {
             (format!("{joint}_force"), entries)
         }
     }
+}
+
+/// A first question about an output, for a study that asks nothing yet: the band of its deviation over the cycle.
+pub fn question(what: &Watched, output: &str) -> String {
+    let component = match what {
+        Watched::Path { .. } => "component = \"normal\"  # across the path\n",
+        _ => "",
+    };
+    format!(
+        "\n[[ask]]\noutput = \"{output}\"\n{component}of = \"total\"\nat = \"cycle\"\n\
+         statistics = [\"mean\", {{ quantile = 0.025 }}, {{ quantile = 0.975 }}]\n"
+    )
 }
