@@ -45,27 +45,29 @@ def press_mm(studio, x, y, modifiers=0):
     press(studio, studio.browser.evaluate(PLACE_MM % (x, y)), modifiers)
 
 
-def select(studio, legend, number, value):
-    """Chooses in a list of a form, as the keyboard does."""
-    studio.wait(f"""((legend) => {{
-        const form = [...document.querySelectorAll('.adding fieldset')].find((one) => one.querySelector('legend').textContent === legend);
-        const field = form?.querySelectorAll('select')[{number}];
-        if (!field || ![...field.options].some((one) => one.value === {value!r})) return false;
-        field.value = {value!r};
-        field.dispatchEvent(new Event('change', {{ bubbles: true }}));
-        return true;
-    }})({legend!r})""")
-
-
-def write(studio, legend, number, value):
-    studio.wait(f"""((legend) => {{
-        const form = [...document.querySelectorAll('.adding fieldset')].find((one) => one.querySelector('legend').textContent === legend);
-        const field = form?.querySelectorAll('input')[{number}];
+def option(studio, label, value):
+    """Sets a field beside the tools, as the keyboard does."""
+    studio.wait(f"""((label) => {{
+        const field = [...document.querySelectorAll('.tool-options label')].find((one) => one.textContent.trim().startsWith(label))?.querySelector('select, input');
         if (!field) return false;
+        field.focus();
         field.value = {value!r};
-        field.dispatchEvent(new Event('input', {{ bubbles: true }}));
+        field.dispatchEvent(new Event(field.tagName === 'SELECT' ? 'change' : 'input', {{ bubbles: true }}));
         return true;
-    }})({legend!r})""")
+    }})({label!r})""")
+
+
+def place(studio, text, modifiers=0):
+    """A place that is typed for a tool."""
+    option(studio, "Place", text)
+    studio.key("Enter", modifiers)
+
+
+def enter_target(studio, name):
+    """A point that is taken by Enter."""
+    studio.wait(TARGET % repr(name))
+    studio.browser.evaluate(f"([...document.querySelectorAll('.drawing .target')].find((one) => one.getAttribute('aria-label').includes({name!r})).focus(), true)")
+    studio.key("Enter")
 
 
 def open_small(studio, template):
@@ -109,8 +111,8 @@ def test_a_dyad_is_drawn_onto_a_four_bar_and_its_study_runs(studio):  # noqa: F8
     studio.wait(f"{HINT}.includes('The link begins at coupler.tracer')")
     press_mm(studio, 250, 230)
     studio.wait(f"{HINT}.includes(\"1 degree of freedom too many: 'link_1' can move\")")
-    # It is drawn, and can be built on, although it does not move yet.
-    press_target(studio, "link_1.b")
+    # It is drawn, and can be built on, although it does not move yet: the next link begins at its end.
+    studio.wait(f"{HINT}.includes('The next link begins at link_1.b')")
     press_mm(studio, 330, 20, SHIFT)
     studio.wait(f"{HINT}.includes('1 degree of freedom, 1 drive')")
     studio.settle()
@@ -135,30 +137,22 @@ def test_a_dyad_is_drawn_onto_a_four_bar_and_its_study_runs(studio):  # noqa: F8
     assert studio.browser.diagnostics() == []
 
 
-def test_the_same_by_keys_and_lists_alone(studio):  # noqa: F811
+def test_the_same_by_keys_alone(studio):  # noqa: F811
     studio.take("rank, coupler and rocker")
     before = studio.saved("four-bar")
-    studio.browser.evaluate("(document.querySelector('details.adding').open = true)")
-    select(studio, "Add a link", 0, "coupler.tracer")
-    write(studio, "Add a link", 0, "250")
-    write(studio, "Add a link", 1, "230")
-    studio.click(".adding button", "Add a link")
+    studio.key("l")
+    enter_target(studio, "coupler.tracer")
+    studio.wait(f"{HINT}.includes('The link begins at coupler.tracer')")
+    place(studio, "250, 230")
     studio.wait("document.querySelector('.outline').innerText.includes('link_1')")
-    select(studio, "Add a link", 0, "link_1.b")
-    select(studio, "Add a link", 1, ".")
-    write(studio, "Add a link", 0, "330")
-    write(studio, "Add a link", 1, "20")
-    studio.click(".adding button", "Add a link")
+    place(studio, "330, 20", SHIFT)
     studio.wait(f"{HINT}.includes('1 degree of freedom, 1 drive')")
     studio.settle()
     after = studio.saved("four-bar")
     assert 'link_2_length = "224.722 mm"' in after[0] and after[1] == before[1]
     # The tools by keys: a point is chosen by Enter, a tool is put away by Escape.
-    take_tool(studio, "link")
-    focus = "[...document.querySelectorAll('.drawing .target')].find((one) => one.getAttribute('aria-label').includes('%s')).focus()"
     for name in ("coupler.tracer", "ground.p1"):
-        studio.browser.evaluate(f"({focus % name}, true)")
-        studio.key("Enter")
+        enter_target(studio, name)
     # A third link between the same bodies holds them: that is said, and not refused.
     studio.wait(f"{HINT}.includes('Not complete yet') && {HINT}.includes('block one another')")
     studio.key("Escape")
@@ -204,13 +198,12 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     assert studio.browser.diagnostics() == []
 
 
-def test_an_output_is_added_by_lists_and_shows_its_band(studio):  # noqa: F811
+def test_an_output_is_added_and_shows_its_band(studio):  # noqa: F811
     studio.take("rank, coupler and rocker")
     before = studio.saved("four-bar")
-    studio.browser.evaluate("(document.querySelector('details.adding').open = true)")
-    select(studio, "Add an output", 0, "angle")
-    select(studio, "Add an output", 1, "coupler")
-    studio.click(".adding button", "Add an output")
+    take_tool(studio, "record")
+    option(studio, "Record", "angle")
+    press_target(studio, "coupler.tracer")
     studio.wait("document.querySelector('.outline').innerText.includes('coupler_angle')")
     studio.settle()
     studio.wait("[...document.querySelectorAll('.band select option')].some((one) => one.textContent.includes('coupler_angle'))")
@@ -251,7 +244,7 @@ def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
 def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
     studio.take("rank, coupler and rocker")
     before = studio.saved("four-bar")
-    # A link whose end slides on the ground: drawn as a block, then by lists as a pin with play.
+    # A link whose end slides on the ground: drawn as a block, then as a pin in a slot.
     take_tool(studio, "link")
     press_target(studio, "coupler.tracer")
     press_mm(studio, 250, 230)
@@ -264,14 +257,11 @@ def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
     assert '[joint.guide_1]\nkind = "prismatic"\nguide = { point = "ground.p1", angle = "0 deg" }\nslider = "block_1.pin"\n' in model
     undo(studio)
     studio.wait(f"{HINT}.includes('link_1')")
-    studio.browser.evaluate("(document.querySelector('details.adding').open = true)")
-    select(studio, "Join two points", 0, ".")
-    select(studio, "Join two points", 1, "link_1.b")
-    write(studio, "Join two points", 0, "250")
-    write(studio, "Join two points", 1, "230")
-    select(studio, "Join two points", 2, "slot")
-    write(studio, "Join two points", 2, "30")
-    studio.click(".adding button", "Join two points")
+    take_tool(studio, "join")
+    option(studio, "As", "slot")
+    option(studio, "Line at", "30")
+    place(studio, "250, 230", SHIFT)
+    enter_target(studio, "link_1.b")
     studio.wait(f"{HINT}.includes('1 degree of freedom, 1 drive')")
     assert 'slot = { point = "ground.p1", angle = "30 deg" }' in studio.saved("four-bar")[0]
     undo(studio, 2)
@@ -331,7 +321,6 @@ def test_tools_lists_and_questions_are_accessible(studio, width, dark):  # noqa:
     studio.browser.view(width, dark=dark, reduced_motion=True)
     studio.take("rank, coupler and rocker")
     studio.browser.evaluate("(document.querySelector('details.outline').open = true)")
-    studio.browser.evaluate("(document.querySelector('details.adding').open = true)")
     studio.click(".outline button", "rocker")
     studio.wait("document.querySelector('#part-heading')")
     assert seen_by_axe(studio.browser, axe) == [], "a chosen body"

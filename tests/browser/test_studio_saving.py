@@ -59,24 +59,3 @@ def test_what_is_being_typed_is_saved(studio):  # noqa: F811
         studio.browser.call("Input.dispatchKeyEvent", type=kind, key="s", code="KeyS", windowsVirtualKeyCode=83, modifiers=CONTROL)
     studio.wait("document.querySelector('.bar').innerText.includes('· saved')")
     assert 'crank_length = "83 mm"' in model_of(studio)
-
-
-def test_a_drawing_is_there_after_a_reload(studio):  # noqa: F811
-    studio.open()
-    studio.click("button", "Draw from nothing")
-    studio.wait("document.querySelector('.lists')")
-    for _ in range(3):
-        studio.click("button", "Add a pin")
-    studio.browser.evaluate("""((field) => {
-        field.value = 'my gripper';
-        field.dispatchEvent(new Event('input', { bubbles: true }));
-    })(document.querySelector('.name input'))""")
-    pins = "document.querySelectorAll('.lists li strong').length"
-    studio.wait(f"{pins} === 3")
-    studio.browser.call("Page.reload")
-    studio.wait("document.querySelector('.lists')")
-    studio.wait(f"{pins} === 3")
-    assert studio.browser.evaluate("document.querySelector('.name input').value") == "my gripper"
-    studio.click("button", "Undo")
-    studio.wait(f"{pins} === 2")
-    assert studio.browser.diagnostics() == []

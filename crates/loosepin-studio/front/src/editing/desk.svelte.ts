@@ -446,13 +446,19 @@ export class Desk {
     this.check(version);
     this.isStale = seen.view === null;
     if (seen.view) {
+      const isFirst = this.view === null;
       this.view = seen.view;
+      // On an empty sheet there is nothing to do but to draw.
+      if (isFirst && this.build.isEmpty) this.build.choose('link');
       this.viewed = version;
       this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
       if (version === documents.version) this.keepPoses(seen.view);
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
-      if (this.build.isOn) this.head.set(this.head.first);
+      if (this.build.isOn) {
+        this.head.run(false);
+        this.head.set(this.head.first);
+      }
       if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);
     }
     this.answers += 1;
