@@ -1,5 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
 import type { EditTool, Tool } from './editing/toolset.ts';
+import type { PaneName } from './shell/panes.svelte.ts';
 import type { Document, Hold, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
@@ -119,7 +120,7 @@ export const words = {
     load: 'Load the version on disk',
     keep: 'Keep mine and overwrite',
     saveFailed: (message: string): string => `The texts could not be saved. ${message}`,
-    broken: (message: string): string => `Not saved, because the texts have an error: ${message}`,
+    broken: 'Not saved, because the texts have an error. It is the first one under Problems.',
     showBroken: 'Show it',
     saveBroken: 'Save with the error',
     notAdopted: (message: string): string => `The values of the result were not copied. ${message}`,
@@ -177,7 +178,7 @@ export const words = {
   band: {
     limit: (written: string): string => `Limit ±${written}. Drag it, or move it with the arrow keys.`,
     addLimit: 'Add a limit',
-    heading: 'Deviation over one turn, without dynamics',
+    heading: 'Deviation, without dynamics',
     output: 'Output',
     chart: 'Chart of the band',
     none: 'No output has a deviation: add play to a joint, or a distribution to a number.',
@@ -348,6 +349,7 @@ export const words = {
     noModel: 'There is no model to show.',
     label: (which: Document): string => `Text of ${which}.toml`,
     tabs: 'Numbers and texts',
+    both: 'Both texts',
   },
 
   problems: {
@@ -366,8 +368,25 @@ export const words = {
     hide: 'Hide the explanation',
     explaining: 'Loading the explanation …',
     place: (file: string, line: number, column: number): string => `${file}:${line}:${column}`,
+    remedies: { join: 'Join two points', link: 'Add a link', motor: 'Place the motor', delete: 'Delete something' } as Partial<Record<EditTool, string>>,
     showAll: 'Show the problems',
     hideAll: 'Hide the problems',
+  },
+
+  line: {
+    tip: 'Drag a pin to change lengths. Click a pin to write its play, a link to see its lengths.',
+    /** Names of a file without its signs. */
+    plain: (text: string): string => text.replace(/[a-z][a-z0-9]*(?:_[a-z0-9]+)+/g, (name) => name.replaceAll('_', ' ')),
+  },
+
+  panes: {
+    names: { outline: 'Width of the outline', side: 'Width of numbers and texts', chart: 'Height of the chart', study: 'Height of the second text' } as Record<PaneName, string>,
+    hint: 'Drag to resize; a double click resets it',
+  },
+
+  runs: {
+    none: 'No run yet: Save and run',
+    list: (number: number): string => (number === 0 ? 'Runs' : `Runs (${whole.format(number)})`),
   },
 
   jobs: {
