@@ -1,5 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
 import type { EditTool, Tool } from './editing/toolset.ts';
+import type { KeyGroup, KeyName } from './shell/keys.ts';
 import type { PaneName } from './shell/panes.svelte.ts';
 import type { Document, Hold, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
 
@@ -42,24 +43,33 @@ export const words = {
 
   keys: {
     title: 'Keys',
-    list: [
-      ['Space', 'plays or stops the drawing'],
-      ['+ and −, wheel', 'zoom the canvas; 0 shows all of it'],
-      ['Space with drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
-      ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten; on the canvas: move it'],
-      ['Alt', 'while dragging a pin: do not round the values'],
-      ['V L P J S G M D', 'tools: move, link, plate, join, slider, ground, motor, delete'],
-      ['Enter', 'on a point: selects it, or applies the tool'],
-      ['Delete', 'on a pin: deletes it'],
-      ['Escape', 'cancels a drag; deselects the tool'],
-      ['[ and ]', 'turn the drive by 1 degree'],
-      ['Ctrl+S', 'saves'],
-      ['Ctrl+Z, Ctrl+Shift+Z', 'undo and redo, in both texts'],
-      ['Up and Down', 'in a number: one step; with Shift ten steps, with Alt a tenth'],
-      ['/', 'finds a mechanism in the gallery'],
-      ['F8', 'in a text: go to the next problem'],
-    ] as [string, string][],
-    single: 'Use the keys Space, [, ], /, +, −, 0 and the letters of tools',
+    groups: { canvas: 'Canvas', parts: 'Parts of the drawing', tools: 'Tools', texts: 'Numbers and texts', panes: 'Panes', pages: 'Pages' } as Record<KeyGroup, string>,
+    list: {
+      play: ['Space', 'plays or stops'],
+      back: ['[', 'turns the drive back by 1 degree'],
+      forth: [']', 'turns the drive forward by 1 degree'],
+      zoomIn: ['+', 'zooms in; so does the wheel'],
+      zoomOut: ['−', 'zooms out'],
+      fit: ['0', 'shows all'],
+      pan: ['Arrows', 'on the canvas: move it'],
+      drag: ['Space + drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
+      nudge: ['Arrows', 'on a pin: move it by one step, with Shift by ten'],
+      choose: ['Enter', 'selects it, or applies the tool'],
+      remove: ['Delete', 'deletes it'],
+      free: ['Alt', 'while dragging: values are not rounded'],
+      cancel: ['Escape', 'cancels a drag; deselects the tool'],
+      save: ['Ctrl+S', 'saves'],
+      undo: ['Ctrl+Z', 'undoes, in both texts'],
+      redo: ['Ctrl+Shift+Z', 'redoes'],
+      step: ['↑ ↓', 'in a number: one step; with Shift ten steps, with Alt a tenth'],
+      nextProblem: ['F8', 'in a text: goes to the next problem'],
+      resize: ['Arrows', 'on the line between two panes: move it; Home and End to its limits'],
+      reset: ['Enter', 'on such a line: sets it back'],
+      close: ['Escape', 'closes the list of runs, of problems or of keys'],
+      help: ['?', 'shows these keys'],
+      find: ['/', 'finds a mechanism in the gallery'],
+    } as Record<KeyName, [string, string]>,
+    single: 'Use the keys Space, [, ], /, ?, +, −, 0 and the letters of tools',
   },
 
   gallery: {
@@ -178,7 +188,7 @@ export const words = {
   band: {
     limit: (written: string): string => `Limit ±${written}. Drag it, or move it with the arrow keys.`,
     addLimit: 'Add a limit',
-    heading: 'Deviation, without dynamics',
+    heading: ['Deviation', 'without dynamics'],
     output: 'Output',
     chart: 'Chart of the band',
     none: 'No output has a deviation: add play to a joint, or a distribution to a number.',
@@ -328,6 +338,7 @@ export const words = {
     play: 'Play, on the radius',
     playOfDiameter: 'Play, on the diameter',
     tolerance: 'Known as',
+    playTerm: 'Radial play',
     noPlay: 'none',
     inText: 'as in the text',
     forms: '0.1 mm: known. 0.1..0.5 mm: unknown between two ends. ±0.02 mm: scatters. H7/g6: a fit.',
@@ -371,6 +382,40 @@ export const words = {
     remedies: { join: 'Join two points', link: 'Add a link', motor: 'Place the motor', delete: 'Delete something' } as Partial<Record<EditTool, string>>,
     showAll: 'Show the problems',
     hideAll: 'Hide the problems',
+  },
+
+  /** Terms of the studio alone; those of the report stand in its glossary. */
+  terms: {
+    body: 'A rigid part: a link, a plate or a block. The ground is the body that does not move.',
+    joint: 'Connects two bodies: a pin, a slider, or a pin in a slot.',
+    drive: 'Prescribes a motion, such as the speed of a crank.',
+    force: 'Springs, dampers, forces and torques that act on the bodies. Runs with inertia count them; the band without dynamics does not.',
+    output: 'A quantity of interest: the position of a point, the angle of a body, or a force.',
+    mobility: 'Degrees of freedom are the independent motions that the joints allow. The motion is determined where there are as many drives.',
+    play: 'The radial clearance of a pin: bearing radius minus pin radius. The centre of the pin can be anywhere within it.',
+    tolerance: 'How far a dimension may be from its nominal value. The limits are at 3 standard deviations, unless another distribution is written.',
+    withoutDynamics: 'Computed without inertia, friction and impacts, to first order in play and tolerances. Runs of the study include them.',
+    outerBand: 'The largest first-order effect of all play, plus 2 standard deviations of the dimensions.',
+    innerBand: 'Two standard deviations, with every pin anywhere in its clearance and every dimension within its distribution.',
+    limit: 'The largest deviation that a requirement of the study allows.',
+    contributions: 'Shares of the half width of the band, at the angle where the band is widest.',
+    verdict: 'Met: the required share of mechanisms is within the limits for every value of the unknown inputs, numerical error included. Not met: for at least one value it is not. Undecided: more runs decide. Promised: shown for a stated share of the unknown values.',
+  },
+
+  first: {
+    heading: 'Three steps to a first answer',
+    done: 'Done: this is what play does',
+    close: 'Close the first steps',
+    isDone: ', done',
+    steps: {
+      drag: 'Drag a pin: its lengths follow.',
+      play: 'Click a pin, and type its play: 0.05..0.2 mm',
+      band: 'Point at the band below: so far is the output off, and where.',
+    },
+  },
+
+  examples: {
+    open: (template: string): string => `Open an example: ${template}`,
   },
 
   line: {
