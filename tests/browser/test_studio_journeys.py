@@ -15,7 +15,8 @@ from chromium import Chromium  # noqa: E402
 from test_studio import FIELD, PROGRAM, REPOSITORY, Studio  # noqa: E402
 
 # Windows key codes, and the text that the key types.
-KEYS = {"Tab": (9, ""), "Enter": (13, "\r"), " ": (32, " "), "ArrowRight": (39, ""), "ArrowLeft": (37, ""), "ArrowDown": (40, ""), "ArrowUp": (38, "")}
+KEYS = {"Tab": (9, ""), "Enter": (13, "\r"), " ": (32, " "), "ArrowRight": (39, ""), "ArrowLeft": (37, ""), "ArrowDown": (40, ""), "ArrowUp": (38, ""),
+        "Escape": (27, ""), "Home": (36, ""), "End": (35, "")}
 CONTROL = 2
 # Whether the keyboard is at the first element that a selector finds and whose text or name has some words.
 AT = """((selector, words) => {

@@ -43,7 +43,7 @@ export const words = {
 
   keys: {
     title: 'Keys',
-    groups: { canvas: 'Canvas', parts: 'Parts of the drawing', tools: 'Tools', texts: 'Numbers and texts', panes: 'Panes', pages: 'Pages' } as Record<KeyGroup, string>,
+    groups: { canvas: 'Canvas', parts: 'Parts of the drawing', tools: 'Tools', texts: 'Texts and numbers', panes: 'Panes', pages: 'Pages' } as Record<KeyGroup, string>,
     list: {
       play: ['Space', 'plays or stops'],
       back: ['[', 'turns the drive back by 1 degree'],
@@ -403,14 +403,14 @@ export const words = {
   },
 
   first: {
-    heading: 'Three steps to a first answer',
-    done: 'Done: this is what play does',
+    heading: 'Three first steps',
+    done: 'All three done',
     close: 'Close the first steps',
     isDone: ', done',
     steps: {
       drag: 'Drag a pin: its lengths follow.',
-      play: 'Click a pin, and type its play: 0.05..0.2 mm',
-      band: 'Point at the band below: so far is the output off, and where.',
+      play: 'Click a pin and type its play: 0.05..0.2 mm',
+      band: 'Point at the band below: the deviation at each angle.',
     },
   },
 

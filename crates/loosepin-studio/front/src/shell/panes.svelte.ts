@@ -12,7 +12,7 @@ interface Pane {
 
 export const panes = {
   outline: { along: 'width', usual: 0.13, most: 0.3, leastPx: 150 },
-  side: { along: 'width', usual: 0.255, most: 0.5, leastPx: 270 },
+  side: { along: 'width', usual: 0.26, most: 0.5, leastPx: 270 },
   chart: { along: 'height', usual: 0.36, most: 0.75, leastPx: 90 },
   /** Of the side pane, where it shows both texts. */
   study: { along: 'height', usual: 0.5, most: 0.85, leastPx: 90 },
