@@ -221,7 +221,7 @@ def test_an_empty_chart_opens_an_example(studio):  # noqa: F811
     (folder / "model.toml").write_text(RIGID)
     studio.open()
     studio.click("a, button", "rigid crank")
-    studio.wait("document.querySelector('.band').innerText.includes('No output has a deviation')")
+    studio.wait("document.querySelector('.band')?.innerText.includes('No output has a deviation')")
     studio.click("button", "Open an example: slider-crank")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('h1').innerText.length > 0 && location.hash.includes('slider-crank')")
     assert (studio.folder / "slider-crank/model.toml").exists()

@@ -177,6 +177,8 @@ def test_one_missing_constraint_is_said_once_with_its_ways_out(studio):  # noqa:
     press_mm(studio, 200, 230)
     press_mm(studio, 330, 250)
     studio.wait("document.querySelector('.problems .message')?.innerText.includes('degrees of freedom too many')")
+    # What is spoken follows once a second.
+    studio.wait("[...document.querySelectorAll('.unseen[role=status]')].some((one) => one.innerText.includes('does not move yet'))")
     said = studio.browser.evaluate("document.body.innerText")
     assert said.count("of freedom") == 1, said
     assert said.count("E0701") == 1

@@ -159,6 +159,7 @@ export const words = {
     force: ({ name, kind }: ForceView): string => `${name}, ${kind}. Press Enter to select it, Delete to delete it.`,
     drop: (name: string): string => `Release to pin it to ${name}. With Alt, it only moves there.`,
     stale: 'The drawing shows the last text that could be read.',
+    incomplete: 'It does not move yet. See the problems.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. The view shows the texts before.',
     coarse: 'With more positions, the analysis took longer than 2 s and was stopped.',
     tooLarge: 'There is no drawing: the analysis of these texts took longer than 2 s and was stopped.',
