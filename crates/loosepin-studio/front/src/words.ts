@@ -290,7 +290,6 @@ export const words = {
     target: (points: string[], at: [number, number]): string => `${points.join(' and ')}, at ${words.draw.at(Math.round(at[0] * 1000) / 1000, Math.round(at[1] * 1000) / 1000)}`,
     along: (axes: ('x' | 'y')[]): string => (axes.length === 2 ? 'in line with two points' : axes[0] === 'x' ? 'above or below a point' : 'level with a point'),
     done: 'Done',
-    incomplete: 'Not complete yet',
     add: 'Add',
     addLink: 'Add a link',
     from: 'From',
