@@ -282,7 +282,7 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     scale = studio.browser.evaluate("document.querySelector('.drawing svg').getScreenCTM().a")
     step = next(step for step in (1, 2, 5, 10) if step * scale >= 4)
     lengths = [step * round(math.dist((x, y), others[joint]) / scale / step) for joint in ("crank_pivot", "rocker_pin")]
-    studio.wait(f"document.querySelector('.drawing .over')?.innerText.includes('{coupler} {lengths[1]} mm')")
+    studio.wait(f"document.querySelector('.drawing .over')?.innerText.includes('{coupler.replace('_', ' ')} {lengths[1]} mm')")
     found = studio.pin("crank_pin")
     # Lengths are round to a step of four pixels.
     assert abs(found[0] - x) < 4 and abs(found[1] - y) < 4
@@ -309,7 +309,7 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
 def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
     studio.take("rank, coupler and rocker")
     x, y = studio.drag("crank_pin", (45, -30), is_let_go=False)
-    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank_length')")
+    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank length')")
     studio.key("Escape")
     studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, button="left", clickCount=1)
     studio.wait_until_saved()

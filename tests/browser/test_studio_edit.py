@@ -110,7 +110,7 @@ def test_a_dyad_is_drawn_onto_a_four_bar_and_its_study_runs(studio):  # noqa: F8
     press_target(studio, "coupler.tracer")
     studio.wait(f"{HINT}.includes('The link begins at coupler.tracer')")
     press_mm(studio, 250, 230)
-    studio.wait(f"{HINT}.includes(\"1 degree of freedom too many: 'link_1' can move\")")
+    studio.wait(f"({PROBLEMS}).includes(\"1 degree of freedom too many: 'link_1' can move\")")
     # It is drawn, and can be built on, although it does not move yet: the next link begins at its end.
     studio.wait(f"{HINT}.includes('The next link begins at link_1.b')")
     press_mm(studio, 330, 20, SHIFT)
@@ -154,7 +154,7 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     for name in ("coupler.tracer", "ground.p1"):
         enter_target(studio, name)
     # A third link between the same bodies holds them: that is said, and not refused.
-    studio.wait(f"{HINT}.includes('Not complete yet') && {HINT}.includes('block one another')")
+    studio.wait(f"({PROBLEMS}).includes('block one another')")
     studio.key("Escape")
     studio.wait("document.querySelector('.tools.build input[value=move]').checked")
     undo(studio, 3)
@@ -179,7 +179,7 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     studio.click(".chosen .links button", "Delete")
     studio.wait("document.activeElement.closest('[role=alertdialog]') !== null")
     studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
-    studio.wait(f"{HINT}.includes('Not complete yet')")
+    studio.wait(f"({PROBLEMS}).includes('1 error')")
     after = studio.saved("four-bar")
     assert not any("rocker" in line.split("#")[0] for line in after[0].split("\n") if "points = {" not in line), after[0]
     assert "[[ask]]" not in after[1] and "[sampling]" in after[1]
@@ -190,7 +190,7 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     # By the tool: a pin, which nothing else names but its force, goes likewise.
     take_tool(studio, "delete")
     press_target(studio, "crank.pin")
-    studio.wait(f"{HINT}.includes('degrees of freedom too many')")
+    studio.wait(f"({PROBLEMS}).includes('degrees of freedom too many')")
     assert "[joint.crank_pin]" not in studio.saved("four-bar")[0]
     undo(studio)
     studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
@@ -248,7 +248,7 @@ def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
     take_tool(studio, "link")
     press_target(studio, "coupler.tracer")
     press_mm(studio, 250, 230)
-    studio.wait(f"{HINT}.includes('link_1')")
+    studio.wait(f"({PROBLEMS}).includes('link_1')")
     take_tool(studio, "slider")
     press_target(studio, "link_1.b")
     studio.wait(f"{HINT}.includes('1 degree of freedom, 1 drive')")
@@ -256,7 +256,7 @@ def test_a_slider_with_play_a_plate_and_the_ground(studio):  # noqa: F811
     model = studio.saved("four-bar")[0]
     assert '[joint.guide_1]\nkind = "prismatic"\nguide = { point = "ground.p1", angle = "0 deg" }\nslider = "block_1.pin"\n' in model
     undo(studio)
-    studio.wait(f"{HINT}.includes('link_1')")
+    studio.wait(f"({PROBLEMS}).includes('link_1')")
     take_tool(studio, "join")
     option(studio, "As", "slot")
     option(studio, "Line at", "30")
@@ -289,7 +289,7 @@ def test_a_locked_length_is_not_dragged(studio):  # noqa: F811
     locked = studio.saved("four-bar")
     assert locked[0] == before[0].replace('coupler_length = "260 mm"', 'coupler_length = "260 mm"  # locked') and locked[1] == before[1]
     x, y = studio.drag("crank_pin", (40, -20), is_let_go=False)
-    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('coupler_length')")
+    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('coupler length')")
     assert "is locked" in studio.browser.evaluate("document.querySelector('.drawing .over').innerText")
     studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, button="left", clickCount=1)
     studio.settle()
@@ -327,7 +327,7 @@ def test_tools_lists_and_questions_are_accessible(studio, width, dark):  # noqa:
     take_tool(studio, "link")
     press_target(studio, "coupler.tracer")
     press_mm(studio, 250, 230)
-    studio.wait("document.querySelector('.building-hint .open')")
+    studio.wait("document.querySelector('.problems .message')")
     studio.settle()
     assert seen_by_axe(studio.browser, axe) == [], "a mechanism that is not complete"
     studio.click(".chosen .links button", "Delete")

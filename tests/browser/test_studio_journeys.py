@@ -15,7 +15,8 @@ from chromium import Chromium  # noqa: E402
 from test_studio import FIELD, PROGRAM, REPOSITORY, Studio  # noqa: E402
 
 # Windows key codes, and the text that the key types.
-KEYS = {"Tab": (9, ""), "Enter": (13, "\r"), " ": (32, " "), "ArrowRight": (39, ""), "ArrowLeft": (37, ""), "ArrowDown": (40, ""), "ArrowUp": (38, "")}
+KEYS = {"Tab": (9, ""), "Enter": (13, "\r"), " ": (32, " "), "ArrowRight": (39, ""), "ArrowLeft": (37, ""), "ArrowDown": (40, ""), "ArrowUp": (38, ""),
+        "Escape": (27, ""), "Home": (36, ""), "End": (35, "")}
 CONTROL = 2
 # Whether the keyboard is at the first element that a selector finds and whose text or name has some words.
 AT = """((selector, words) => {
@@ -165,6 +166,7 @@ def test_the_band_of_a_study_is_seen_while_it_runs_and_becomes_finer(studio):
     """Journey 7: from a few hundred runs first, then from all of each round."""
     run_four_bar(studio)
     studio.wait(f"({COARSE}) !== ''", 120)
+    studio.click(".runs > button", "Runs")
     first, shown = studio.browser.evaluate(f"[{COARSE}, document.querySelector('.coarse').innerText]")
     # Words say what it is, and that it is none of the bounds.
     assert "Deviation of rocker" in shown and "No bound yet: it can still grow." in shown, shown
@@ -185,7 +187,7 @@ def test_loading_again_in_the_middle_of_a_drag_leaves_the_files_as_they_are(stud
     texts = lambda: [(studio.folder / "four-bar" / name).read_bytes() for name in ("model.toml", "study.toml")]  # noqa: E731
     before = texts()
     studio.drag("crank_pin", (45, -30), is_let_go=False)
-    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank_length')")
+    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank length')")
     reload(studio)
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
     studio.settle()

@@ -42,7 +42,8 @@ def test_broken_texts_are_neither_saved_nor_run(studio):  # noqa: F811
     type_into(studio, "crank_length", "80 mn")
     # The number is typed and not yet taken over: it belongs to what is shown all the same.
     studio.click("button", "Save and run")
-    studio.wait(f"{NOTICE}.includes(\"Not saved, because the texts have an error: 'mn' is not a known unit\")")
+    studio.wait(f"{NOTICE}.includes('Not saved, because the texts have an error')")
+    studio.wait("document.querySelector('.problems').innerText.includes(\"'mn' is not a known unit\")")
     assert model_of(studio) == before
     assert studio.browser.evaluate("document.querySelectorAll('.jobs li, .job').length") == 0
     assert not (studio.folder / "results").exists()

@@ -70,7 +70,7 @@ def main(program):
                 during.append(seen())
                 assert time.monotonic() - began < LONGEST_S, browser.evaluate("document.body.innerText")
                 time.sleep(1)
-            strip = browser.evaluate("document.querySelector('.jobs')?.innerText ?? ''").replace("\n", " ")
+            strip = browser.evaluate("document.querySelector('.runs, .jobs')?.innerText ?? ''").replace("\n", " ")
             studio.click("button, a", "Open the report")
             studio.wait("document.querySelector('iframe')?.getAttribute('src')?.includes('/view/')")
             time.sleep(3)

@@ -66,6 +66,8 @@ def main(folder):
                 draw_four_bar(studio)
                 browser.screenshot(folder / f"studio_draw_{scheme}.png", whole=False)
                 studio.open()
+                # The steps of a first visit are closed.
+                browser.evaluate("(localStorage.setItem('loosepin-first-visit', 'seen'), true)")
                 studio.click("button.card", "rank, coupler and rocker")
                 studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
                 studio.click(".outline button", "rocker_pin")

@@ -1,6 +1,7 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { writeFileSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
+import { glossary } from './glossary.ts';
 
 /** Tells licences.mjs which packages are in the built files. */
 function bundledPackages(): Plugin {
@@ -23,7 +24,7 @@ function bundledPackages(): Plugin {
 // The server embeds these files by name: so no hashes, and one chunk that is loaded when a text is first shown.
 export default defineConfig({
   base: './',
-  plugins: [svelte(), bundledPackages()],
+  plugins: [svelte(), glossary(), bundledPackages()],
   build: {
     target: 'es2022',
     outDir: '../assets',

@@ -126,7 +126,7 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
     };
     let mut chart = angle_chart(record, name_of("band", &output.name), writer);
     chart.set_vertical_axis(format!("deviation of {}", output.name), &output.unit, writer);
-    chart.height = 240;
+    chart.height = 200;
     let mut add = |label: &str, role, half_si: &[f64]| {
         let upper = scaled(half_si, &output.unit, writer);
         let lower: Vec<f64> = upper.iter().map(|value| -value).collect();

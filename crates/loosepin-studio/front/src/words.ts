@@ -1,5 +1,7 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
 import type { EditTool, JoinKind, RecordKind } from './editing/toolset.ts';
+import type { KeyGroup, KeyName } from './shell/keys.ts';
+import type { PaneName } from './shell/panes.svelte.ts';
 import type { Document, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
@@ -44,24 +46,33 @@ export const words = {
 
   keys: {
     title: 'Keys',
-    list: [
-      ['Space', 'plays or stops the drawing'],
-      ['+ and −, wheel', 'zoom the canvas; 0 shows all of it'],
-      ['Space with drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
-      ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten; on the canvas: move it'],
-      ['Alt', 'while dragging a pin: do not round the values'],
-      ['V L P J S G M D', 'tools: move, link, plate, join, slider, ground, motor, delete'],
-      ['Enter', 'on a point: selects it, or applies the tool'],
-      ['Delete', 'on a pin: deletes it'],
-      ['Escape', 'cancels a drag; deselects the tool'],
-      ['[ and ]', 'turn the drive by 1 degree'],
-      ['Ctrl+S', 'saves'],
-      ['Ctrl+Z, Ctrl+Shift+Z', 'undo and redo, in both texts'],
-      ['Up and Down', 'in a number: one step; with Shift ten steps, with Alt a tenth'],
-      ['/', 'finds a mechanism in the gallery'],
-      ['F8', 'in a text: go to the next problem'],
-    ] as [string, string][],
-    single: 'Use the keys Space, [, ], /, +, −, 0 and the letters of tools',
+    groups: { canvas: 'Canvas', parts: 'Parts of the drawing', tools: 'Tools', texts: 'Texts and numbers', panes: 'Panes', pages: 'Pages' } as Record<KeyGroup, string>,
+    list: {
+      play: ['Space', 'plays or stops'],
+      back: ['[', 'turns the drive back by 1 degree'],
+      forth: [']', 'turns the drive forward by 1 degree'],
+      zoomIn: ['+', 'zooms in; so does the wheel'],
+      zoomOut: ['−', 'zooms out'],
+      fit: ['0', 'shows all'],
+      pan: ['Arrows', 'on the canvas: move it'],
+      drag: ['Space + drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
+      nudge: ['Arrows', 'on a pin: move it by one step, with Shift by ten'],
+      choose: ['Enter', 'selects it, or applies the tool'],
+      remove: ['Delete', 'deletes it'],
+      free: ['Alt', 'while dragging: values are not rounded'],
+      cancel: ['Escape', 'cancels a drag; deselects the tool'],
+      save: ['Ctrl+S', 'saves'],
+      undo: ['Ctrl+Z', 'undoes, in both texts'],
+      redo: ['Ctrl+Shift+Z', 'redoes'],
+      step: ['↑ ↓', 'in a number: one step; with Shift ten steps, with Alt a tenth'],
+      nextProblem: ['F8', 'in a text: goes to the next problem'],
+      resize: ['Arrows', 'on the line between two panes: move it; Home and End to its limits'],
+      reset: ['Enter', 'on such a line: sets it back'],
+      close: ['Escape', 'closes the list of runs, of problems or of keys'],
+      help: ['?', 'shows these keys'],
+      find: ['/', 'finds a mechanism in the gallery'],
+    } as Record<KeyName, [string, string]>,
+    single: 'Use the keys Space, [, ], /, ?, +, −, 0 and the letters of tools',
   },
 
   gallery: {
@@ -128,7 +139,7 @@ export const words = {
     load: 'Load the version on disk',
     keep: 'Keep mine and overwrite',
     saveFailed: (message: string): string => `The texts could not be saved. ${message}`,
-    broken: (message: string): string => `Not saved, because the texts have an error: ${message}`,
+    broken: 'Not saved, because the texts have an error. It is the first one under Problems.',
     showBroken: 'Show it',
     saveBroken: 'Save with the error',
     notAdopted: (message: string): string => `The values of the result were not copied. ${message}`,
@@ -157,6 +168,7 @@ export const words = {
     force: ({ name, kind }: ForceView): string => `${name}, ${kind}. Press Enter to select it, Delete to delete it.`,
     drop: (name: string): string => `Release to pin it to ${name}. With Alt, it only moves there.`,
     stale: 'The drawing shows the last text that could be read.',
+    incomplete: 'It does not move yet. See the problems.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. The view shows the texts before.',
     coarse: 'With more positions, the analysis took longer than 2 s and was stopped.',
     tooLarge: 'There is no drawing: the analysis of these texts took longer than 2 s and was stopped.',
@@ -186,7 +198,7 @@ export const words = {
   band: {
     limit: (written: string): string => `Limit ±${written}. Drag it, or move it with the arrow keys.`,
     addLimit: 'Add a limit',
-    heading: 'Deviation over one turn, without dynamics',
+    heading: ['Deviation', 'without dynamics'],
     output: 'Output',
     chart: 'Chart of the band',
     none: 'No output has a deviation: add play to a joint, or a distribution to a number.',
@@ -252,7 +264,6 @@ export const words = {
     target: (points: string[], at: [number, number]): string => `${points.join(' and ')}, at ${words.build.at(at)}`,
     along: (axes: ('x' | 'y')[]): string => (axes.length === 2 ? 'in line with two points' : axes[0] === 'x' ? 'above or below a point' : 'level with a point'),
     done: 'Done',
-    incomplete: 'Not complete yet',
     as: 'As',
     kinds: { pin: 'a pin', slider: 'a slider on a line', slot: 'a pin in a slot', rigid: 'one body' } satisfies Record<JoinKind, string>,
     play: 'Play',
@@ -287,6 +298,7 @@ export const words = {
     play: 'Play, on the radius',
     playOfDiameter: 'Play, on the diameter',
     tolerance: 'Known as',
+    playTerm: 'Radial play',
     noPlay: 'none',
     inText: 'as in the text',
     forms: '0.1 mm: known. 0.1..0.5 mm: unknown between two ends. ±0.02 mm: scatters. H7/g6: a fit.',
@@ -308,6 +320,7 @@ export const words = {
     noModel: 'There is no model to show.',
     label: (which: Document): string => `Text of ${which}.toml`,
     tabs: 'Numbers and texts',
+    both: 'Both texts',
   },
 
   problems: {
@@ -326,8 +339,59 @@ export const words = {
     hide: 'Hide the explanation',
     explaining: 'Loading the explanation …',
     place: (file: string, line: number, column: number): string => `${file}:${line}:${column}`,
+    remedies: { join: 'Join two points', link: 'Add a link', motor: 'Place the motor', delete: 'Delete something' } as Partial<Record<EditTool, string>>,
     showAll: 'Show the problems',
     hideAll: 'Hide the problems',
+  },
+
+  /** Terms of the studio alone; those of the report stand in its glossary. */
+  terms: {
+    body: 'A rigid part: a link, a plate or a block. The ground is the body that does not move.',
+    joint: 'Connects two bodies: a pin, a slider, or a pin in a slot.',
+    drive: 'Prescribes a motion, such as the speed of a crank.',
+    force: 'Springs, dampers, forces and torques that act on the bodies. Runs with inertia count them; the band without dynamics does not.',
+    output: 'A quantity of interest: the position of a point, the angle of a body, or a force.',
+    mobility: 'Degrees of freedom are the independent motions that the joints allow. The motion is determined where there are as many drives.',
+    play: 'The radial clearance of a pin: bearing radius minus pin radius. The centre of the pin can be anywhere within it.',
+    tolerance: 'How far a dimension may be from its nominal value. The limits are at 3 standard deviations, unless another distribution is written.',
+    withoutDynamics: 'Computed without inertia, friction and impacts, to first order in play and tolerances. Runs of the study include them.',
+    outerBand: 'The largest first-order effect of all play, plus 2 standard deviations of the dimensions.',
+    innerBand: 'Two standard deviations, with every pin anywhere in its clearance and every dimension within its distribution.',
+    limit: 'The largest deviation that a requirement of the study allows.',
+    contributions: 'Shares of the half width of the band, at the angle where the band is widest.',
+    verdict: 'Met: the required share of mechanisms is within the limits for every value of the unknown inputs, numerical error included. Not met: for at least one value it is not. Undecided: more runs decide. Promised: shown for a stated share of the unknown values.',
+  },
+
+  first: {
+    heading: 'Three first steps',
+    done: 'All three done',
+    close: 'Close the first steps',
+    isDone: ', done',
+    steps: {
+      drag: 'Drag a pin: its lengths follow.',
+      play: 'Click a pin and type its play: 0.05..0.2 mm',
+      band: 'Point at the band below: the deviation at each angle.',
+    },
+  },
+
+  examples: {
+    open: (template: string): string => `Open an example: ${template}`,
+  },
+
+  line: {
+    tip: 'Drag a pin to change lengths. Click a pin to write its play, a link to see its lengths.',
+    /** Names of a file without its signs. */
+    plain: (text: string): string => text.replace(/[a-z][a-z0-9]*(?:_[a-z0-9]+)+/g, (name) => name.replaceAll('_', ' ')),
+  },
+
+  panes: {
+    names: { outline: 'Width of the outline', side: 'Width of numbers and texts', chart: 'Height of the chart', study: 'Height of the second text' } as Record<PaneName, string>,
+    hint: 'Drag to resize; a double click resets it',
+  },
+
+  runs: {
+    none: 'No run yet: Save and run',
+    list: (number: number): string => (number === 0 ? 'Runs' : `Runs (${whole.format(number)})`),
   },
 
   jobs: {

@@ -1,4 +1,5 @@
 // Zoom and pan of the canvas by wheel, fingers and keys.
+import { isKey } from '../shell/keys.ts';
 import type { Viewport } from './viewport.svelte.ts';
 
 const zoomPerPx = 0.0022;
@@ -54,9 +55,9 @@ export class Navigation {
   /** Takes the keys + - 0, and the arrows where nothing on the canvas has the focus. */
   key(event: KeyboardEvent, isOnCanvas: boolean): boolean {
     const way = ({ ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key];
-    if (event.key === '+' || event.key === '=') this.view.zoom(keyZoom);
-    else if (event.key === '-') this.view.zoom(1 / keyZoom);
-    else if (event.key === '0') this.view.fit();
+    if (isKey(event, 'zoomIn')) this.view.zoom(keyZoom);
+    else if (isKey(event, 'zoomOut')) this.view.zoom(1 / keyZoom);
+    else if (isKey(event, 'fit')) this.view.fit();
     else if (way && isOnCanvas) this.view.pan(way[0] * keyPanPx, way[1] * keyPanPx);
     else return false;
     event.preventDefault();

@@ -70,6 +70,8 @@ export function codeIn({ parent, text, label, nonce, changed }: Options): Code {
         // The server counts in the text as it is on disk.
         EditorState.lineSeparator.of('\n'),
         lineNumbers(),
+        // A long line goes on below: a pane beside the canvas is narrow.
+        EditorView.lineWrapping,
         highlightActiveLine(),
         highlightActiveLineGutter(),
         drawSelection(),
