@@ -1,9 +1,9 @@
 // The two texts: the only truth of the editor. All edits pass through here, whoever makes them.
 import { applied, History, type Change, type Gesture, type Step } from './history.ts';
 import type { Range } from './place.ts';
-import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
+import { firstFree } from '../gallery/templates.ts';
+import type { Document, NewAnswer, NewRequest, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
 import { movedRange } from './ranges.ts';
-import { isOfAnotherTab, tellSaved } from '../network/tabs.ts';
 import { ask } from '../network/wire.ts';
 
 export interface Sheet {
@@ -22,6 +22,10 @@ function sheetOf(document: OpenedText | null): Sheet | null {
 }
 
 export class Documents {
+  /** The path by which they were opened; of a template that was written, the path of its study. */
+  opened: string;
+  /** The template whose texts these are, while nothing of them is written. */
+  template = $state.raw<string | null>(null);
   model = $state.raw<Sheet | null>(null);
   study = $state.raw<Sheet | null>(null);
   canUndo = $state(false);
@@ -33,7 +37,9 @@ export class Documents {
   private readonly history = new History();
   private readonly listeners = new Set<Listener>();
 
-  constructor(readonly opened: string, documents: OpenAnswer) {
+  constructor(opened: string, documents: OpenAnswer, template: string | null = null) {
+    this.opened = opened;
+    this.template = template;
     this.model = sheetOf(documents.model);
     this.study = sheetOf(documents.study);
   }
@@ -85,10 +91,21 @@ export class Documents {
   }
 
   async save(): Promise<void> {
+    if (this.template !== null) return this.write(this.template);
     for (const which of ['model', 'study'] as const) {
       const sheet = this.sheet(which);
       if (sheet && sheet.text !== sheet.savedText) await this.put(which, sheet.tag);
     }
+  }
+
+  /** Writes both texts for the first time, into a new folder with the name of the template or the next one that is free. */
+  private async write(template: string): Promise<void> {
+    const [model, study] = [this.model?.text ?? '', this.study?.text ?? ''];
+    const written = await firstFree(template, (folder) => ask<NewAnswer>('POST', '/api/new', { folder, model, study } satisfies NewRequest));
+    this.keep('model', { path: written.model, savedText: model, tag: written.model_tag });
+    this.keep('study', { path: written.study, savedText: study, tag: written.study_tag });
+    this.opened = written.study;
+    this.template = null;
   }
 
   /** Writes this text over whatever is on disk. */
@@ -109,10 +126,9 @@ export class Documents {
     return (await this.onDisk(which))?.tag === this.sheet(which)?.tag;
   }
 
-  /** Whether what is on the disk was saved by another tab of the studio. */
+  /** Whether what is on the disk was saved by another page of this studio. */
   async isSavedInAnotherTab(which: Document): Promise<boolean> {
-    const onDisk = await this.onDisk(which);
-    return onDisk !== null && isOfAnotherTab(onDisk.path, onDisk.tag);
+    return (await this.onDisk(which))?.is_saved_here ?? false;
   }
 
   private async onDisk(which: Document): Promise<OpenedText | null> {
@@ -127,7 +143,6 @@ export class Documents {
     const { path, text } = sheet;
     const answer = await ask<SaveAnswer>('PUT', '/api/file', { path, text, tag } satisfies SaveRequest);
     this.keep(which, { savedText: text, tag: answer.tag });
-    tellSaved(path, answer.tag);
   }
 
   private keep(which: Document, part: Partial<Sheet>): void {

@@ -1,5 +1,5 @@
-// Makes a folder from a template, with the first name that is free.
-import type { ImportAnswer, ImportRequest, NewAnswer, NewRequest } from '../messages.ts';
+// Makes folders with the first name that is free.
+import type { ImportAnswer, ImportRequest } from '../messages.ts';
 import { ask, Refusal } from '../network/wire.ts';
 
 const mostTried = 100;
@@ -13,10 +13,6 @@ export async function firstFree<T>(name: string, make: (free: string) => Promise
       if (!(error instanceof Refusal) || error.status !== 409 || number >= mostTried) throw error;
     }
   }
-}
-
-export async function makeFrom(template: string): Promise<string> {
-  return (await firstFree(template, (folder) => ask<NewAnswer>('POST', '/api/new', { template, folder } satisfies NewRequest))).study;
 }
 
 /** A folder with the skeleton of a model from a drawing. */
