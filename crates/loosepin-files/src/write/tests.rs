@@ -120,7 +120,10 @@ fn a_move_between_folders_replaces_nothing() {
         source.move_new(name, &target).unwrap();
     }
     assert!(names(&from).is_empty());
-    assert_eq!((names(&to), names(&to.join("inner"))), (vec!["a".to_owned(), "inner".to_owned()], vec!["b".to_owned()]));
+    assert_eq!(
+        (names(&to), names(&to.join("inner"))),
+        (vec!["a".to_owned(), "inner".to_owned()], vec!["b".to_owned()])
+    );
     fs::write(from.join("a"), "3").unwrap();
     fs::create_dir(from.join("inner")).unwrap();
     for name in ["a", "inner"] {

@@ -62,7 +62,10 @@ pub fn headline(
             sentences.push(format!("This difference may be numerical: the errors are {}.", for_both(errors)));
             if requirements.iter().any(is_decided_otherwise) {
                 // Each verdict counts the errors of the share.
-                sentences.push("The verdicts differ in any case: the share of mechanisms within the limits is known better.".to_owned());
+                sentences.push(
+                    "The verdicts differ in any case: the share of mechanisms within the limits is known better."
+                        .to_owned(),
+                );
             }
         }
         Weight::BeyondErrors if before > 0.0 => {

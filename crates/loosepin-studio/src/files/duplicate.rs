@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use axum::http::StatusCode;
-use loosepin::files::{lock_texts};
+use loosepin::files::lock_texts;
 
 use crate::edit::toml::lines::EditedText;
 use crate::files::folder::{Folder, not_written, relative};

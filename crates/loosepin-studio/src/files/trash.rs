@@ -43,7 +43,9 @@ pub fn paths_of(folder: &Folder, path: &str) -> Result<Vec<String>, Refusal> {
     let path = plain(path.trim_end_matches('/'));
     relative(&path)?;
     if path.split('/').next() == Some(TRASH) {
-        return Err(Refusal::bad(format!("'{path}' is in the trash already")).with_hint("empty the folder .trash by hand"));
+        return Err(
+            Refusal::bad(format!("'{path}' is in the trash already")).with_hint("empty the folder .trash by hand")
+        );
     }
     if Path::new(&path).extension().is_none_or(|extension| extension != "toml") {
         require_result(folder, &path)?;

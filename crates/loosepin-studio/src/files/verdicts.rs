@@ -95,7 +95,8 @@ fn is_of(folder: &Folder, files: &[ReadFile], place: usize, texts: &ResultTexts)
     if texts.tables.is_empty() {
         return true;
     }
-    let tables: Vec<String> = [&study.listed.path, model_path].into_iter().flat_map(|path| tables_of(folder, path)).collect();
+    let tables: Vec<String> =
+        [&study.listed.path, model_path].into_iter().flat_map(|path| tables_of(folder, path)).collect();
     let tags: Vec<String> = tables.iter().map(|text| tag(text)).collect();
     texts.tables.iter().all(|table| tags.contains(table))
 }

@@ -56,8 +56,11 @@ pub async fn trash(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let trashed = in_background(move || {
         let paths = trash::paths_of(&studio.folder, &path)?;
         if let Some(open) = paths.iter().find(|path| studio.jobs.is_open(path)) {
-            return Err(Refusal::new(StatusCode::CONFLICT, format!("a run of '{open}' is not finished; nothing was deleted"))
-                .with_hint("stop the run, or wait for its end"));
+            return Err(Refusal::new(
+                StatusCode::CONFLICT,
+                format!("a run of '{open}' is not finished; nothing was deleted"),
+            )
+            .with_hint("stop the run, or wait for its end"));
         }
         trash::trash(&studio.folder, paths)
     });

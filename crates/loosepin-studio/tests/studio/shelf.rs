@@ -153,7 +153,12 @@ fn a_verdict_belongs_to_its_texts_whatever_the_times_say() {
     assert_eq!(state(), "same");
     // Written anew with the same bytes, later than the result: the texts are the same.
     fs::write(path(&model), &first[0]).unwrap();
-    fs::File::options().write(true).open(path(&model)).unwrap().set_modified(SystemTime::now() + Duration::from_secs(60)).unwrap();
+    fs::File::options()
+        .write(true)
+        .open(path(&model))
+        .unwrap()
+        .set_modified(SystemTime::now() + Duration::from_secs(60))
+        .unwrap();
     assert_eq!(state(), "same");
     for changed in [&model, &study] {
         let old = text(changed);
@@ -205,7 +210,10 @@ fn a_study_is_deleted_with_its_model_and_comes_back() {
     fs::create_dir(desk.path().join("mine")).unwrap();
     fs::write(desk.path().join(&model), "other").unwrap();
     let (status, refused) = restore(entry, &trashed["paths"]);
-    assert_eq!((status, refused["message"].as_str()), (409, Some("'mine/model.toml' is there again; nothing was moved back")));
+    assert_eq!(
+        (status, refused["message"].as_str()),
+        (409, Some("'mine/model.toml' is there again; nothing was moved back"))
+    );
     assert_eq!((text(&model).as_str(), names(&desk.path().join("mine"))), ("other", vec!["model.toml".to_owned()]));
     fs::remove_file(desk.path().join(&model)).unwrap();
     assert_eq!(restore(entry, &trashed["paths"]), (200, json!({"restored": 2})));
@@ -215,7 +223,11 @@ fn a_study_is_deleted_with_its_model_and_comes_back() {
     // A model that another study uses stays.
     fs::copy(desk.path().join(&study), desk.path().join("mine/second.toml")).unwrap();
     let (status, refused) = trash(&server, &model);
-    assert_eq!((status, refused["hint"].as_str()), (409, Some("delete the study: its model goes with it")), "{refused}");
+    assert_eq!(
+        (status, refused["hint"].as_str()),
+        (409, Some("delete the study: its model goes with it")),
+        "{refused}"
+    );
     let (_, first) = trash(&server, &study);
     assert_eq!(first["paths"], json!([study]));
     // A second deletion of the same name has an entry of its own.
@@ -256,7 +268,17 @@ fn nothing_is_deleted_through_a_link_nor_outside_of_the_folder() {
     symlink("../outside/result", served.join("result")).unwrap();
     let server = Server::of(&served);
     let kept = names(&outside);
-    for path in ["link/study.toml", "study.toml", "result", "link/result", "../outside/study.toml", "/etc", "a/../../outside/result", "", "."] {
+    for path in [
+        "link/study.toml",
+        "study.toml",
+        "result",
+        "link/result",
+        "../outside/study.toml",
+        "/etc",
+        "a/../../outside/result",
+        "",
+        ".",
+    ] {
         let (status, refused) = trash(&server, path);
         assert_eq!(status, 403, "{path}: {refused}");
         assert_eq!(post(&server, "/api/duplicate", &json!({"path": path})).0, 403, "{path}");

@@ -94,7 +94,10 @@ fn analytic_the_headline_counts_each_error_once() {
     assert!(touching.ends_with(errors), "{touching}");
     // The larger bound has the smaller error: 1.2 mm ± 0.01 mm against 1 mm ± 0.15 mm. Bounds differ by less than both errors.
     let exact = headline_of(1.2, [0.15, 0.01], same);
-    assert!(exact.contains("The bound of B is 5.3\u{a0}% larger.") || exact.contains("The bound of B is 5\u{a0}% larger."), "{exact}");
+    assert!(
+        exact.contains("The bound of B is 5.3\u{a0}% larger.") || exact.contains("The bound of B is 5\u{a0}% larger."),
+        "{exact}"
+    );
     let unknown = headline_of(1.1, [0.01, f64::INFINITY], same);
     assert!(unknown.contains("This difference may be numerical"), "{unknown}");
 }
@@ -112,7 +115,11 @@ fn analytic_the_headline_begins_with_verdicts_that_differ() {
     };
     let decided = verdicts([Verdict::Met, Verdict::NotMet], |_| ());
     assert!(decided.starts_with("Requirements: met in A, not met in B. "), "{decided}");
-    assert!(decided.ends_with("The verdicts differ in any case: the share of mechanisms within the limits is known better."), "{decided}");
+    assert!(
+        decided
+            .ends_with("The verdicts differ in any case: the share of mechanisms within the limits is known better."),
+        "{decided}"
+    );
     // Other limits, and a verdict that is open, decide nothing.
     let other_limits = verdicts([Verdict::Met, Verdict::NotMet], |after| after.requirements[0].upper_si *= 2.0);
     let open = verdicts([Verdict::Undecided, Verdict::NotMet], |_| ());
