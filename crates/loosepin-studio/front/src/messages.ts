@@ -435,6 +435,8 @@ export interface ResultActions {
   known: string[][];
   /** Paths of the studies of this name in the served folder, the newest first. */
   studies: string[];
+  /** Whether one of these studies has the texts of the result; `None` if there is none. */
+  texts: TextState | null;
 }
 
 /** A mechanism that can be run by itself. */

@@ -19,7 +19,7 @@ use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::files::folder::{Folder, MAX_TEXT, tag};
-use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache, ReadFile, ReadResult};
+use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache, ReadFile, ReadResult, TextState};
 use crate::files::verdicts::assign;
 use crate::messages::Document;
 use crate::view::texts::{model_beside, plain};
@@ -51,6 +51,11 @@ impl Listing {
     pub fn studies_named(&self, name: &str) -> Vec<String> {
         let studies = self.files.iter().filter(|file| file.kind == Document::Study && file.title == name);
         studies.map(|file| file.path.clone()).collect()
+    }
+
+    /// Whether a study in the folder has the texts of the result at a path.
+    pub fn texts_of(&self, result: &str) -> Option<TextState> {
+        self.results.iter().find(|own| own.path == result).and_then(|own| own.texts)
     }
 
     /// Paths of the studies of the model at a path.
