@@ -62,7 +62,7 @@ class Studio:
         self.browser.call("Page.navigate", url="about:blank")
         self.browser.events.clear()
         self.browser.call("Page.navigate", url=self.address)
-        self.wait("document.querySelectorAll('svg.mechanism').length === 17")
+        self.wait("document.querySelectorAll('button.card svg.mechanism').length === 17")
 
     def wait(self, condition, timeout_s=60.0):
         """Until a condition in the page is true."""
@@ -142,12 +142,19 @@ class Studio:
     def number(self, name):
         return self.browser.evaluate(f"({FIELD % repr(name)})?.querySelector('input').value")
 
-    def take(self, template):
-        """Begins with a template, whose title has these words."""
+    def look_at(self, template):
+        """Opens a template, whose title has these words: nothing is written."""
         self.open()
         self.click("button.card", template)
         self.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
         self.settle()
+
+    def take(self, template):
+        """Begins with a template, and saves it."""
+        self.look_at(template)
+        self.click("button:not(.primary)", "Save")
+        self.wait("location.hash.startsWith('#/edit/')")
+        self.wait_until_saved()
 
     def settle(self):
         """Until the band is of the texts as they are, at the most positions."""

@@ -88,7 +88,9 @@ def test_the_first_minute_by_keyboard_alone(studio):
     keyboard.press("Enter")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
     studio.settle()
-    before = (studio.folder / "slider-crank/study.toml").read_text()
+    assert list(studio.folder.iterdir()) == [], "nothing is written before it is saved"
+    subprocess.run([PROGRAM, "new", "slider-crank", studio.folder / "template"], check=True, capture_output=True)
+    before = (studio.folder / "template/study.toml").read_text()
     # Play: the pin is chosen in the outline.
     keyboard.reach(".outline summary")
     if not studio.browser.evaluate("document.querySelector('details.outline').open"):
@@ -267,14 +269,16 @@ def test_two_tabs_see_the_same_files_and_runs(studio):
         time.sleep(1.2)
         studio.type_number("rod_length", "150 mm")
         studio.click("button", "Save and run")
-        second.wait(CHANGED)
+        # Another browser before the same program: that is no other program.
+        second.wait(IN_ANOTHER_TAB)
         assert second.number("rod_length") == "120 mm"
         # What the other tab has saved is not written over in silence.
         second.type_number("crank_length", "55 mm")
         second.click("button:not(.primary)", "Save")
         # It is refused, and asked anew what becomes of the texts.
         second.wait("[...document.querySelectorAll('.actions button')].some((one) => one.textContent.trim() === 'Save' && !one.disabled)")
-        second.wait(CHANGED)
+        second.wait(IN_ANOTHER_TAB)
+        assert not other.evaluate(CHANGED)
         model = studio.folder / "slider-crank/model.toml"
         assert 'rod_length = "150 mm"' in model.read_text() and 'crank_length = "50 mm"' in model.read_text()
         second.click("button", "Load the version on disk")

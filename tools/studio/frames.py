@@ -143,7 +143,7 @@ def main(program, is_busy):
         try:
             for folder, pin in (("four-bar", "crank_pin"), ("watt-six-bar", "crank_pin"), ("chain", "pin1")):
                 studio.open()
-                studio.click(".recent .open", f"{folder}/study.toml")
+                studio.click(".shelf .open", f"{folder}/study.toml")
                 studio.wait("document.querySelector('.drawing .grip')")
                 studio.settle()
                 beside = None

@@ -60,7 +60,7 @@ def main(program):
 
         try:
             studio.open()
-            studio.click(".recent .open", "scotch-yoke/study.toml")
+            studio.click(".shelf .open", "scotch-yoke/study.toml")
             studio.wait("document.querySelector('.drawing .grip')")
             studio.settle()
             before = seen()

@@ -110,6 +110,20 @@ impl Folder {
         Ok((self.open_below(relative.parent().unwrap_or(Path::new("")))?, name))
     }
 
+    /// Removes the folder at `relative` if it is empty, then the folders that it stood in, up to this one. One with anything in it stays.
+    ///
+    /// # Errors
+    /// The path leads elsewhere, or through a link.
+    pub fn remove_empty_below(&self, relative: &Path) -> io::Result<()> {
+        for path in relative.ancestors().take_while(|path| !path.as_os_str().is_empty()) {
+            let (parent, name) = self.parent_of(path)?;
+            if parent.directory.remove_directory(name).is_err() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     /// Information about the entry at `relative`, a link itself included; `None` if there is none.
     ///
     /// # Errors

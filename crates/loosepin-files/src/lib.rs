@@ -27,8 +27,8 @@ pub use entry::{Entry, FileInfo, FileKind, Identity};
 pub use folder::Folder;
 pub use lock::{FolderLock, LockError, LockKind};
 pub use named::{
-    PrivateFile, anonymous_file, create_private, lock_texts, may_write, read_named, read_named_text, read_stream,
-    replace_named, write_new_files,
+    PrivateFile, anonymous_file, create_private, lock_result, lock_texts, lock_texts_below, may_write, read_named,
+    read_named_text, read_stream, replace_named, write_new_files,
 };
 pub use refused::{FULL_OR_LIMITED, Refused, io_error_words, is_file_size_limited};
 pub use temporary::TemporaryKind;

@@ -105,6 +105,23 @@ fn holder() -> String {
     format!("process {}", std::process::id())
 }
 
+/// As [`lock_texts`], of the folder at `relative` below `base`, which is made where it is not there. No link below `base` is followed. A
+/// folder that was made stays if something comes into it.
+///
+/// # Errors
+/// As for [`lock_texts`]; a link on the way.
+pub fn lock_texts_below(base: &Folder, relative: &Path) -> io::Result<FolderLock> {
+    FolderLock::take_below(base, relative, LockKind::Text, &holder()).map_err(lock_error)
+}
+
+/// Locks the folder of a result that is there, as long as nobody writes it.
+///
+/// # Errors
+/// Somebody does ([`io::ErrorKind::ResourceBusy`]); an error of the file system, or one that has no locks.
+pub fn lock_result(folder: &Folder) -> io::Result<FolderLock> {
+    FolderLock::wait(folder, LockKind::Result, &holder(), Duration::ZERO).map_err(lock_error)
+}
+
 fn lock_error(error: LockError) -> io::Error {
     match error {
         LockError::InUse { .. } => io::ErrorKind::ResourceBusy.into(),

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
-use crate::entry::{FileInfo, Identity};
+use crate::entry::{FileInfo, FileKind, Identity};
 use crate::folder::Folder;
 use crate::lock::FolderLock;
 use crate::refused::Refused;
@@ -126,6 +126,25 @@ impl FolderLock {
         }
         self.check()?;
         self.folder.directory.rename(from, to)?;
+        self.folder.directory.sync()
+    }
+
+    /// Moves a plain file or a folder into another locked folder of the same file system, where nothing has the name.
+    ///
+    /// # Errors
+    /// There is none, it is a link or of another kind; something of that name is there already; a lock was lost; an error of the file
+    /// system.
+    pub fn move_new(&self, name: impl AsRef<OsStr>, target: &Self) -> io::Result<()> {
+        let name = single_name(name.as_ref())?;
+        match self.folder.directory.info(name)?.kind {
+            FileKind::File | FileKind::Folder => {}
+            FileKind::Link => return Err(Refused::Link.into()),
+            FileKind::Other => return Err(Refused::NotAFile.into()),
+        }
+        self.check()?;
+        target.check()?;
+        self.folder.directory.move_new(name, &target.folder.directory, name)?;
+        target.folder.directory.sync()?;
         self.folder.directory.sync()
     }
 

@@ -70,9 +70,14 @@ impl Directory {
 
     /// Renames, if nothing exists at the new path at the time of the check.
     pub fn rename_new(&self, from: &OsStr, to: &OsStr) -> io::Result<()> {
-        match fs::symlink_metadata(self.0.join(to)) {
+        self.move_new(from, self, to)
+    }
+
+    /// As [`Self::rename_new`], into another directory.
+    pub fn move_new(&self, from: &OsStr, target: &Self, to: &OsStr) -> io::Result<()> {
+        match fs::symlink_metadata(target.0.join(to)) {
             Ok(_) => Err(io::ErrorKind::AlreadyExists.into()),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => self.rename(from, to),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => fs::rename(self.0.join(from), target.0.join(to)),
             Err(error) => Err(error),
         }
     }

@@ -68,10 +68,15 @@ impl Directory {
 
     /// Renames, and replaces nothing.
     pub fn rename_new(&self, from: &OsStr, to: &OsStr) -> io::Result<()> {
+        self.move_new(from, self, to)
+    }
+
+    /// Renames into another directory of the same file system, and replaces nothing.
+    pub fn move_new(&self, from: &OsStr, target: &Self, to: &OsStr) -> io::Result<()> {
         #[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
         {
             use rustix::io::Errno;
-            match retry_on_intr(|| fs::renameat_with(&self.0, from, &self.0, to, fs::RenameFlags::NOREPLACE)) {
+            match retry_on_intr(|| fs::renameat_with(&self.0, from, &target.0, to, fs::RenameFlags::NOREPLACE)) {
                 // A file system that does not know it.
                 Err(Errno::INVAL | Errno::NOSYS | Errno::NOTSUP) => {}
                 renamed => return Ok(renamed?),
@@ -79,11 +84,11 @@ impl Directory {
         }
         if self.info(from)?.kind == FileKind::Folder {
             // A folder is renamed onto an empty folder at most.
-            return self.rename(from, to);
+            return Ok(retry_on_intr(|| fs::renameat(&self.0, from, &target.0, to))?);
         }
-        retry_on_intr(|| fs::linkat(&self.0, from, &self.0, to, AtFlags::empty()))?;
+        retry_on_intr(|| fs::linkat(&self.0, from, &target.0, to, AtFlags::empty()))?;
         self.remove_file(from).inspect_err(|_| {
-            let _ = self.remove_file(to);
+            let _ = target.remove_file(to);
         })
     }
 

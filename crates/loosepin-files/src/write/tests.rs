@@ -106,6 +106,47 @@ fn a_new_folder_comes_with_all_its_files_or_not_at_all() {
     assert_eq!(fs::read(desk.path().join("press/model.toml")).unwrap(), b"1");
 }
 
+#[test]
+fn a_move_between_folders_replaces_nothing() {
+    let desk = tempfile::tempdir().unwrap();
+    let [from, to] = ["from", "to"].map(|name| desk.path().join(name));
+    fs::create_dir(&from).unwrap();
+    fs::create_dir(&to).unwrap();
+    let [source, target] = [taken(&from), taken(&to)];
+    fs::write(from.join("a"), "1").unwrap();
+    fs::create_dir(from.join("inner")).unwrap();
+    fs::write(from.join("inner/b"), "2").unwrap();
+    for name in ["a", "inner"] {
+        source.move_new(name, &target).unwrap();
+    }
+    assert!(names(&from).is_empty());
+    assert_eq!(
+        (names(&to), names(&to.join("inner"))),
+        (vec!["a".to_owned(), "inner".to_owned()], vec!["b".to_owned()])
+    );
+    fs::write(from.join("a"), "3").unwrap();
+    fs::create_dir(from.join("inner")).unwrap();
+    for name in ["a", "inner"] {
+        assert_eq!(source.move_new(name, &target).unwrap_err().kind(), io::ErrorKind::AlreadyExists, "{name}");
+    }
+    assert_eq!(fs::read(to.join("a")).unwrap(), b"1");
+    for name in ["../a", "", "."] {
+        assert_eq!(Refused::of(&source.move_new(name, &target).unwrap_err()), Some(Refused::BadName), "{name}");
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("a", from.join("link")).unwrap();
+        assert_eq!(Refused::of(&source.move_new("link", &target).unwrap_err()), Some(Refused::Link));
+    }
+    // Empty folders go up to one that is not.
+    fs::create_dir_all(desk.path().join("x/y/z")).unwrap();
+    fs::write(desk.path().join("x/kept"), "").unwrap();
+    let folder = Folder::open(desk.path()).unwrap();
+    folder.remove_empty_below(Path::new("x/y/z")).unwrap();
+    assert_eq!(names(&desk.path().join("x")), ["kept"]);
+    assert_eq!(Refused::of(&folder.remove_empty_below(Path::new("x/../x")).unwrap_err()), Some(Refused::BadName));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_writer_that_was_ousted_before_its_rename_has_nothing_to_rename() {

@@ -1,12 +1,13 @@
-//! How much smaller or larger the main answer is in the second study.
+//! How much smaller or larger the main answer is in the second study, and whether its verdict is another one.
 
 use super::outputs::SharedOutputs;
+use super::requirements::ComparedRequirement;
 use super::sides::for_both;
 use super::statistics::{Weight, is_same};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::study::output_summary::{OutputSummary, output_summaries};
-use crate::words::wording::deviation_of;
-use loosepin_result::study::{DeviationCurve, StudyResult};
+use crate::words::wording::{deviation_of, verdict_words};
+use loosepin_result::study::{DeviationCurve, StudyResult, Verdict};
 use loosepin_text::units::SiUnit;
 
 /// Headline if the studies share no main answer.
@@ -14,33 +15,76 @@ pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
 
-/// A number that both studies answer with.
+/// A bound that both studies answer with.
 struct Main<'r> {
     subject: String,
-    values_si: [f64; 2],
-    errors_si: f64,
+    /// The bounds, each with its numerical error included: the value found and the error added.
+    bounds_si: [f64; 2],
+    /// Numerical errors of the values found, or more.
+    errors_si: [f64; 2],
     unit: &'r SiUnit,
 }
 
-/// The answer that A puts first of those that B has as well.
-pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &NumberWriter) -> String {
+impl Main<'_> {
+    /// Whether the values found are so far apart that their errors do not explain it: the larger bound less both its errors, above and
+    /// below the value found, is still beyond the smaller bound.
+    fn weight(&self) -> Weight {
+        let [before, after] = self.bounds_si;
+        let larger = usize::from(after > before);
+        Weight::of(after - before, 2.0 * self.errors_si[larger])
+    }
+}
+
+/// The verdicts where they differ, and the answer that A puts first of those that B has as well.
+pub fn headline(
+    pair: [&StudyResult; 2],
+    outputs: &SharedOutputs,
+    requirements: &[ComparedRequirement],
+    writer: &NumberWriter,
+) -> String {
     let Some(main) = output_summaries(pair[0]).into_iter().find_map(|summary| main(summary, pair, outputs, writer))
     else {
         return NOTHING_IN_COMMON.to_owned();
     };
-    let [before, after] = main.values_si;
-    let values =
-        main.values_si.map(|value_si| format!("±{}", writer.rounded(value_si, main.unit, DIGITS, Rounding::Up)));
-    let sentence = format!("{} stays within {}.", main.subject, for_both(values));
-    match Weight::of(after - before, main.errors_si) {
-        Weight::None => format!("{sentence} There is no difference."),
-        Weight::WithinErrors => format!("{sentence} The difference is within the numerical errors."),
+    let [before, after] = main.bounds_si;
+    let bounds =
+        main.bounds_si.map(|bound_si| format!("±{}", writer.rounded(bound_si, main.unit, DIGITS, Rounding::Up)));
+    let mut sentences = vec![format!("{} stays within {}.", main.subject, for_both(bounds))];
+    if let [Some(first), Some(second)] = pair.map(StudyResult::verdict)
+        && first != second
+    {
+        sentences.insert(0, format!("Requirements: {}.", for_both([first, second].map(verdict_words))));
+    }
+    match main.weight() {
+        Weight::None => sentences.push("There is no difference.".to_owned()),
+        Weight::WithinErrors => {
+            let errors = main.errors_si.map(|error_si| writer.error(error_si, main.unit));
+            sentences.push(format!("This difference may be numerical: the errors are {}.", for_both(errors)));
+            if requirements.iter().any(is_decided_otherwise) {
+                // Each verdict counts the errors of the share.
+                sentences.push(
+                    "The verdicts differ in any case: the share of mechanisms within the limits is known better."
+                        .to_owned(),
+                );
+            }
+        }
         Weight::BeyondErrors if before > 0.0 => {
             let change = writer.percent((after / before - 1.0).abs(), Rounding::Nearest);
-            format!("{sentence} The bound of B is {change} {}.", if after < before { "smaller" } else { "larger" })
+            let word = if after < before { "smaller" } else { "larger" };
+            sentences.push(format!("The bound of B is {change} {word}."));
         }
-        Weight::BeyondErrors => sentence,
+        Weight::BeyondErrors => {}
     }
+    sentences.join(" ")
+}
+
+/// Whether a requirement with the same limits is met in one study and not in the other, whatever their errors.
+fn is_decided_otherwise(requirement: &ComparedRequirement) -> bool {
+    let is_pair = matches!(
+        requirement.verdicts,
+        [Some(Verdict::Met), Some(Verdict::NotMet)] | [Some(Verdict::NotMet), Some(Verdict::Met)]
+    );
+    is_pair && requirement.required[0] == requirement.required[1]
 }
 
 fn main<'r>(
@@ -63,8 +107,8 @@ fn main<'r>(
                     deviation_of(&bound.output, bound.of, &before.outputs),
                     writer.percent(probability, Rounding::Nearest)
                 ),
-                values_si: ends.map(|end| end.widened_si),
-                errors_si: ends.iter().map(|end| end.error.total_si()).sum(),
+                bounds_si: ends.map(|end| end.widened_si),
+                errors_si: ends.map(|end| end.error.total_si()),
                 unit: &bound.unit,
             })
         }
@@ -74,8 +118,8 @@ fn main<'r>(
             let subject = deviation_of(&curve.output, curve.of, &before.outputs);
             Some(Main {
                 subject: format!("The {share} band of the {subject}"),
-                values_si: [reach_si(curve)?.1, reach_si(other)?.1],
-                errors_si: curve.numerical_error_si + other.numerical_error_si,
+                bounds_si: [reach_si(curve)?.1, reach_si(other)?.1],
+                errors_si: [curve.numerical_error_si, other.numerical_error_si],
                 unit: &curve.unit,
             })
         }

@@ -69,8 +69,9 @@ pub fn compare_studies(before: &StudyResult, after: &StudyResult) -> Comparison 
     left_out.splice(0..0, outputs.left_out.iter().cloned().chain(of_bands));
     let (inputs, of_inputs) = changed_inputs::changed(pair);
     left_out.extend(of_inputs);
+    let requirements = requirements::compared(pair, &writer);
     Comparison {
-        headline: headline::headline(pair, &outputs, &writer),
+        headline: headline::headline(pair, &outputs, &requirements, &writer),
         sides: pair.map(|result| ComparedSide {
             name: result.name.clone(),
             model: result.model.clone(),
@@ -79,7 +80,7 @@ pub fn compare_studies(before: &StudyResult, after: &StudyResult) -> Comparison 
         }),
         warnings: warnings::warnings(pair, &writer),
         left_out,
-        requirements: requirements::compared(pair, &writer),
+        requirements,
         bands,
         statistics,
         inputs,

@@ -291,6 +291,14 @@ export interface BodyMotion {
   da: (number | null)[];
 }
 
+/** A model or study of the folder as the page shows it. */
+export interface OwnCard {
+  /** The mechanism, moving; `None` if the model cannot be read. */
+  drawing: MovingDrawing | null;
+  /** The first error in the texts. */
+  error: string | null;
+}
+
 /** A model or a study. */
 export interface ListedFile {
   /** Path in the served folder. */
@@ -303,7 +311,41 @@ export interface ListedFile {
   model: string | null;
   /** When it was written, milliseconds since 1970. */
   at_ms: number;
+  /** The newest result of a study. */
+  result: NewestResult | null;
 }
+
+/** The newest result of a study: of its texts as they are, where there is one. */
+export interface NewestResult {
+  /** Path of its folder in the served one. */
+  path: string;
+  /** Over all requirements. */
+  verdict: Verdict | null;
+  /** When it was finished, milliseconds since 1970. */
+  at_ms: number;
+  /** Whether it is one of the texts as they are. */
+  texts: TextState;
+}
+
+/** Whether texts are those that a result was computed from. */
+export type TextState =
+  /** Letter for letter, tables too. */
+  | 'same'
+  /** A text has changed since. */
+  | 'changed'
+  /** The result does not hold its texts: an older version wrote it. */
+  | 'unknown';
+
+/** Verdict on a requirement that a share of mechanisms keeps a limit, whatever the epistemic inputs are. */
+export type Verdict =
+  /** Met for every value of the epistemic inputs, numerical error included. */
+  | 'met'
+  /** Kept in a stated share of the box of the epistemic inputs, with a stated confidence; not shown for every value. */
+  | 'promised'
+  /** Not met for at least one value, numerical error included. */
+  | 'not_met'
+  /** The numerical error reaches over the limit, or the share is unknown: more runs decide. */
+  | 'undecided';
 
 /** A finished result. */
 export interface ListedResult {
@@ -317,6 +359,8 @@ export interface ListedResult {
   verdict: Verdict | null;
   /** When it was finished, milliseconds since 1970. */
   at_ms: number;
+  /** Whether a study of its name in the folder has its texts; `None` if there is no study of its name. */
+  texts: TextState | null;
 }
 
 /** A kind of result, which has a folder of its own. */
@@ -333,17 +377,6 @@ export type ResultKind =
   | 'identification'
   /** Neural networks of a study, for other programs. */
   | 'networks';
-
-/** Verdict on a requirement that a share of mechanisms keeps a limit, whatever the epistemic inputs are. */
-export type Verdict =
-  /** Met for every value of the epistemic inputs, numerical error included. */
-  | 'met'
-  /** Kept in a stated share of the box of the epistemic inputs, with a stated confidence; not shown for every value. */
-  | 'promised'
-  /** Not met for at least one value, numerical error included. */
-  | 'not_met'
-  /** The numerical error reaches over the limit, or the share is unknown: more runs decide. */
-  | 'undecided';
 
 /** The served folder as the page shows it. */
 export interface Listing {
@@ -367,6 +400,8 @@ export interface ResultActions {
   known: string[][];
   /** Paths of the studies of this name in the served folder, the newest first. */
   studies: string[];
+  /** Whether one of these studies has the texts of the result; `None` if there is none. */
+  texts: TextState | null;
 }
 
 /** A mechanism that can be run by itself. */
@@ -377,6 +412,14 @@ export interface Doing {
   attains: string[];
   /** The command that runs it. */
   command: string;
+}
+
+/** What was moved into the trash. */
+export interface Trashed {
+  /** Its entry in the trash. */
+  entry: string;
+  /** The paths that it had. */
+  paths: string[];
 }
 
 /** A stretch of a text. */
@@ -943,6 +986,8 @@ export interface OpenedText {
   text: string;
   /** Tag by which it is recognised when it is saved. */
   tag: string;
+  /** Whether it is what this server has saved there last: no other program has changed it since. */
+  is_saved_here: boolean;
 }
 
 /** A text to be saved. */
@@ -999,11 +1044,15 @@ export interface RestructureAnswer extends Partial<Restructured> {
   refusal: Refused | null;
 }
 
-/** A mechanism of one's own, from a template or from nothing. */
+/** A template, or two texts, to be made a mechanism of one's own. */
 export interface NewRequest {
-  /** Name of the template; without one, nothing is drawn yet. */
+  /** Name of the template; `None` where both texts are given. */
   template?: string | null;
-  /** Path of the new folder. */
+  /** Text of the model. */
+  model?: string | null;
+  /** Text of the study. */
+  study?: string | null;
+  /** Name of the new folder. */
   folder: string;
 }
 
@@ -1013,6 +1062,52 @@ export interface NewAnswer {
   model: string;
   /** Path of the study. */
   study: string;
+  /** Tag of the text of the model. */
+  model_tag: string;
+  /** Tag of the text of the study. */
+  study_tag: string;
+}
+
+/** Both texts of a template, or of an empty sheet. */
+export interface TemplateTexts {
+  /** The model. */
+  model: string;
+  /** The study. */
+  study: string;
+}
+
+/** A model, a study or a result that goes into the trash. */
+export interface TrashRequest {
+  /** Path of the file, or of the folder of the result. */
+  path: string;
+}
+
+/** What was deleted, to be moved back. */
+export interface RestoreRequest {
+  /** Its entry in the trash. */
+  entry: string;
+  /** The paths that it had. */
+  paths: string[];
+}
+
+/** What was deleted is back. */
+export interface RestoreAnswer {
+  /** Number of files and folders. */
+  restored: number;
+}
+
+/** A model or a study, with its model, to be copied. */
+export interface DuplicateRequest {
+  /** Its path. */
+  path: string;
+}
+
+/** Paths of a copy. */
+export interface DuplicateAnswer {
+  /** The model. */
+  model: string | null;
+  /** The study. */
+  study: string | null;
 }
 
 /** Destination of a drawing in the DXF format. */

@@ -2,7 +2,7 @@
 import type { EditTool, JoinKind, RecordKind } from './editing/toolset.ts';
 import type { KeyGroup, KeyName } from './shell/keys.ts';
 import type { PaneName } from './shell/panes.svelte.ts';
-import type { Document, Job, ResultKind, ForceView, JointView, Verdict } from './messages.ts';
+import type { Document, Job, ResultKind, ForceView, JointView, TextState, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -80,34 +80,31 @@ export const words = {
     folder: (folder: string): string => `Folder ${folder}`,
     find: 'Find',
     findHint: 'Name of a study, a model or a mechanism',
-    continue: 'Continue',
+    continue: 'Your mechanisms',
     draw: 'Draw from nothing',
-    /** Folder and name of what is drawn. */
+    /** Folder of what is drawn. */
     blank: 'drawn',
     import: 'Import a drawing (DXF)',
     unit: 'Unit',
     ownUnit: 'of the drawing',
     start: 'Start from a mechanism',
-    startHint: 'A click makes a new folder with a model and a study.',
+    startHint: 'A click opens one. Nothing is written before you save.',
     results: 'Results',
     compare: 'Compare two results',
     loading: 'Reading the folder …',
-    none: 'There are no models in this folder yet. Start from a mechanism below.',
+    none: 'There are no models in this folder yet. Start from a mechanism below, draw one, or import a drawing.',
     noneFound: (text: string): string => `Nothing found for “${text}”.`,
     noTemplates: 'There are no templates.',
     truncated: 'The folder contains more than is shown here. Use the search, or serve a smaller folder.',
     withModel: (path: string): string => `with ${path}`,
-    kind: { study: 'Study', model: 'Model' } as Record<Document, string>,
     resultKind: { study: 'Study', simulation: 'Simulation', motion: 'Motion', sweep: 'Sweep', identification: 'Identification', networks: 'Networks' } satisfies Record<ResultKind, string>,
     openReport: 'Report',
     openReportOf: (title: string): string => `Report of ${title}`,
-    olderFiles: 'Changed since this result',
     allResults: (number: number): string => `Show all ${whole.format(number)} results`,
     moving: 'Move the drawings',
     noDrawing: 'no drawing',
-    making: (name: string): string => `Creating the folder ${name} …`,
     failed: 'The folder could not be read.',
-    importFailed: 'The drawing was not imported:',
+    importFailed: (reason: string): string => `The drawing was not imported: ${reason}`,
     tooLarge: 'It has more than 4 MiB. Save only the lines and circles of the mechanism.',
     imported: (notes: string[]): string => `Imported: ${notes.join('; ')}. Fill in every "?": see the problems below.`,
     again: 'Try again',
@@ -476,5 +473,22 @@ export const words = {
     places: { uncertain: 'uncertain', model: 'model', study: 'study', table: 'table', command: 'command' },
     notThere: 'not there',
     leftOut: 'Not compared',
+  },
+
+  shelf: {
+    reading: 'Reading …',
+    notRun: { study: 'not run yet', model: 'a model without a study' } as Record<Document, string>,
+    noVerdict: (texts: TextState): string => (texts === 'same' ? 'result without requirements' : `result without requirements, ${words.shelf.texts[texts]}`),
+    texts: { same: '', changed: 'the text has changed since', unknown: 'the result does not hold its texts' } as Record<TextState, string>,
+    all: (number: number): string => `Show all ${whole.format(number)}`,
+    duplicate: 'Duplicate',
+    duplicateOf: (title: string): string => `Duplicate ${title}`,
+    remove: 'Delete',
+    removeOf: (title: string): string => `Delete ${title}`,
+    removed: (title: string, entry: string): string => `${title} was deleted. It is in .trash/${entry}.`,
+    undo: 'Undo',
+    draft: (template: string): string => `Template ${template}`,
+    blank: 'New drawing',
+    notSavedYet: 'not saved yet',
   },
 };

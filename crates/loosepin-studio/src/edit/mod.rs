@@ -21,7 +21,7 @@ mod nearest;
 mod reshape;
 mod set_uncertainty;
 mod structure;
-mod toml;
+pub(crate) mod toml;
 mod uncertainty_spec;
 mod written;
 

@@ -1,8 +1,9 @@
 //! The folder that is served: which paths there are in it, reading and writing. Nothing outside of it is opened, and no link is followed.
 
+use std::collections::HashMap;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use axum::http::StatusCode;
 use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
@@ -18,12 +19,16 @@ const MAX_TABLE: usize = 8 << 20;
 const LONGEST_NAME: usize = 64;
 /// Longest path, bytes.
 const LONGEST_PATH: usize = 1024;
+/// Most files of which it is remembered what was saved last.
+const MAX_SAVED: usize = 4096;
 
 /// The served folder, held open: what its path leads to later does not matter.
 #[derive(Debug, Clone)]
 pub struct Folder {
     opened: files::Folder,
     known: Arc<Mutex<ListingCache>>,
+    /// Tags of what this server has saved last, by the paths.
+    saved: Arc<Mutex<HashMap<String, String>>>,
 }
 
 /// A text file as it stands on the disk.
@@ -32,6 +37,8 @@ pub struct StoredText {
     pub text: String,
     /// Tag that identifies its content.
     pub tag: String,
+    /// Whether it is what this server has saved there last: no other program has changed it since.
+    pub is_saved_here: bool,
 }
 
 impl Folder {
@@ -40,7 +47,7 @@ impl Folder {
     /// # Errors
     /// It is not there, or no folder.
     pub fn new(path: &Path) -> io::Result<Self> {
-        Ok(Self { opened: files::Folder::open(&path.canonicalize()?)?, known: Arc::default() })
+        Ok(Self { opened: files::Folder::open(&path.canonicalize()?)?, known: Arc::default(), saved: Arc::default() })
     }
 
     /// Its path when it was opened.
@@ -77,7 +84,24 @@ impl Folder {
     /// The path is none of this folder; a file that is too large, or no UTF-8.
     pub fn read(&self, path: &str) -> Result<StoredText, Refusal> {
         let text = text_of(path, self.bytes(path, MAX_TEXT)?)?;
-        Ok(StoredText { tag: tag(&text), text })
+        let tag = tag(&text);
+        Ok(StoredText { is_saved_here: self.is_saved_here(path, &tag), tag, text })
+    }
+
+    fn saved(&self) -> MutexGuard<'_, HashMap<String, String>> {
+        self.saved.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn is_saved_here(&self, path: &str, tag: &str) -> bool {
+        self.saved().get(path).is_some_and(|saved| saved == tag)
+    }
+
+    fn remember(&self, path: &str, tag: &str) {
+        let mut saved = self.saved();
+        if saved.len() >= MAX_SAVED {
+            saved.clear();
+        }
+        saved.insert(path.to_owned(), tag.to_owned());
     }
 
     /// Reads a table that a text names.
@@ -121,6 +145,9 @@ impl Folder {
         };
         if found.as_deref() != known {
             let message = match found {
+                Some(found) if self.is_saved_here(path, &found) => {
+                    format!("'{path}' was saved in another tab of the studio after it was read")
+                }
                 Some(_) => format!("'{path}' was changed by another program after it was read"),
                 None => format!("'{path}' no longer exists"),
             };
@@ -131,17 +158,22 @@ impl Folder {
             None => lock.write_new(&[(name, text.as_bytes())]),
         };
         written.map_err(|error| not_written(path, &error))?;
-        Ok(tag(text))
+        let tag = tag(text);
+        self.remember(path, &tag);
+        Ok(tag)
     }
 
     /// Makes a folder with files in it, which is there with all of them or not at all.
     ///
     /// # Errors
-    /// The name is none for a folder; something of that name is there already.
+    /// The name is none for a folder; something of that name is there already; a text that is too long.
     pub fn write_new_folder(&self, name: &str, texts: &[(&str, &str)]) -> Result<(), Refusal> {
         let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(is_plain) {
             return Err(Refusal::bad("the name of a new folder has only letters, digits, - and _"));
+        }
+        if let Some((file, _)) = texts.iter().find(|(_, text)| text.len() > MAX_TEXT) {
+            return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, format!("'{file}' has more than 1 MiB")));
         }
         let contents: Vec<(&str, &[u8])> = texts.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
         let written = lock_texts(&self.opened).and_then(|lock| lock.write_new_folder(name, &contents));
@@ -151,7 +183,9 @@ impl Folder {
                 Refusal::new(StatusCode::CONFLICT, "the served folder no longer exists; nothing is written")
             }
             _ => not_written(name, &error),
-        })
+        })?;
+        texts.iter().for_each(|(file, text)| self.remember(&format!("{name}/{file}"), &tag(text)));
+        Ok(())
     }
 }
 
@@ -160,14 +194,17 @@ fn text_of(path: &str, bytes: Vec<u8>) -> Result<String, Refusal> {
 }
 
 /// A path as the page writes it: names below the served folder, with `/` between them.
-fn relative(path: &str) -> Result<PathBuf, Refusal> {
+///
+/// # Errors
+/// It leads somewhere else.
+pub fn relative(path: &str) -> Result<PathBuf, Refusal> {
     // Whether these are names below the folder, the folder says when it looks them up.
     let is_plain = path.len() <= LONGEST_PATH && !path.contains(['\\', ':', '\0']);
     if is_plain { Ok(PathBuf::from(path)) } else { Err(outside(path)) }
 }
 
 /// Tag that identifies a text.
-fn tag(text: &str) -> String {
+pub fn tag(text: &str) -> String {
     let mut hasher = loosepin::results::InputsHasher::new(loosepin::results::ResultKind::Study);
     hasher.add("text", text);
     hasher.finish().to_string()
@@ -183,7 +220,13 @@ fn not_readable(path: &str, error: &io::Error) -> Refusal {
     refused("read", path, error, StatusCode::BAD_REQUEST)
 }
 
-fn not_written(path: &str, error: &io::Error) -> Refusal {
+/// Why something at `path` was not moved.
+pub fn not_moved(path: &str, error: &io::Error) -> Refusal {
+    refused("move", path, error, StatusCode::INTERNAL_SERVER_ERROR)
+}
+
+/// Why a file at `path` was not written.
+pub fn not_written(path: &str, error: &io::Error) -> Refusal {
     refused("write", path, error, StatusCode::INTERNAL_SERVER_ERROR)
 }
 

@@ -1,12 +1,17 @@
-//! The templates with their mechanisms moving.
+//! Mechanisms moving in small pictures: the templates, and models and studies of the served folder.
 
+use std::sync::atomic::AtomicBool;
+
+use loosepin::diagnostics::Severity;
 use loosepin::report::{MovingDrawing, moving_drawing};
 use loosepin::templates::{TEMPLATES, Template};
 use serde::Serialize;
 
 use crate::files::folder::Folder;
 use crate::messages::{Look, SentText};
-use crate::view::texts::Texts;
+use crate::network::refusal::Refusal;
+use crate::view::look::answer_look;
+use crate::view::texts::{Texts, model_beside, plain};
 
 /// Positions in a turn of a small picture.
 const POSITIONS: usize = 36;
@@ -43,4 +48,39 @@ fn card(folder: &Folder, template: &Template) -> TemplateCard {
         words: template.paragraph(),
         drawing: driven.or_else(controlled),
     }
+}
+
+/// A model or study of the folder as the page shows it.
+#[derive(Debug, Default, Serialize)]
+pub struct OwnCard {
+    /// The mechanism, moving; `None` if the model cannot be read.
+    pub drawing: Option<MovingDrawing>,
+    /// The first error in the texts.
+    pub error: Option<String>,
+}
+
+/// The model or study at `path`. It comes to its end soon after `stop` is set, and is good for nothing then.
+///
+/// # Errors
+/// There is no such text.
+pub fn own_card(folder: &Folder, path: &str, stop: &AtomicBool) -> Result<OwnCard, Refusal> {
+    let text = folder.read(path)?.text;
+    let sent = |path: &str, text: String| SentText { path: path.to_owned(), text };
+    let (model, study) = match model_beside(path, &text).map(|model| plain(&model)) {
+        None => (sent(path, text), None),
+        Some(model_path) => match folder.read(&model_path) {
+            Ok(model) => (sent(&model_path, model.text), Some(sent(path, text))),
+            Err(refusal) => return Ok(OwnCard { drawing: None, error: Some(refusal.message) }),
+        },
+    };
+    let poses = Some(Default::default());
+    let seen = answer_look(folder, &Look { seq: 0, model, study, positions: POSITIONS, grip: None, poses }, stop);
+    let error = seen.diagnostics.into_iter().find(|one| one.severity == Severity::Error).map(|one| {
+        let name = one.path.as_deref().and_then(|path| path.rsplit('/').next().map(str::to_owned));
+        match (name, one.stretch) {
+            (Some(name), Some(stretch)) => format!("{name}, line {}: {}", stretch.line, one.message),
+            _ => one.message,
+        }
+    });
+    Ok(OwnCard { drawing: seen.view.and_then(|view| view.drawing), error })
 }

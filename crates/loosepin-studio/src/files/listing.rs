@@ -18,8 +18,9 @@ use loosepin::study::says_study;
 use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
-use crate::files::folder::{Folder, MAX_TEXT};
-use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache};
+use crate::files::folder::{Folder, MAX_TEXT, tag};
+use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache, ReadFile, ReadResult, TextState};
+use crate::files::verdicts::assign;
 use crate::messages::Document;
 use crate::view::texts::{model_beside, plain};
 
@@ -51,6 +52,22 @@ impl Listing {
         let studies = self.files.iter().filter(|file| file.kind == Document::Study && file.title == name);
         studies.map(|file| file.path.clone()).collect()
     }
+
+    /// Whether a study in the folder has the texts of the result at a path.
+    pub fn texts_of(&self, result: &str) -> Option<TextState> {
+        self.results.iter().find(|own| own.path == result).and_then(|own| own.texts)
+    }
+
+    /// Paths of the studies of the model at a path.
+    pub fn studies_of(&self, model: &str) -> Vec<&str> {
+        let studies = self.files.iter().filter(|file| file.model.as_deref() == Some(model));
+        studies.map(|file| file.path.as_str()).collect()
+    }
+
+    /// Whether the folder holds more than is listed.
+    pub fn is_truncated(&self) -> bool {
+        self.truncated
+    }
 }
 
 /// Something that may be listed: its path in the served folder, its file of the version, and its time.
@@ -76,9 +93,14 @@ pub fn listing(folder: &Folder) -> Listing {
     let mut kept = folder.known();
     let mut own = ListingCache::default();
     let known = kept.as_deref_mut().unwrap_or(&mut own);
-    let files = newest(walk.files, &mut known.files, &mut reading, |reading, found| reading.file(found));
-    let results = newest(walk.results, &mut known.results, &mut reading, |reading, found| reading.result(found));
-    Listing { files, results, truncated: reading.is_cut }
+    let mut files = newest(walk.files, &mut known.files, &mut reading, |reading, found| reading.file(found));
+    let mut results = newest(walk.results, &mut known.results, &mut reading, |reading, found| reading.result(found));
+    assign(folder, &mut files, &mut results, &mut known.texts);
+    Listing {
+        files: files.into_iter().map(|file| file.listed).collect(),
+        results: results.into_iter().map(|result| result.listed).collect(),
+        truncated: reading.is_cut,
+    }
 }
 
 /// The newest of `found` that are ours. What is there no more is forgotten.
@@ -162,7 +184,7 @@ impl Reading<'_> {
     }
 
     /// A model or a study; other TOML files are none of ours.
-    fn file(&mut self, found: &Found) -> Option<ListedFile> {
+    fn file(&mut self, found: &Found) -> Option<ReadFile> {
         let text = String::from_utf8(self.bytes(&found.path, MAX_TEXT as u64)?).ok()?;
         let source = Source::new(found.path.as_str(), text.as_str());
         let model = model_beside(&found.path, &text).map(|model| plain(&model));
@@ -174,30 +196,34 @@ impl Reading<'_> {
         };
         let name = text.lines().find_map(|line| line.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
         let title = name.map(|name| name.split('#').next().unwrap_or(name).trim().trim_matches(['"', '\'']).to_owned());
-        Some(ListedFile {
+        let listed = ListedFile {
             kind,
             title: title.filter(|title| !title.is_empty()).unwrap_or_else(|| found.path.clone()),
             model,
             at_ms: found.at_ms,
             path: found.path.clone(),
-        })
+            result: None,
+        };
+        Some(ReadFile { listed, tag: tag(&text) })
     }
 
     /// A result that is finished.
-    fn result(&mut self, found: &Found) -> Option<ListedResult> {
+    fn result(&mut self, found: &Found) -> Option<ReadResult> {
         let marker = self.bytes(&format!("{}/{MARKER_FILE}", found.path), MAX_MARKER_BYTES)?;
         let marker: Marker = serde_json::from_slice(&marker).ok()?;
         if !marker.is_finished {
             return None;
         }
         let is_study = marker.kind == ResultKind::Study;
-        Some(ListedResult {
+        let listed = ListedResult {
             title: marker.name,
             kind: marker.kind,
             verdict: if is_study { self.verdict(&found.path) } else { None },
             at_ms: found.at_ms,
             path: found.path.clone(),
-        })
+            texts: None,
+        };
+        Some(ReadResult { listed, inputs: marker.inputs_blake3 })
     }
 
     /// The verdict of a stored study. Its requirements stand at the head of its record, which is read no further.

@@ -3,8 +3,11 @@
 
 pub(crate) mod adopt;
 pub(crate) mod blank;
+pub(crate) mod duplicate;
 pub(crate) mod folder;
 pub(crate) mod gallery;
 pub(crate) mod listed;
 pub(crate) mod listing;
 pub(crate) mod stored;
+pub(crate) mod trash;
+pub(crate) mod verdicts;

@@ -8,6 +8,7 @@ use loosepin::study::result::{FORMAT, StudyResult};
 use serde::Serialize;
 
 use crate::files::folder::Folder;
+use crate::files::listed::TextState;
 use crate::files::listing::listing;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
@@ -81,6 +82,8 @@ pub struct ResultActions {
     known: Vec<Vec<String>>,
     /// Paths of the studies of this name in the served folder, the newest first.
     studies: Vec<String>,
+    /// Whether one of these studies has the texts of the result; `None` if there is none.
+    texts: Option<TextState>,
 }
 
 /// A mechanism that can be run by itself.
@@ -105,12 +108,14 @@ pub fn doings(folder: &Folder, path: &str) -> Result<ResultActions, Refusal> {
     }
     let result = stored_study(folder, path)?;
     let witnesses = witness_words(&result).into_iter();
+    let listing = listing(folder);
     Ok(ResultActions {
         witnesses: witnesses
             .map(|words| Doing { values: words.values, attains: words.attains, command: words.command })
             .collect(),
         known: known_values(&result).into_iter().map(|KnownValue { words, .. }| vec![words]).collect(),
-        studies: listing(folder).studies_named(&result.name),
+        studies: listing.studies_named(&result.name),
+        texts: listing.texts_of(path.trim_end_matches('/')),
         title: result.name,
         is_study: true,
     })

@@ -15,6 +15,7 @@ use tokio::sync::broadcast;
 use crate::files::folder::Folder;
 use crate::jobs::job::{Outcome, read_study, run, run_witness};
 use crate::messages::{Job, JobDraft, JobKind, JobState, Shown};
+use crate::view::texts::plain;
 
 /// Most jobs that wait.
 const MAX_WAITING: usize = 16;
@@ -101,6 +102,12 @@ impl Jobs {
     /// All of them, in the order in which they were asked for.
     pub fn all(&self) -> Vec<Job> {
         self.state().jobs.clone()
+    }
+
+    /// Whether a job on a study or result waits or runs.
+    pub fn is_open(&self, subject: &str) -> bool {
+        let is_open = |job: &Job| matches!(job.state, JobState::Waiting | JobState::Running);
+        self.state().jobs.iter().any(|job| is_open(job) && plain(job.study.trim_end_matches('/')) == subject)
     }
 
     /// Hears of each change.

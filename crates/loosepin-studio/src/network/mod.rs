@@ -9,6 +9,7 @@ pub(crate) mod requests;
 pub(crate) mod result_routes;
 pub(crate) mod routes;
 pub(crate) mod server;
+pub(crate) mod shelf_routes;
 pub(crate) mod socket;
 pub(crate) mod stream;
 pub(crate) mod tickets;

@@ -52,6 +52,8 @@ pub struct OpenedText {
     pub text: String,
     /// Tag by which it is recognised when it is saved.
     pub tag: String,
+    /// Whether it is what this server has saved there last: no other program has changed it since.
+    pub is_saved_here: bool,
 }
 
 /// A text to be saved.
@@ -118,12 +120,19 @@ pub struct RestructureAnswer {
     pub refusal: Option<Refused>,
 }
 
-/// A mechanism of one's own, from a template or from nothing.
+/// A template, or two texts, to be made a mechanism of one's own.
 #[derive(Deserialize)]
 pub struct NewRequest {
-    /// Name of the template; without one, nothing is drawn yet.
+    /// Name of the template; `None` where both texts are given.
+    #[serde(default)]
     pub template: Option<String>,
-    /// Path of the new folder.
+    /// Text of the model.
+    #[serde(default)]
+    pub model: Option<String>,
+    /// Text of the study.
+    #[serde(default)]
+    pub study: Option<String>,
+    /// Name of the new folder.
     pub folder: String,
 }
 
@@ -134,6 +143,58 @@ pub struct NewAnswer {
     pub model: String,
     /// Path of the study.
     pub study: String,
+    /// Tag of the text of the model.
+    pub model_tag: String,
+    /// Tag of the text of the study.
+    pub study_tag: String,
+}
+
+/// Both texts of a template, or of an empty sheet.
+#[derive(Serialize)]
+pub struct TemplateTexts {
+    /// The model.
+    pub model: &'static str,
+    /// The study.
+    pub study: &'static str,
+}
+
+/// A model, a study or a result that goes into the trash.
+#[derive(Deserialize)]
+pub struct TrashRequest {
+    /// Path of the file, or of the folder of the result.
+    pub path: String,
+}
+
+/// What was deleted, to be moved back.
+#[derive(Deserialize)]
+pub struct RestoreRequest {
+    /// Its entry in the trash.
+    pub entry: String,
+    /// The paths that it had.
+    pub paths: Vec<String>,
+}
+
+/// What was deleted is back.
+#[derive(Serialize)]
+pub struct RestoreAnswer {
+    /// Number of files and folders.
+    pub restored: usize,
+}
+
+/// A model or a study, with its model, to be copied.
+#[derive(Deserialize)]
+pub struct DuplicateRequest {
+    /// Its path.
+    pub path: String,
+}
+
+/// Paths of a copy.
+#[derive(Serialize)]
+pub struct DuplicateAnswer {
+    /// The model.
+    pub model: Option<String>,
+    /// The study.
+    pub study: Option<String>,
 }
 
 /// Destination of a drawing in the DXF format.

@@ -1,4 +1,4 @@
-//! Plain requests: files, templates, results.
+//! Plain requests: files, texts, results.
 
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
@@ -12,10 +12,7 @@ use loosepin::templates::find_template;
 use serde::de::DeserializeOwned;
 
 use crate::edit;
-use crate::files::blank::{blank_model, blank_study};
-use crate::files::folder::{MAX_TEXT, StoredText};
-use crate::files::gallery::cards;
-use crate::files::listing::listing;
+use crate::files::folder::{MAX_TEXT, StoredText, tag};
 use crate::messages::Look;
 use crate::network::page;
 use crate::network::refusal::{Refusal, json};
@@ -52,24 +49,12 @@ pub async fn hello(State(studio): State<Studio>) -> Response {
     json(&HelloAnswer { version: VERSION, folder, limits: Limits { text_bytes: MAX_TEXT } })
 }
 
-pub async fn templates(State(studio): State<Studio>) -> RouteResult {
-    let folder = studio.folder.clone();
-    let cards = in_background(move || Ok(cards(&folder))).await?;
-    Ok(json(&cards))
-}
-
-pub async fn folder(State(studio): State<Studio>) -> RouteResult {
-    let folder = studio.folder.clone();
-    let listing = in_background(move || Ok(listing(&folder))).await?;
-    Ok(json(&listing))
-}
-
 pub async fn open(
     State(studio): State<Studio>,
     query: Result<Query<OpenRequest>, axum::extract::rejection::QueryRejection>,
 ) -> RouteResult {
     let Query(OpenRequest { path }) = query.map_err(|_| Refusal::bad("give the file: /api/open?path=model.toml"))?;
-    let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
+    let opened = |path: String, StoredText { text, tag, is_saved_here }| OpenedText { path, text, tag, is_saved_here };
     let both = in_background(move || {
         let first = studio.folder.read(&path)?;
         Ok(match model_beside(&path, &first.text) {
@@ -119,23 +104,32 @@ pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> RouteResu
 }
 
 pub async fn new(State(studio): State<Studio>, body: Bytes) -> RouteResult {
-    let NewRequest { template, folder } = parsed(&body)?;
-    let [model, study] = match template {
-        None => [blank_model(&folder), blank_study(&folder)],
-        Some(name) => {
-            let found = find_template(&name).ok_or_else(|| {
-                Refusal::new(StatusCode::NOT_FOUND, "there is no such template")
-                    .with_hint("GET /api/templates lists them")
-            })?;
-            [found.model.to_owned(), found.study.to_owned()]
+    let NewRequest { template, model, study, folder } = parsed(&body)?;
+    let (model, study) = match (template, model, study) {
+        (Some(template), None, None) => {
+            let template = find_template(&template).ok_or_else(no_template)?;
+            (template.model.to_owned(), template.study.to_owned())
+        }
+        (None, Some(model), Some(study)) => (model, study),
+        _ => {
+            return Err(Refusal::bad("a new folder is made of a template, or of a model and a study")
+                .with_hint("give either template, or model and study"));
         }
     };
-    let written = NewAnswer { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
-    let write = move || {
-        studio.folder.write_new_folder(&folder, &[("model.toml", &model), ("study.toml", &study)])
+    let written = NewAnswer {
+        model: format!("{folder}/model.toml"),
+        study: format!("{folder}/study.toml"),
+        model_tag: tag(&model),
+        study_tag: tag(&study),
     };
-    in_background(write).await?;
+    in_background(move || studio.folder.write_new_folder(&folder, &[("model.toml", &model), ("study.toml", &study)]))
+        .await?;
     Ok(json(&written))
+}
+
+/// Refusal of a template that is none.
+pub fn no_template() -> Refusal {
+    Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
 }
 
 /// A drawing in the DXF format becomes the skeleton of a model, in a new folder.

@@ -21,6 +21,7 @@ use crate::network::connections::accept;
 use crate::network::guard::guard;
 use crate::network::result_routes;
 use crate::network::routes;
+use crate::network::shelf_routes;
 use crate::network::socket;
 use crate::network::times::Timeouts;
 use crate::network::token::Token;
@@ -136,8 +137,14 @@ fn router(studio: Studio) -> Router {
         .route("/live", get(socket::live))
         .route("/view/{ticket}", get(routes::report))
         .route("/api/hello", get(routes::hello))
-        .route("/api/templates", get(routes::templates))
-        .route("/api/folder", get(routes::folder))
+        .route("/api/templates", get(shelf_routes::templates))
+        .route("/api/blank", get(shelf_routes::blank))
+        .route("/api/template/{name}", get(shelf_routes::template))
+        .route("/api/folder", get(shelf_routes::folder))
+        .route("/api/card", get(shelf_routes::card))
+        .route("/api/trash", post(shelf_routes::trash))
+        .route("/api/restore", post(shelf_routes::restore))
+        .route("/api/duplicate", post(shelf_routes::duplicate))
         .route("/api/open", get(routes::open))
         .route("/api/file", put(routes::save))
         .route("/api/new", post(routes::new))

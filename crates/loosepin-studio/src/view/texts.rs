@@ -163,6 +163,13 @@ fn tables(read: &dyn Fn(&str) -> Option<String>, path: &str, text: &str) -> Vec<
     names.take(MAX_TABLES).filter_map(|name| Some(Source::new(name.as_str(), read(&plain(&name))?))).collect()
 }
 
+/// The texts of the tables that the file at a path names.
+pub fn tables_of(folder: &Folder, path: &str) -> Vec<String> {
+    let Ok(file) = folder.read(path) else { return Vec::new() };
+    let found = tables(&|path| folder.read_table(path).ok(), path, &file.text);
+    found.iter().map(|table| table.text().to_owned()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,4 +9,5 @@ mod hostile;
 mod jobs;
 mod looks;
 mod results;
+mod shelf;
 mod slow;

@@ -69,6 +69,66 @@ fn analytic_the_headline_has_the_change_of_the_largest_deviation() {
     assert!(larger.headline.ends_with("The bound of B is 25\u{a0}% larger."), "{}", larger.headline);
 }
 
+/// The headline where the main bound of A has the value 1 mm and of B `found_mm`, with these errors.
+fn headline_of(found_mm: f64, errors_mm: [f64; 2], change: impl Fn(&mut [StudyResult; 2])) -> String {
+    let mut pair = [worn_pin(), worn_pin()];
+    for (result, (value_mm, error_mm)) in pair.iter_mut().zip([(1.0, errors_mm[0]), (found_mm, errors_mm[1])]) {
+        let upper = &mut result.bounds[0].upper;
+        upper.value_si = 1e-3 * value_mm;
+        upper.widened_si = 1e-3 * (value_mm + error_mm);
+        (upper.error.sampling_si, upper.error.optimisation_si, upper.error.surrogate_si) = (1e-3 * error_mm, 0.0, 0.0);
+    }
+    change(&mut pair);
+    compare_studies(&pair[0], &pair[1]).headline
+}
+
+#[test]
+fn analytic_the_headline_counts_each_error_once() {
+    let same = |_: &mut [StudyResult; 2]| ();
+    // 1 mm ± 0.01 mm against 1.3 mm ± 0.2 mm: they do not touch. Bounds of 1.01 and 1.5 mm.
+    let apart = headline_of(1.3, [0.01, 0.2], same);
+    assert!(apart.contains("±1.01\u{a0}mm in A, ±1.50\u{a0}mm in B. The bound of B is 49\u{a0}% larger."), "{apart}");
+    // 1 mm ± 0.01 mm against 1.1 mm ± 0.2 mm: bounds of 1.01 and 1.3 mm, whose difference of 0.29 mm is more than both errors together.
+    let touching = headline_of(1.1, [0.01, 0.2], same);
+    let errors = "This difference may be numerical: the errors are 0.01\u{a0}mm in A, 0.2\u{a0}mm in B.";
+    assert!(touching.ends_with(errors), "{touching}");
+    // The larger bound has the smaller error: 1.2 mm ± 0.01 mm against 1 mm ± 0.15 mm. Bounds differ by less than both errors.
+    let exact = headline_of(1.2, [0.15, 0.01], same);
+    assert!(
+        exact.contains("The bound of B is 5.3\u{a0}% larger.") || exact.contains("The bound of B is 5\u{a0}% larger."),
+        "{exact}"
+    );
+    let unknown = headline_of(1.1, [0.01, f64::INFINITY], same);
+    assert!(unknown.contains("This difference may be numerical"), "{unknown}");
+}
+
+#[test]
+fn analytic_the_headline_begins_with_verdicts_that_differ() {
+    let verdicts = |verdicts: [Verdict; 2], change: fn(&mut StudyResult)| {
+        headline_of(1.1, [0.01, 0.2], |pair| {
+            for (result, verdict) in pair.iter_mut().zip(verdicts) {
+                result.requirements.truncate(1);
+                result.requirements[0].verdict = verdict;
+            }
+            change(&mut pair[1]);
+        })
+    };
+    let decided = verdicts([Verdict::Met, Verdict::NotMet], |_| ());
+    assert!(decided.starts_with("Requirements: met in A, not met in B. "), "{decided}");
+    assert!(
+        decided
+            .ends_with("The verdicts differ in any case: the share of mechanisms within the limits is known better."),
+        "{decided}"
+    );
+    // Other limits, and a verdict that is open, decide nothing.
+    let other_limits = verdicts([Verdict::Met, Verdict::NotMet], |after| after.requirements[0].upper_si *= 2.0);
+    let open = verdicts([Verdict::Undecided, Verdict::NotMet], |_| ());
+    for headline in [other_limits, open] {
+        assert!(headline.starts_with("Requirements: ") && headline.ends_with("mm in B."), "{headline}");
+    }
+    assert!(!verdicts([Verdict::Met, Verdict::Met], |_| ()).contains("Requirements"));
+}
+
 #[test]
 fn what_does_not_mean_the_same_is_left_out_and_named() {
     let renamed = changed(|after| after.outputs[0].words = "x of rod.big_end".to_owned());

@@ -2,9 +2,9 @@
 import type { Draft } from './drafts.ts';
 import { applied, History, type Change, type Gesture, type Step } from './history.ts';
 import type { Range } from './place.ts';
-import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
+import { firstFree } from '../gallery/templates.ts';
+import type { Document, NewAnswer, NewRequest, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
 import { movedRange } from './ranges.ts';
-import { isOfAnotherTab, tellSaved } from '../network/tabs.ts';
 import { ask } from '../network/wire.ts';
 
 export interface Sheet {
@@ -12,6 +12,14 @@ export interface Sheet {
   text: string;
   savedText: string;
   tag: string;
+}
+
+/** Texts of which nothing is written yet. */
+export interface Unwritten {
+  /** Name of the folder into which they go. */
+  folder: string;
+  /** What they are, in words. */
+  words: string;
 }
 
 export type Listener = (step: Step, source: unknown) => void;
@@ -23,6 +31,10 @@ function sheetOf(document: OpenedText | null): Sheet | null {
 }
 
 export class Documents {
+  /** The path by which they were opened; once they are written for the first time, the path of the study. */
+  opened: string;
+  /** Where they will stand, while nothing of them is written. */
+  unwritten = $state.raw<Unwritten | null>(null);
   model = $state.raw<Sheet | null>(null);
   study = $state.raw<Sheet | null>(null);
   canUndo = $state(false);
@@ -34,7 +46,9 @@ export class Documents {
   private readonly history = new History();
   private readonly listeners = new Set<Listener>();
 
-  constructor(readonly opened: string, documents: OpenAnswer) {
+  constructor(opened: string, documents: OpenAnswer, unwritten: Unwritten | null = null) {
+    this.opened = opened;
+    this.unwritten = unwritten;
     this.model = sheetOf(documents.model);
     this.study = sheetOf(documents.study);
   }
@@ -108,10 +122,21 @@ export class Documents {
   }
 
   async save(): Promise<void> {
+    if (this.unwritten !== null) return this.write(this.unwritten);
     for (const which of ['model', 'study'] as const) {
       const sheet = this.sheet(which);
       if (sheet && sheet.text !== sheet.savedText) await this.put(which, sheet.tag);
     }
+  }
+
+  /** Writes both texts for the first time, into a new folder: the one that is named, or the next one that is free. */
+  private async write({ folder: name }: Unwritten): Promise<void> {
+    const [model, study] = [this.model?.text ?? '', this.study?.text ?? ''];
+    const written = await firstFree(name, (folder) => ask<NewAnswer>('POST', '/api/new', { folder, model, study } satisfies NewRequest));
+    this.keep('model', { path: written.model, savedText: model, tag: written.model_tag });
+    this.keep('study', { path: written.study, savedText: study, tag: written.study_tag });
+    this.opened = written.study;
+    this.unwritten = null;
   }
 
   /** Writes this text over whatever is on disk. */
@@ -132,10 +157,9 @@ export class Documents {
     return (await this.onDisk(which))?.tag === this.sheet(which)?.tag;
   }
 
-  /** Whether what is on the disk was saved by another tab of the studio. */
+  /** Whether what is on the disk was saved by another page of this studio. */
   async isSavedInAnotherTab(which: Document): Promise<boolean> {
-    const onDisk = await this.onDisk(which);
-    return onDisk !== null && isOfAnotherTab(onDisk.path, onDisk.tag);
+    return (await this.onDisk(which))?.is_saved_here ?? false;
   }
 
   private async onDisk(which: Document): Promise<OpenedText | null> {
@@ -150,7 +174,6 @@ export class Documents {
     const { path, text } = sheet;
     const answer = await ask<SaveAnswer>('PUT', '/api/file', { path, text, tag } satisfies SaveRequest);
     this.keep(which, { savedText: text, tag: answer.tag });
-    tellSaved(path, answer.tag);
   }
 
   private keep(which: Document, part: Partial<Sheet>): void {

@@ -1,7 +1,6 @@
-// Makes a folder from a template, with the first name that is free.
-import type { ImportAnswer, ImportRequest, NewAnswer, NewRequest } from '../messages.ts';
+// Makes folders with the first name that is free.
+import type { ImportAnswer, ImportRequest } from '../messages.ts';
 import { ask, Refusal } from '../network/wire.ts';
-import { words } from '../words.ts';
 
 const mostTried = 100;
 
@@ -14,11 +13,6 @@ export async function firstFree<T>(name: string, make: (free: string) => Promise
       if (!(error instanceof Refusal) || error.status !== 409 || number >= mostTried) throw error;
     }
   }
-}
-
-/** A folder with a model and a study from a template; without one, with nothing drawn yet. */
-export async function makeFrom(template: string | null): Promise<string> {
-  return (await firstFree(template ?? words.gallery.blank, (folder) => ask<NewAnswer>('POST', '/api/new', { template, folder } satisfies NewRequest))).study;
 }
 
 /** A folder with the skeleton of a model from a drawing. */

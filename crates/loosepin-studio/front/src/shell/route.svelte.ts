@@ -2,16 +2,22 @@
 
 export type Route =
   | { screen: 'gallery' }
+  /** A template, or an empty sheet: nothing of it is written yet. */
+  | { screen: 'try'; template: string | null }
   | { screen: 'edit' | 'report'; path: string }
   | { screen: 'compare'; before: string | null; after: string | null };
 
 export function addressOf(route: Route): string {
   if (route.screen === 'gallery') return '#/';
+  if (route.screen === 'try') return route.template === null ? '#/draw' : '#/try/' + encodeURIComponent(route.template);
   if (route.screen === 'compare') return '#/compare/' + [route.before, route.after].map((path) => encodeURIComponent(path ?? '')).join('/');
   return '#/' + route.screen + '/' + route.path.split('/').map(encodeURIComponent).join('/');
 }
 
 export function readAddress(fragment: string): Route {
+  if (fragment === '#/draw') return { screen: 'try', template: null };
+  const template = /^#\/try\/([a-z0-9-]+)$/.exec(fragment)?.[1];
+  if (template !== undefined) return { screen: 'try', template };
   const pair = /^#\/compare\/([^/]*)\/([^/]*)$/.exec(fragment);
   const found = /^#\/(edit|report)\/(.+)$/.exec(fragment);
   if (!found && !pair) return { screen: 'gallery' };
@@ -47,6 +53,11 @@ class Router {
 
   go(route: Route): void {
     location.hash = addressOf(route);
+  }
+
+  /** As `go`, in place of this screen: Back does not come to it again. */
+  replace(route: Route): void {
+    location.replace(addressOf(route));
   }
 
   leave(): void {

@@ -12,7 +12,7 @@ use super::{Restructured, restructured};
 use crate::drawing::still::NamedPoses;
 use crate::edit::set_uncertainty::set_uncertainty;
 use crate::edit::tests::{applied, served, texts};
-use crate::files::blank::{blank_model, blank_study};
+use crate::files::blank::{BLANK_MODEL, BLANK_STUDY};
 use crate::files::folder::Folder;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;
@@ -135,7 +135,7 @@ fn a_link_becomes_a_dyad_and_moves_as_its_geometry_says() {
 
 /// A four-bar of 30, 120, 90 on a base of 110 mm with a point on its coupler, drawn on an empty sheet.
 fn drawn_four_bar() -> Desk {
-    let mut desk = Desk::of(&blank_model("my four-bar"), &blank_study("my four-bar"));
+    let mut desk = Desk::of(BLANK_MODEL, BLANK_STUDY);
     let ground = |x: f64, y: f64| End::On { body: "ground".into(), x, y, is_own: false };
     let free = |x: f64, y: f64| End::Free { x, y };
     desk.edit(&Edit::AddLink { from: ground(0.0, 0.0), to: free(15.0, 26.0) });
