@@ -119,7 +119,7 @@ class Studio:
 
     def saved(self, folder):
         """Both texts as they are on the disk, after what is not saved yet is."""
-        if "unsaved" in self.browser.evaluate("document.querySelector('.bar').innerText"):
+        if any(word in self.browser.evaluate("document.querySelector('.bar').innerText") for word in ("unsaved", "not saved yet")):
             self.click("button:not(.primary)", "Save")
         self.wait_until_saved()
         return [(self.folder / folder / name).read_text() for name in ("model.toml", "study.toml")]

@@ -4,7 +4,7 @@ import subprocess
 import time
 
 from test_studio import PROBLEMS, PROGRAM, browser, studio  # noqa: F401
-from test_studio_edit import HINT, MOBILITY, press, press_mm, press_target, undo
+from test_studio_edit import HINT, MOBILITY, press, press_mm, press_target, take_tool, undo
 
 SHIFT = 8
 OUTLINE = "document.querySelector('.outline').innerText"
@@ -142,7 +142,7 @@ def test_a_link_ends_on_the_ground_by_a_second_click_and_takes_a_known_length(st
     wait_for_sheet(studio)
     press_mm(studio, 0, 0)
     press_mm(studio, 0, 50)
-    studio.wait(f"{HINT}.includes('The next link begins at link_1.b')")
+    studio.wait(f"{HINT}.includes('click link_1.b again to pin it')")
     # Near the length of the first link: it takes that length, and says so.
     studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", **dict(zip("xy", studio.browser.evaluate(
         "(({ x, y }) => [x, y])(new DOMPoint(30.5, -90.5).matrixTransform(document.querySelector('.drawing svg').getScreenCTM()))"), strict=True)))
@@ -179,7 +179,10 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     new_sheet(studio)
     studio.click("button", "Draw from nothing")
     wait_for_sheet(studio)
-    before = [(studio.folder / "drawn" / name).read_text() for name in ("model.toml", "study.toml")]
+    assert list(studio.folder.glob("drawn*")) == [], "nothing is written before it is saved"
+    before = studio.saved("drawn")
+    studio.wait("location.hash === '#/edit/drawn/study.toml'")
+    take_tool(studio, "link")
     press_mm(studio, 0, 0)
     press_mm(studio, 20, 40)
     studio.wait(f"({OUTLINE}).includes('link_1')")
@@ -210,4 +213,25 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     studio.wait("document.querySelector('.drawing svg')")
     studio.settle()
     assert studio.browser.evaluate("document.querySelector('.notice')") is None
+    assert studio.browser.diagnostics() == []
+
+
+def test_a_sheet_that_was_never_saved_is_there_after_a_reload(studio):  # noqa: F811
+    new_sheet(studio)
+    studio.click("button", "Draw from nothing")
+    wait_for_sheet(studio)
+    press_mm(studio, 0, 0)
+    press_mm(studio, 20, 40)
+    studio.wait(f"({OUTLINE}).includes('link_1')")
+    time.sleep(0.6)
+    studio.browser.evaluate("(addEventListener('beforeunload', (event) => event.stopImmediatePropagation(), true), true)")
+    studio.browser.call("Page.reload")
+    studio.wait(f"document.querySelector('.outline') && ({OUTLINE}).includes('link_1')")
+    assert list(studio.folder.glob("drawn*")) == []
+    # It is saved to a folder of its own, and the next sheet is empty again.
+    assert 'link_1_length = "44.721 mm"' in studio.saved("drawn")[0]
+    studio.open()
+    studio.click("button", "Draw from nothing")
+    wait_for_sheet(studio)
+    assert "link_1" not in studio.browser.evaluate(OUTLINE)
     assert studio.browser.diagnostics() == []

@@ -112,7 +112,7 @@ def test_a_dyad_is_drawn_onto_a_four_bar_and_its_study_runs(studio):  # noqa: F8
     press_mm(studio, 250, 230)
     studio.wait(f"({PROBLEMS}).includes(\"1 degree of freedom too many: 'link_1' can move\")")
     # It is drawn, and can be built on, although it does not move yet: the next link begins at its end.
-    studio.wait(f"{HINT}.includes('The next link begins at link_1.b')")
+    studio.wait(f"{HINT}.includes('click link_1.b again to pin it')")
     press_mm(studio, 330, 20, SHIFT)
     studio.wait(f"{HINT}.includes('1 degree of freedom, 1 drive')")
     studio.settle()

@@ -232,7 +232,8 @@ export const words = {
     tools: 'Tools',
     names: { move: 'Move', link: 'Link', plate: 'Plate', join: 'Join', slider: 'Slider', ground: 'Ground', motor: 'Motor', record: 'Record', delete: 'Delete' } satisfies Record<EditTool, string>,
     keys: { move: 'v', link: 'l', plate: 'p', join: 'j', slider: 's', ground: 'g', motor: 'm', record: 'r', delete: 'd' } satisfies Record<EditTool, string>,
-    first: 'Click where the crank turns: a pin on the ground, with the motor. Then click its other end.',
+    first: 'Click where the crank turns (a pin on the ground, with the motor), then its other end.',
+    optionsOf: (tool: string): string => `Options of the tool ${tool}`,
     hints: {
       move: '',
       link: 'Click where the link begins: a point, a link, or a free place. With Shift it begins on the ground.',
@@ -244,7 +245,7 @@ export const words = {
       record: 'Click what is to be recorded: a point, or a link and then the place of a new point on it.',
       delete: 'Click a pin, a point or a link to delete it. Everything that is deleted with it is shown first.',
     } satisfies Record<EditTool, string>,
-    chain: (start: string): string => `The next link begins at ${start}. Click where it ends, or click ${start} again to pin it to the ground. Escape ends the chain.`,
+    chain: (start: string): string => `Click where the next link ends; click ${start} again to pin it to the ground; Escape ends.`,
     next: (tool: EditTool, start: string): string =>
       tool === 'link'
         ? `The link begins at ${start}. Click where it ends; with Shift, the end is on the ground.`
