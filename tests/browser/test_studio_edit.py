@@ -21,7 +21,7 @@ PLACE_MM = """((x, y) => {
     return [place.x, place.y];
 })(%s, %s)"""
 HINT = "(document.querySelector('.building-hint')?.innerText ?? '')"
-MOBILITY = "document.querySelector('.outline .mobility').innerText"
+MOBILITY = "(document.querySelector('.outline .mobility')?.innerText ?? '')"
 
 
 def take_tool(studio, tool):
