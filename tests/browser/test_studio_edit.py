@@ -21,7 +21,7 @@ PLACE_MM = """((x, y) => {
     return [place.x, place.y];
 })(%s, %s)"""
 HINT = "(document.querySelector('.building-hint')?.innerText ?? '')"
-MOBILITY = "document.querySelector('.outline .mobility').innerText"
+MOBILITY = "(document.querySelector('.outline .mobility')?.innerText ?? '')"
 
 
 def take_tool(studio, tool):
@@ -179,7 +179,7 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     studio.click(".chosen .links button", "Delete")
     studio.wait("document.activeElement.closest('[role=alertdialog]') !== null")
     studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
-    studio.wait(f"({PROBLEMS}).includes('1 error')")
+    studio.wait(f"({PROBLEMS}).includes('error')")
     after = studio.saved("four-bar")
     assert not any("rocker" in line.split("#")[0] for line in after[0].split("\n") if "points = {" not in line), after[0]
     assert "[[ask]]" not in after[1] and "[sampling]" in after[1]
@@ -327,7 +327,9 @@ def test_tools_lists_and_questions_are_accessible(studio, width, dark):  # noqa:
     take_tool(studio, "link")
     press_target(studio, "coupler.tracer")
     press_mm(studio, 250, 230)
-    studio.wait("document.querySelector('.problems .message')")
+    studio.wait("document.querySelector('.problems button.counted')")
+    if width == 400:
+        studio.click(".problems button.counted")
     studio.settle()
     assert seen_by_axe(studio.browser, axe) == [], "a mechanism that is not complete"
     studio.click(".chosen .links button", "Delete")
