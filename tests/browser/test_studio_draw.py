@@ -4,7 +4,7 @@ import subprocess
 import time
 
 from test_studio import PROBLEMS, PROGRAM, browser, studio  # noqa: F401
-from test_studio_edit import HINT, MOBILITY, press, press_mm, press_target, take_tool, undo
+from test_studio_edit import HINT, MOBILITY, enter_target, press, press_mm, press_target, undo
 
 SHIFT = 8
 OUTLINE = "document.querySelector('.outline').innerText"
@@ -99,7 +99,7 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     new_sheet(studio)
     began = time.monotonic()
     studio.browser.evaluate("([...document.querySelectorAll('button')].find((one) => one.textContent.includes('Draw from nothing')).focus(), true)")
-    studio.key("Enter")
+    studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
     wait_for_sheet(studio)
     # The canvas has the focus; places are typed in the field of the tool, or taken by the cross that the arrows move.
     studio.browser.evaluate("(document.querySelector('.tool-options .place').focus(), true)")
@@ -114,11 +114,19 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
     place("140 0 0")
     studio.wait("document.querySelector('.tool-options .wrong')?.innerText.includes('two numbers')")
+    # The coupler is chosen in the outline, so that it is meant at a pin of two links: it gets a point beside it.
+    studio.browser.evaluate("([...document.querySelectorAll('.outline button')].find((one) => one.textContent === 'link_2').focus(), true)")
+    studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
+    studio.wait("document.querySelector('#part-heading')?.innerText === 'link_2'")
+    studio.key("p")
+    enter_target(studio, "link_2.a")
+    studio.wait("document.querySelector('.tool-options .place')")
+    studio.browser.evaluate("(document.querySelector('.tool-options .place').focus(), true)")
+    place("60, 100")
     studio.browser.evaluate("(document.querySelector('.drawing .ground').focus(), true)")
     studio.key("r")
     studio.wait("document.querySelector('.tools.build input[value=record]').checked")
-    studio.browser.evaluate("([...document.querySelectorAll('.drawing .target')].find((one) => one.getAttribute('aria-label').includes('link_2.b')).focus(), true)")
-    studio.key("Enter")
+    enter_target(studio, "link_2.p1")
     studio.wait("document.querySelector('.drawing .trace')")
     studio.key("v")
     studio.wait("document.querySelector('.drawing .grip.joint')")
@@ -143,6 +151,7 @@ def test_a_link_ends_on_the_ground_by_a_second_click_and_takes_a_known_length(st
     press_mm(studio, 0, 0)
     press_mm(studio, 0, 50)
     studio.wait(f"{HINT}.includes('click link_1.b again to pin it')")
+    studio.wait("[...document.querySelectorAll('.drawing text.dimension')].some((one) => one.textContent === '50 mm')")
     # Near the length of the first link: it takes that length, and says so.
     studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", **dict(zip("xy", studio.browser.evaluate(
         "(({ x, y }) => [x, y])(new DOMPoint(30.5, -90.5).matrixTransform(document.querySelector('.drawing svg').getScreenCTM()))"), strict=True)))
@@ -182,7 +191,8 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     assert list(studio.folder.glob("drawn*")) == [], "nothing is written before it is saved"
     before = studio.saved("drawn")
     studio.wait("location.hash === '#/edit/drawn/study.toml'")
-    take_tool(studio, "link")
+    # The page goes on under the address of the file.
+    wait_for_sheet(studio)
     press_mm(studio, 0, 0)
     press_mm(studio, 20, 40)
     studio.wait(f"({OUTLINE}).includes('link_1')")
@@ -226,7 +236,8 @@ def test_a_sheet_that_was_never_saved_is_there_after_a_reload(studio):  # noqa: 
     time.sleep(0.6)
     studio.browser.evaluate("(addEventListener('beforeunload', (event) => event.stopImmediatePropagation(), true), true)")
     studio.browser.call("Page.reload")
-    studio.wait(f"document.querySelector('.outline') && ({OUTLINE}).includes('link_1')")
+    studio.wait("document.querySelector('.notice')?.innerText.includes('that were not saved are here again')")
+    studio.wait(f"({OUTLINE}).includes('link_1')")
     assert list(studio.folder.glob("drawn*")) == []
     # It is saved to a folder of its own, and the next sheet is empty again.
     assert 'link_1_length = "44.721 mm"' in studio.saved("drawn")[0]

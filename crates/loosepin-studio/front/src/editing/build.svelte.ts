@@ -2,6 +2,7 @@
 import type { Edit, End, Joined, Named, View, Watched } from '../messages.ts';
 import type { Point } from './drag.ts';
 import type { Head } from '../drawing/head.svelte.ts';
+import type { Snapped } from '../drawing/snap.ts';
 import { endAt, endsAt, type Place } from '../drawing/targets.ts';
 import type { EditTool, ToolOptions } from './toolset.ts';
 import { words } from '../words.ts';
@@ -13,6 +14,8 @@ export type Taken = { target: Place } | { body: string; at: Point } | { at: Poin
 interface Bench {
   readonly head: Head;
   readonly view: View | null;
+  /** The body that is looked at. */
+  readonly part: Named | null;
   /** What the last edit brought. */
   readonly built: { name: string | null } | null;
   restructure(edit: Edit, name?: string): Promise<string | null>;
@@ -27,6 +30,8 @@ export class Build {
   tool = $state<EditTool>('move');
   /** What the first click took, where a second one is due. */
   start = $state.raw<Taken | null>(null);
+  /** Where the pointer of the tool is, and what holds it there. */
+  aim = $state.raw<Snapped | null>(null);
   options = $state<ToolOptions>({ join: 'pin', angle: 0, play: '', record: 'path' });
   /** Begins where the link before it ended. */
   private isChain = false;
@@ -66,7 +71,7 @@ export class Build {
     const { tool, start } = this;
     if (!start) return tool === 'link' && this.isEmpty ? words.build.first : words.build.hints[tool];
     if (tool === 'link' && this.isChain) return words.build.chain(nameOf(start));
-    return words.build.next(tool, (tool === 'plate' || tool === 'record' ? bodyOf(start) : null) ?? nameOf(start));
+    return words.build.next(tool, (tool === 'plate' || tool === 'record' ? this.bodyOf(start) : null) ?? nameOf(start));
   }
 
   /** What a click does; it may only begin something. */
@@ -117,7 +122,7 @@ export class Build {
   }
 
   private async plate(start: Taken | null, taken: Taken): Promise<void> {
-    const body = bodyOf(start ?? taken);
+    const body = this.bodyOf(start ?? taken);
     if (body === null) return;
     // One point after the other.
     if (!start) this.start = taken;
@@ -148,7 +153,7 @@ export class Build {
     const gesture = `record ${(this.gestures += 1)}`;
     const isPoint = ['path', 'x', 'y'].includes(this.options.record);
     if (isPoint && (start || !('target' in taken))) {
-      const body = bodyOf(start ?? taken);
+      const body = this.bodyOf(start ?? taken);
       if (body === null || body === ground) return;
       if (!start) {
         this.start = taken;
@@ -181,7 +186,7 @@ export class Build {
       return joint === undefined ? null : { of: 'force', joint };
     }
     if (record === 'angle' || record === 'angular_velocity') {
-      const body = bodyOf(taken);
+      const body = this.bodyOf(taken);
       return body === null ? null : { of: record, body };
     }
     const point = 'target' in taken ? taken.target.points.find(({ body }) => body !== ground) : undefined;
@@ -200,6 +205,14 @@ export class Build {
       return joint === undefined ? null : { kind: 'drive', joint };
     }
     return null;
+  }
+
+  /** The link that is meant: at a pin of two links the one that is looked at, else none. */
+  private bodyOf(taken: Taken): string | null {
+    if ('body' in taken) return taken.body;
+    const moving = 'target' in taken ? taken.target.points.filter(({ body }) => body !== ground) : [];
+    const meant = moving.length === 1 ? moving[0] : moving.find(({ body }) => body === this.desk.part?.name);
+    return meant?.body ?? null;
   }
 
   private jointsAt(target: Place): string[] {
@@ -223,13 +236,6 @@ export function nameOf(taken: Taken): string {
 }
 
 export const placeOf = (taken: Taken): Point => ('target' in taken ? taken.target.at : taken.at);
-
-/** The link that is meant: at a pin of two links none is. */
-function bodyOf(taken: Taken): string | null {
-  if ('body' in taken) return taken.body;
-  const moving = 'target' in taken ? taken.target.points.filter(({ body }) => body !== ground) : [];
-  return moving.length === 1 ? (moving[0]?.body ?? null) : null;
-}
 
 function onBody({ body, at: [x, y] }: { body: string; at: Point }): End {
   return { at: 'on', body, x, y };
