@@ -115,7 +115,7 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     place("140 0 0")
     studio.wait("document.querySelector('.tool-options .wrong')?.innerText.includes('two numbers')")
     # The coupler is chosen in the outline, so that it is meant at a pin of two links: it gets a point beside it.
-    studio.browser.evaluate("([...document.querySelectorAll('.outline button')].find((one) => one.textContent === 'link_2').focus(), true)")
+    studio.browser.evaluate("([...document.querySelectorAll('.outline button')].find((one) => one.textContent.trim() === 'link_2').focus(), true)")
     studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
     studio.wait("document.querySelector('#part-heading')?.innerText === 'link_2'")
     studio.key("p")

@@ -14,23 +14,24 @@ import time
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "tests/browser"))
 from chromium import Chromium  # noqa: E402
-from test_studio import CANVAS, PROGRAM, Studio, click_in_canvas  # noqa: E402
+from test_studio import PROGRAM, Studio  # noqa: E402
+from test_studio_draw import wait_for_sheet  # noqa: E402
+from test_studio_edit import PLACE_MM, press_mm  # noqa: E402
 
 # The angle of the drive in the pictures: no dead centre.
 PRESSES = 20
 
 
 def draw_four_bar(studio):
-    """As a person would: two clicks a link, Shift for the ground, then the motor."""
-    studio.wait(CANVAS)
-    shift = 8
-    click_in_canvas(studio, 0, 0, shift)
-    for place in [(30, 70), (30, 70), (240, 150), (240, 150)]:
-        click_in_canvas(studio, *place)
-    click_in_canvas(studio, 300, 0, shift)
-    studio.browser.evaluate("(document.querySelector('input[value=motor]').click(), true)")
-    click_in_canvas(studio, 0, 0)
-    studio.wait("document.querySelector('.said').innerText.includes('1 degree of freedom')")
+    """As a person would: the crank from the ground, the coupler, and the rocker on its way to the ground."""
+    wait_for_sheet(studio)
+    for place in [(0, 0), (20, 40), (120, 80)]:
+        press_mm(studio, *place)
+    studio.wait("document.querySelector('.outline').innerText.includes('link_2')")
+    studio.settle()
+    x, y = studio.browser.evaluate(PLACE_MM % (140, 0))
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+    studio.wait("document.querySelector('.drawing text.rubber')")
 
 
 def conducted(work):
