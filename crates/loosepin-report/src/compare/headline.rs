@@ -143,7 +143,7 @@ fn error_at_si(result: &StudyResult, curve: &DeviationCurve, (pose_rad, reach_si
     };
     let ends = result.bounds.iter().filter(is_there).flat_map(|bound| [&bound.lower, &bound.upper]);
     // A band that is narrowed to the limit over the whole cycle is no bound of its pose any more.
-    let errors = ends.filter(|end| end.widened_si.abs() == reach_si).map(|end| end.error.total_si());
+    let errors = ends.filter(|end| end.widened_si.abs().total_cmp(&reach_si).is_eq()).map(|end| end.error.total_si());
     errors.reduce(f64::max).unwrap_or(curve.numerical_error_si)
 }
 
