@@ -4,7 +4,7 @@ use super::outputs::SharedOutputs;
 use super::requirements::ComparedRequirement;
 use super::sides::for_both;
 use super::statistics::{Weight, is_same};
-use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::number::{NumberWriter, Rounding, significant};
 use crate::study::output_summary::{OutputSummary, output_summaries};
 use crate::words::wording::{deviation_of, verdict_words};
 use loosepin_result::study::{BoundRecord, DeviationCurve, ResponsePoint, StudyResult, Treatment, Verdict};
@@ -14,6 +14,8 @@ use loosepin_text::units::SiUnit;
 pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
+/// Digits of a factor.
+const TIMES_DIGITS: usize = 2;
 
 /// A bound that both studies answer with.
 struct Main<'r> {
@@ -67,6 +69,10 @@ pub fn headline(
                         .to_owned(),
                 );
             }
+        }
+        Weight::BeyondErrors if before > 0.0 && after >= 2.0 * before => {
+            let times = significant(after / before, TIMES_DIGITS, Rounding::Nearest);
+            sentences.push(format!("The bound of B is {times} times as large."));
         }
         Weight::BeyondErrors if before > 0.0 => {
             let change = writer.percent((after / before - 1.0).abs(), Rounding::Nearest);

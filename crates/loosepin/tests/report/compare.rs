@@ -67,6 +67,12 @@ fn analytic_the_headline_has_the_change_of_the_largest_deviation() {
         upper.widened_si *= 1.25;
     });
     assert!(larger.headline.ends_with("The bound of B is 25\u{a0}% larger."), "{}", larger.headline);
+    let doubled = changed(|after| {
+        let upper = &mut after.bounds[0].upper;
+        upper.value_si *= 2.5;
+        upper.widened_si *= 2.5;
+    });
+    assert!(doubled.headline.ends_with("The bound of B is 2.5 times as large."), "{}", doubled.headline);
 }
 
 /// The headline where the main bound of A has the value 1 mm and of B `found_mm`, with these errors.
