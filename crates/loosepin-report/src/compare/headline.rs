@@ -4,16 +4,18 @@ use super::outputs::SharedOutputs;
 use super::requirements::ComparedRequirement;
 use super::sides::for_both;
 use super::statistics::{Weight, is_same};
-use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::number::{NumberWriter, Rounding, significant};
 use crate::study::output_summary::{OutputSummary, output_summaries};
 use crate::words::wording::{deviation_of, verdict_words};
-use loosepin_result::study::{DeviationCurve, StudyResult, Verdict};
+use loosepin_result::study::{BoundRecord, DeviationCurve, ResponsePoint, StudyResult, Treatment, Verdict};
 use loosepin_text::units::SiUnit;
 
 /// Headline if the studies share no main answer.
 pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
+/// Digits of a factor.
+const TIMES_DIGITS: usize = 2;
 
 /// A bound that both studies answer with.
 struct Main<'r> {
@@ -68,6 +70,10 @@ pub fn headline(
                 );
             }
         }
+        Weight::BeyondErrors if before > 0.0 && after >= 2.0 * before => {
+            let times = significant(after / before, TIMES_DIGITS, Rounding::Nearest);
+            sentences.push(format!("The bound of B is {times} times as large."));
+        }
         Weight::BeyondErrors if before > 0.0 => {
             let change = writer.percent((after / before - 1.0).abs(), Rounding::Nearest);
             let word = if after < before { "smaller" } else { "larger" };
@@ -116,10 +122,11 @@ fn main<'r>(
             let other = after.curves.iter().find(|other| is_same_curve(curve, other))?;
             let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
             let subject = deviation_of(&curve.output, curve.of, &before.outputs);
+            let reaches = [reach_si(curve)?, reach_si(other)?];
             Some(Main {
                 subject: format!("The {share} band of the {subject}"),
-                bounds_si: [reach_si(curve)?.1, reach_si(other)?.1],
-                errors_si: [curve.numerical_error_si, other.numerical_error_si],
+                bounds_si: reaches.map(|(_, reach_si)| reach_si),
+                errors_si: [error_at_si(before, curve, reaches[0]), error_at_si(after, other, reaches[1])],
                 unit: &curve.unit,
             })
         }
@@ -130,6 +137,20 @@ fn main<'r>(
 /// Whether two curves bound the same share of the same number.
 pub(super) fn is_same_curve(a: &DeviationCurve, b: &DeviationCurve) -> bool {
     a.output == b.output && a.of == b.of && a.unit == b.unit && a.probabilities == b.probabilities
+}
+
+/// Numerical error of the band at a pose at which it reaches so far. Elsewhere it may be much larger: where the record does not hold the
+/// bound of this pose, the largest error of the curve is given.
+fn error_at_si(result: &StudyResult, curve: &DeviationCurve, (pose_rad, reach_si): (f64, f64)) -> f64 {
+    let is_there = |bound: &&BoundRecord| {
+        (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
+            && bound.at == ResponsePoint::Curve { pose_rad }
+            && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
+    };
+    let ends = result.bounds.iter().filter(is_there).flat_map(|bound| [&bound.lower, &bound.upper]);
+    // A band that is narrowed to the limit over the whole cycle is no bound of its pose any more.
+    let errors = ends.filter(|end| end.widened_si.abs().total_cmp(&reach_si).is_eq()).map(|end| end.error.total_si());
+    errors.reduce(f64::max).unwrap_or(curve.numerical_error_si)
 }
 
 /// Pose at which the band is farthest from zero, rad, and its distance there; `None` if the study has none.

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::time::UNIX_EPOCH;
 
 use loosepin::diagnostics::Source;
+use loosepin::document::parse_toml;
 use loosepin::files::{self, FileInfo, FileKind};
 use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
@@ -22,7 +23,7 @@ use crate::files::folder::{Folder, MAX_TEXT, tag};
 use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache, ReadFile, ReadResult, TextState};
 use crate::files::verdicts::assign;
 use crate::messages::Document;
-use crate::view::texts::{model_beside, plain};
+use crate::view::texts::{beside, model_beside, plain};
 
 /// How far below the folder it is looked.
 const MAX_LEVELS: usize = 4;
@@ -187,15 +188,21 @@ impl Reading<'_> {
     fn file(&mut self, found: &Found) -> Option<ReadFile> {
         let text = String::from_utf8(self.bytes(&found.path, MAX_TEXT as u64)?).ok()?;
         let source = Source::new(found.path.as_str(), text.as_str());
-        let model = model_beside(&found.path, &text).map(|model| plain(&model));
         let is_model = text.contains("[body");
-        let kind = match says_study(&source) {
+        // A text that is no TOML is listed by its lines: its card says what is wrong.
+        let is_broken = parse_toml(&source).is_err();
+        let model = match is_broken {
+            true if is_model => None,
+            true => value_of(&text, "model").map(|written| beside(&found.path, &written)),
+            false => model_beside(&found.path, &text),
+        };
+        let kind = match says_study(&source) || (is_broken && !is_model) {
             true if model.is_some() => Document::Study,
             false if is_model => Document::Model,
             _ => return None,
         };
-        let name = text.lines().find_map(|line| line.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
-        let title = name.map(|name| name.split('#').next().unwrap_or(name).trim().trim_matches(['"', '\'']).to_owned());
+        let model = model.map(|model| plain(&model));
+        let title = value_of(&text, "name");
         let listed = ListedFile {
             kind,
             title: title.filter(|title| !title.is_empty()).unwrap_or_else(|| found.path.clone()),
@@ -237,6 +244,12 @@ impl Reading<'_> {
         let verdicts = requirements?.into_iter().map(|requirement| requirement.verdict);
         Verdict::of_all(verdicts)
     }
+}
+
+/// The text behind a key on the first line that begins with it.
+fn value_of(text: &str, key: &str) -> Option<String> {
+    let value = text.lines().find_map(|line| line.trim().strip_prefix(key)?.trim_start().strip_prefix('='))?;
+    Some(value.split('#').next().unwrap_or(value).trim().trim_matches(['"', '\'']).to_owned())
 }
 
 #[derive(Deserialize)]

@@ -134,7 +134,7 @@ pub fn model_beside(path: &str, study: &str) -> Option<String> {
 }
 
 /// What a text at `path` names as `written`: as the library joins them.
-fn beside(path: &str, written: &str) -> String {
+pub fn beside(path: &str, written: &str) -> String {
     Path::new(path).parent().unwrap_or(Path::new("")).join(written).display().to_string()
 }
 

@@ -127,6 +127,14 @@ fn a_picture_is_of_the_texts_or_says_their_first_error() {
     assert_eq!((status, &broken["drawing"]), (200, &Value::Null));
     let error = broken["error"].as_str().unwrap();
     assert!(error.starts_with("model.toml, line ") && error.ends_with("'mn' is not a known unit"), "{error}");
+    // A study that is no TOML stands on the shelf too, with its model.
+    let whole = fs::read_to_string(desk.path().join(&study)).unwrap();
+    fs::write(desk.path().join(&study), format!("{whole}[ask\n")).unwrap();
+    let found = listing(&server);
+    let listed = file(&found, &study);
+    assert_eq!((&listed["kind"], &listed["model"]), (&json!("study"), &json!(model)), "{found}");
+    assert!(card(&study).1["error"].as_str().unwrap().starts_with("study.toml, line "));
+    fs::write(desk.path().join(&study), whole).unwrap();
     fs::remove_file(desk.path().join(&model)).unwrap();
     assert!(card(&study).1["error"].as_str().unwrap().contains("mine/model.toml"));
     assert_eq!((card("../secret.toml").0, card("none.toml").0), (403, 404));
