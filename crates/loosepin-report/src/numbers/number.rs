@@ -143,7 +143,7 @@ impl<'a> NumberWriter<'a> {
         self.with_symbol(text, value_si, unit, rounding)
     }
 
-    /// Like [`Self::down_to_error`], but to three digits at most: for sentences.
+    /// Like [`Self::down_to_error`], but to three digits at most (four, where the first is a 1): for results.
     pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let least_error_si = 1e-3 * value_si.abs();
         self.down_to_error(value_si, error_si.max(least_error_si), unit, rounding)

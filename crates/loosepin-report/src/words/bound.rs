@@ -16,7 +16,7 @@ pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Roundin
     if bound.statistic.is_probability() {
         writer.percent(end.widened_si, rounding)
     } else {
-        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
+        writer.for_sentence(end.widened_si, end.error.total_si(), &bound.unit, rounding)
     }
 }
 

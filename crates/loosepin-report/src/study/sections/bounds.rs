@@ -1,7 +1,7 @@
 //! The key table: every bound that is not a point of a curve.
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::Tag;
+use crate::numbers::tag::{Tag, same_wording};
 use crate::words::bound::{bound_error, bound_value, error_parts};
 use crate::words::wording::{
     MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
@@ -38,12 +38,13 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));
     let mut section = Section::new("bounds", heading);
     let what = format!(
-        "Each statistic lies between its two bounds{over}. The bounds include their numerical error and are rounded outwards."
+        "Each statistic lies between its two bounds{over}. The bounds include their error and are rounded outwards."
     );
     let of_parts = has_parts(&result.inputs).then(|| MASSES_ADD.to_owned());
     section.push_on(Medium::Page, Content::sentences([what].into_iter().chain(of_parts)));
     let shown = &single[..single.len().min(most_rows(writer.medium))];
     section.push(Content::Table(table(result, shown, writer)));
+    section.push_on(Medium::Page, Content::Table(places(result, shown, writer)));
     let (left_of_table, left_of_all) = (single.len() - shown.len(), result.bounds.len() - shown.len());
     if left_of_all > 0 {
         let tag = Tag::Count("bounds that are not shown");
@@ -60,36 +61,65 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
 fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
     let columns = vec![
         Column::words(Text::by_medium("Statistic", "statistic")),
-        Column { label: Some("Lower bound"), ..Column::numbers(Text::by_medium("Lower bound, attained at", "lower")) },
-        Column { label: Some("Upper bound"), ..Column::numbers(Text::by_medium("Upper bound, attained at", "upper")) },
-        Column::numbers(Text::by_medium("± numerical error", "± error")),
+        Column { only: Some(Medium::Page), ..Column::numbers("Bounds") },
+        Column { only: Some(Medium::Terminal), ..Column::numbers("lower") },
+        Column { only: Some(Medium::Terminal), ..Column::numbers("upper") },
+        Column::numbers("± error"),
         Column { only: Some(Medium::Terminal), ..Column::words("upper attained at") },
-        Column { only: Some(Medium::Page), ..Column::words("Guarantee") },
     ];
+    let groups = groups(result, shown, writer, &|bound| row(bound, result, writer));
+    Table { columns, groups, ..Table::default() }
+}
+
+/// Where the bounds are attained, the parts of their errors, and their guarantees.
+fn places(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
+    let columns =
+        ["Statistic", "Lower bound at", "Upper bound at", "Error from", "Guarantee"].map(Column::words).into();
+    let row = |bound: &BoundRecord| -> Vec<Cell> {
+        let witness = |part: &str, end: &BoundEnd| {
+            writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs)
+        };
+        vec![
+            statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
+            witness("lower witness", &bound.lower).into(),
+            witness("upper witness", &bound.upper).into(),
+            error_parts(bound, writer).into(),
+            Text::default().quiet(guarantee_words(bound.guarantee, writer)).into(),
+        ]
+    };
+    let groups = groups(result, shown, writer, &row);
+    Table { columns, groups, title: "Where the bounds are attained".into(), ..Table::default() }
+}
+
+/// The bounds of each response with its name.
+fn groups(
+    result: &StudyResult,
+    shown: &[&BoundRecord],
+    writer: &NumberWriter,
+    row: &dyn Fn(&BoundRecord) -> Vec<Cell>,
+) -> Vec<Group> {
     let groups = shown
         .chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
         .map(|group| Group {
             heading: Text::from(response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
                 .plain(reading_beside(result, group[0])),
-            rows: group.iter().map(|bound| row(bound, result, writer)).collect(),
+            rows: group.iter().map(|bound| row(bound)).collect(),
         });
-    Table { columns, groups: groups.collect(), ..Table::default() }
+    groups.collect()
 }
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
-    let witness =
-        |part: &str, end: &BoundEnd| writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
-    // On a page a remark stands below the number.
-    let below = |number: Text, remark: String| number.on(Medium::Page, Text::from(" ").quiet(remark));
-    let upper_witness = witness("upper witness", &bound.upper);
+    let tag = Tag::bound(bound, "upper witness");
+    let upper_witness = writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs);
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
-    let upper = Text::default().strong(bound_value(&bound.upper, bound, Rounding::Up, writer));
+    let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
+    let both = if same_wording(&lower, &upper) { lower.clone() } else { format!("{lower} to {upper}") };
     vec![
         statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
-        below(lower.into(), witness("lower witness", &bound.lower)).into(),
-        below(upper, upper_witness.clone()).into(),
-        below(bound_error(bound, writer).into(), error_parts(bound, writer)).into(),
+        both.into(),
+        lower.into(),
+        upper.into(),
+        bound_error(bound, writer).into(),
         upper_witness.into(),
-        Text::default().quiet(guarantee_words(bound.guarantee, writer)).into(),
     ]
 }

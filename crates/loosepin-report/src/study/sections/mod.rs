@@ -18,7 +18,7 @@ pub(crate) use allowed::{allowed_section, rare_section};
 pub(crate) use answers::answers_section;
 pub(crate) use bounds::bounds_section;
 pub(crate) use columns::{degrees_section, percentiles_section};
-pub(crate) use contributors::contributors_section;
+pub(crate) use contributors::{contributors_overview, contributors_section};
 pub(crate) use promise::promise_section;
 pub(crate) use runs::{double_loop_words, runs_section};
 pub(crate) use surrogate::surrogate_section;
