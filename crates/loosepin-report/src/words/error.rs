@@ -36,7 +36,7 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
         Some(match of_band {
             None => format!("Numerical error of {limit}: at most {error}, included in it.{reduced}"),
             Some(of_band) => format!(
-                "Numerical error of {limit}: at most {error}; of the band at single angles: at most {of_band}; both are included.{reduced}"
+                "Numerical error of {limit}: at most {error}, included in it.{reduced} The band at single angles includes its own, up to {of_band}."
             ),
         })
     });

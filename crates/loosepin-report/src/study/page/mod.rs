@@ -20,13 +20,17 @@ use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headl
 use crate::study::repeat_section::study_repeat_section;
 use crate::study::sections::{
     accuracy_section, allowed_section, answers_section, bounds_section, contributors_overview, contributors_section,
-    degrees_section, percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
+    degrees_section, percentiles_section, places_section, promise_section, rare_section, runs_section,
+    surrogate_section, treatments_section,
 };
 use crate::words::wording::{
     UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
+
+/// More comparisons of the treatments are printed only where the reader has opened them: the page has about four sheets.
+const MAX_PRINTED_TREATMENTS: usize = 2;
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -58,14 +62,17 @@ fn page(result: &StudyResult) -> Page {
         .map(Section::printed_if_open),
         own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer))
             .map(Section::printed_if_open),
-        page_section(contributors_section(result, writer)),
+        page_section(contributors_section(result, writer)).map(Section::printed_if_open),
         page_section(allowed_section(result, writer)),
         page_section(answers_section(result, writer)),
         own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer))
             .map(Section::printed_if_open),
-        page_section(treatments_section(result, writer)),
         page_section(requirements(result, writer)),
         page_section(bounds_section(result, writer)),
+        page_section(places_section(result, writer)).map(Section::printed_if_open),
+        page_section(treatments_section(result, writer)).map(|section| {
+            if result.treatments.len() <= MAX_PRINTED_TREATMENTS { section } else { section.printed_if_open() }
+        }),
         page_section(promise_section(result, writer)),
         page_section(degrees_section(result, writer)).map(Section::printed_if_open),
         page_section(percentiles_section(result, writer)).map(Section::printed_if_open),

@@ -23,9 +23,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     if result.bounds.is_empty() {
         return None;
     }
-    let is_single =
-        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
-    let single: Vec<&BoundRecord> = result.bounds.iter().filter(is_single).collect();
+    let single = single_bounds(result);
     if single.is_empty() {
         let mut section = Section::headed_on_page("bounds", "Bounds");
         section.push(Content::sentences(only_curves(result.bounds.len(), writer)));
@@ -44,7 +42,6 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     section.push_on(Medium::Page, Content::sentences([what].into_iter().chain(of_parts)));
     let shown = &single[..single.len().min(most_rows(writer.medium))];
     section.push(Content::Table(table(result, shown, writer)));
-    section.push_on(Medium::Page, Content::Table(places(result, shown, writer)));
     let (left_of_table, left_of_all) = (single.len() - shown.len(), result.bounds.len() - shown.len());
     if left_of_all > 0 {
         let tag = Tag::Count("bounds that are not shown");
@@ -56,6 +53,21 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         section.push_on(Medium::Terminal, Content::Note(format!("{more} more in bounds.csv").into()));
     }
     Some(section)
+}
+
+/// Where the bounds of the key table are attained, for a page; `None` if it has none.
+pub(crate) fn places_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let single = single_bounds(result);
+    let mut section = Section::new("bounds-attained", "Where the bounds are attained");
+    section.push(Content::Table(places(result, &single[..single.len().min(most_rows(writer.medium))], writer)));
+    (!single.is_empty()).then_some(section)
+}
+
+/// The bounds of the mixed treatment that are not points of curves.
+fn single_bounds(result: &StudyResult) -> Vec<&BoundRecord> {
+    let is_single =
+        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
+    result.bounds.iter().filter(is_single).collect()
 }
 
 fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
@@ -88,7 +100,7 @@ fn places(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
         ]
     };
     let groups = groups(result, shown, writer, &row);
-    Table { columns, groups, title: "Where the bounds are attained".into(), ..Table::default() }
+    Table { columns, groups, ..Table::default() }
 }
 
 /// The bounds of each response with its name.

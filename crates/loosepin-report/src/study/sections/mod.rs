@@ -16,7 +16,7 @@ mod treatments;
 pub(crate) use accuracy::accuracy_section;
 pub(crate) use allowed::{allowed_section, rare_section};
 pub(crate) use answers::answers_section;
-pub(crate) use bounds::bounds_section;
+pub(crate) use bounds::{bounds_section, places_section};
 pub(crate) use columns::{degrees_section, percentiles_section};
 pub(crate) use contributors::{contributors_overview, contributors_section};
 pub(crate) use promise::promise_section;
