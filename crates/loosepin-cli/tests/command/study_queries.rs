@@ -64,6 +64,28 @@ fn analytic_shares_of_a_linear_deviation() {
 }
 
 #[test]
+fn analytic_shares_of_a_linear_deviation_without_runs_for_them() {
+    /// Of the band: 1 - √(1 - share), within the linearity of the deviation.
+    const TOLERANCE: f64 = 0.01;
+    let ask = "[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nposes = { crank = [\"5 deg\"] }\nstatistics = [\"mean\"]\n";
+    let result = summary(&format!("{SHORT}{ask}"));
+    let found = &result["contributors"][0];
+    assert_eq!((&found["output"], &found["pairs"]), (&Value::from("slider"), &Value::from(0)));
+    // The largest over the first 7.2° is near the dead centre as well: 9 : 4.
+    for (place, (path, share)) in
+        [("parameter.rod_length", 9.0 / 13.0_f64), ("parameter.crank_length", 4.0 / 13.0)].into_iter().enumerate()
+    {
+        let input = &found["random"][place];
+        assert_eq!(input["paths"][0], path);
+        assert_eq!(input["total"]["centre"], "nan", "no indices without runs: {input}");
+        let expected = 1.0 - (1.0 - share).sqrt();
+        assert!((number(&input["band_share"]) - expected).abs() < TOLERANCE, "{input}, not {expected}");
+    }
+    let purposes = result["counts"]["by_purpose"].as_array().expect("a list");
+    assert!(purposes.iter().all(|part| part["purpose"] != "contributors"), "{purposes:?}");
+}
+
+#[test]
 fn analytic_a_small_probability_of_a_linear_deviation() {
     /// Of a probability near 2e-5, whose stated standard error is 5 %.
     const RELATIVE_TOLERANCE: f64 = 0.2;
