@@ -132,7 +132,7 @@ fn sections_of_a_study_are_written_open_and_can_be_closed() {
     assert_eq!(select(&page, ".folds > section > details.fold[open] > summary > h2").len(), sections.len());
     // What forwards the answer stands before them.
     let shown = |selector: &str| select(&page, &format!(".opening {selector}")).len();
-    assert_eq!((shown(".verdict"), shown(".mechanism"), shown("[data-chart]")), (1, 1, 1));
+    assert_eq!((shown(".verdict"), shown("figure.mechanism"), shown("[data-chart]")), (1, 1, 1));
     assert_eq!(shown("#contributors-overview tbody tr"), 4, "an input a row");
     // The other pages are as they were.
     let motion = parsed("motion", &motion_page(&report_fixture::motion::worn_pin()));
