@@ -81,7 +81,7 @@ fn rows(table: &Table) -> Markup {
     let columns = table.columns_on(Medium::Page);
     let is_wide = columns.len() > MAX_COLUMNS;
     let rows = html! {
-        table class=[(!is_wide).then_some(if has_few_numbers(&columns) { "lines" } else { "cards" })] {
+        table class=[(!is_wide).then_some(if is_of_lines(table, &columns) { "lines" } else { "cards" })] {
             thead {
                 tr { @for (_, column) in &columns { th class=[class(column)] scope="col" { (text(&column.head)) } } }
             }
@@ -109,9 +109,11 @@ fn rows(table: &Table) -> Markup {
     }
 }
 
-/// Whether each row has room in one line of a narrow screen: a name and a number or two.
-fn has_few_numbers(columns: &[(usize, &Column)]) -> bool {
-    columns.len() <= MAX_COLUMNS_OF_LINES && columns.iter().skip(1).all(|(_, column)| class(column).is_some())
+/// Whether each row has room in one line of a narrow screen: a number or two, and a name that a heading has made short.
+fn is_of_lines(table: &Table, columns: &[(usize, &Column)]) -> bool {
+    columns.len() <= MAX_COLUMNS_OF_LINES
+        && columns.iter().skip(1).all(|(_, column)| class(column).is_some())
+        && table.groups.iter().all(is_headed)
 }
 
 fn is_headed(group: &Group) -> bool {

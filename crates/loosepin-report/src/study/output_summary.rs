@@ -235,9 +235,8 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
         .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let mixed = Tag::curve(curve, "mixed");
     let of_reach = mixed.part("reach");
-    let reach = |writer: &NumberWriter| {
-        writer.for_sentence(magnitude, curve.numerical_error_si, &curve.unit, Rounding::Up)
-    };
+    let reach =
+        |writer: &NumberWriter| writer.for_sentence(magnitude, curve.numerical_error_si, &curve.unit, Rounding::Up);
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);

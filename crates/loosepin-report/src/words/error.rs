@@ -6,7 +6,9 @@ use crate::study::output_summary::{OutputSummary, largest, smallest};
 use crate::words::bound::bound_error;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{count, is_by_surrogate};
-use loosepin_result::study::{BoundRecord, DeviationCurve, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{
+    BoundRecord, DeviationCurve, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment,
+};
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;

@@ -616,10 +616,7 @@ fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
     assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
     let even = curve_between(Deviation::Total, -4.97e-4, 5.13e-4);
     assert_says(&even, "stays within ±0.513 mm of its ideal motion");
-    assert_says(
-        &even,
-        "stay within ±0.261 mm at each angle. With all unknown values, they stay within ±0.513 mm.",
-    );
+    assert_says(&even, "stay within ±0.261 mm at each angle. With all unknown values, they stay within ±0.513 mm.");
     let value = curve_between(Deviation::Value, 0.1552, 0.1698);
     assert_says(
         &value,
@@ -686,10 +683,7 @@ fn the_share_below_a_limit_is_the_same_in_the_picture_as_in_the_table() {
     let pbox = &mut result.boxes[0];
     (pbox.value_si, pbox.lower, pbox.upper) = (vec![3e-4, 3.9e-4, 4.1e-4], vec![0.0, 0.5, 0.75], vec![0.0, 0.875, 1.0]);
     let page = one_line(&study_page(&result));
-    assert!(
-        page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms that were run."),
-        "{page}"
-    );
+    assert!(page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms that were run."), "{page}");
 }
 
 #[test]

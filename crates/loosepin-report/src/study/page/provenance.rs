@@ -10,7 +10,9 @@ use crate::study::answer::turns;
 use crate::study::sections::double_loop_words;
 use crate::words::glossary::glossary;
 use crate::words::wording::{count, guarantee_words, is_by_surrogate, listed, reading_words};
-use loosepin_result::study::{CorrelationDescription, EnergyResiduals, Guarantee, InputKind, Purpose, StudyResult, Treatment};
+use loosepin_result::study::{
+    CorrelationDescription, EnergyResiduals, Guarantee, InputKind, Purpose, StudyResult, Treatment,
+};
 use loosepin_text::article::{Cell, Column, Content, Fact, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 

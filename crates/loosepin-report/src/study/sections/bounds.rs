@@ -120,12 +120,24 @@ fn groups(
     groups.collect()
 }
 
+/// The lower end without its unit, where the upper end has the same: `0.18` of `0.18 mm` and `0.61 mm`.
+fn without_unit<'t>(lower: &'t str, upper: &str) -> &'t str {
+    match (lower.rsplit_once('\u{a0}'), upper.rsplit_once('\u{a0}')) {
+        (Some((number, unit)), Some((_, same))) if unit == same => number,
+        _ => lower,
+    }
+}
+
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
     let tag = Tag::bound(bound, "upper witness");
     let upper_witness = writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs);
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
-    let both = if same_wording(&lower, &upper) { lower.clone() } else { format!("{lower} to {upper}") };
+    let both = if same_wording(&lower, &upper) {
+        lower.clone()
+    } else {
+        format!("{} to {upper}", without_unit(&lower, &upper))
+    };
     vec![
         statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
         both.into(),
