@@ -31,6 +31,12 @@ LEAST_TARGET_PX = 24
 # The angle with which a page is opened.
 OPENED_AT_DEG = 93
 
+# Sections of a folded page are closed at first; charts fit their room when they are opened.
+OPEN_ALL = """new Promise((done) => {
+    document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; });
+    requestAnimationFrame(() => requestAnimationFrame(() => done(true)));
+})"""
+
 CHARTS = """[...document.querySelectorAll('[data-chart]')].map((holder) => {
     const svg = holder.querySelector('svg.chart');
     const seen = svg ? svg.getBoundingClientRect() : { width: 0, height: 0 };
@@ -214,6 +220,10 @@ def check(browser, path, axe, pictures):
             where = f"{name}, {width} px, {'dark' if dark else 'light'}"
             browser.view(width, dark=dark, reduced_motion=True)
             browser.open(path)
+            found += [f"{where}: scrolls sideways while closed: {text}" for text in browser.evaluate(SIDEWAYS)]
+            if width in AXE_WIDTHS_PX and browser.evaluate("document.querySelector('details.fold') !== null"):
+                found += [f"{where}: axe, closed: {text}" for text in seen_by_axe(browser, axe)]
+            browser.evaluate(OPEN_ALL)
             found += [f"{where}: {text}" for text in browser.diagnostics()]
             found += [f"{where}: asks for {url}" for url in browser.requests()]
             found += [f"{where}: scrolls sideways: {text}" for text in browser.evaluate(SIDEWAYS)]
@@ -229,6 +239,7 @@ def check(browser, path, axe, pictures):
                 browser.screenshot(os.path.join(pictures, f"{name}-{width}-{scheme}.png"))
     browser.view(WIDTHS_PX[0], reduced_motion=True)
     browser.open(path)
+    browser.evaluate(OPEN_ALL)
     # The figures of an identification are drawn whole.
     is_whole = browser.evaluate("document.documentElement.dataset.origin.startsWith('identification')")
     charts = "[data-figure]" if is_whole else "[data-chart]"
@@ -239,6 +250,7 @@ def check(browser, path, axe, pictures):
     found += [f"{name}: without a name: {text}" for text in browser.evaluate(UNLABELLED)]
     found += [f"{name}: in use: {text}" for text in browser.diagnostics()]
     browser.open(path, f"#a={OPENED_AT_DEG}")
+    browser.evaluate(OPEN_ALL)
     found += [f"{name}: {text}" for text in browser.evaluate(CURSOR_OPENED)]
     found += [f"{name}: without scripts: {text}" for text in without_scripts(browser, path)]
     found += [f"{name}: {text}" for text in printed(browser, path, os.path.join(pictures or browser.profile, f"{name}.pdf"))]

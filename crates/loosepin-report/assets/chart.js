@@ -365,7 +365,9 @@
     let closed = [];
     addEventListener('beforeprint', () => {
         document.documentElement.classList.add('printing');
-        closed = [...document.querySelectorAll('details.glossary:not([open])')];
+        const glossaries = [...document.querySelectorAll('details.glossary:not([open])')];
+        // A folded page prints what its reader has opened.
+        closed = glossaries.filter((details) => !details.closest('.folds'));
         closed.forEach((details) => { details.open = true; });
         fits.forEach((fit) => fit(paperPx));
     });

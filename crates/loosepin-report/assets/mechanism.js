@@ -133,7 +133,8 @@
                 observer.disconnect();
                 run(true);
             }, { threshold: 0.6 });
-            observer.observe(figure);
+            // On a narrow screen the figure has no box of its own.
+            observer.observe(figure.querySelector('svg') ?? figure);
         }
     }
     document.querySelectorAll('[data-mechanism]').forEach(build);

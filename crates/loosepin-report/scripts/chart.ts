@@ -352,7 +352,9 @@
   let closed: HTMLDetailsElement[] = [];
   addEventListener('beforeprint', () => {
     document.documentElement.classList.add('printing');
-    closed = [...document.querySelectorAll<HTMLDetailsElement>('details.glossary:not([open])')];
+    const glossaries = [...document.querySelectorAll<HTMLDetailsElement>('details.glossary:not([open])')];
+    // A folded page prints what its reader has opened.
+    closed = glossaries.filter((details) => !details.closest('.folds'));
     closed.forEach((details) => { details.open = true; });
     fits.forEach((fit) => fit(paperPx));
   });

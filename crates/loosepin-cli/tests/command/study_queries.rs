@@ -64,6 +64,36 @@ fn analytic_shares_of_a_linear_deviation() {
 }
 
 #[test]
+fn analytic_shares_of_a_linear_deviation_without_runs_for_them() {
+    /// Of the band: 1 - √(1 - share); a share is a sum over 72 positions, here an integral.
+    const TOLERANCE: f64 = 0.005;
+    let ask = "[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nposes = { crank = [\"5 deg\"] }\nstatistics = [\"mean\"]\n";
+    let result = summary(&format!("{SHORT}{ask}"));
+    let found = &result["contributors"][0];
+    assert_eq!((&found["output"], &found["pairs"]), (&Value::from("slider"), &Value::from(0)));
+    // Gradients over the turn: of the crank cos θ - λ sin²θ/√(1 - λ² sin²θ), of the rod 1/√(1 - λ² sin²θ).
+    let [of_crank, of_rod] = (0..3600).fold([0.0_f64; 2], |[crank, rod], k| {
+        let (sine, cosine) = (std::f64::consts::TAU * f64::from(k) / 3600.0).sin_cos();
+        let ratio = 50.0 / 120.0;
+        let root = (1.0 - (ratio * sine).powi(2)).sqrt();
+        let of_crank = 0.02 * (cosine - ratio * sine * sine / root);
+        [crank + of_crank * of_crank, rod + (0.03 / root).powi(2)]
+    });
+    let whole = of_crank + of_rod;
+    for (place, (path, share)) in
+        [("parameter.rod_length", of_rod / whole), ("parameter.crank_length", of_crank / whole)].into_iter().enumerate()
+    {
+        let input = &found["random"][place];
+        assert_eq!(input["paths"][0], path);
+        assert_eq!(input["total"]["centre"], "nan", "no indices without runs: {input}");
+        let expected = 1.0 - (1.0 - share).sqrt();
+        assert!((number(&input["band_share"]) - expected).abs() < TOLERANCE, "{input}, not {expected}");
+    }
+    let purposes = result["counts"]["by_purpose"].as_array().expect("a list");
+    assert!(purposes.iter().all(|part| part["purpose"] != "contributors"), "{purposes:?}");
+}
+
+#[test]
 fn analytic_a_small_probability_of_a_linear_deviation() {
     /// Of a probability near 2e-5, whose stated standard error is 5 %.
     const RELATIVE_TOLERANCE: f64 = 0.2;

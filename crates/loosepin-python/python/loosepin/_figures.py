@@ -190,7 +190,8 @@ def _boxes(axis: Any, box: dict[str, Any], units: dict[str, Any]) -> None:
 def _contributors(axis: Any, record: dict[str, Any], _units: dict[str, Any]) -> None:
     bars = [(" + ".join(each["paths"]), each["band_share"], each["band_share"], RANDOM) for each in record["random"]]
     bars += [(each["path"], *each["band_share"], UNKNOWN) for each in record["epistemic"]]
-    bars.sort(key=lambda bar: float(bar[2]))
+    # A share that nobody knows has no bar.
+    bars = sorted((bar for bar in bars if np.isfinite(float(bar[2]))), key=lambda bar: float(bar[2]))
     for row, (_, low, high, colour) in enumerate(bars):
         axis.barh(row, 100 * float(high), color=colour, alpha=0.55)
         axis.barh(row, 100 * float(low), color=colour)

@@ -37,7 +37,7 @@ pub(crate) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
     let farthest = writer.value_trimmed(farthest_m, &SiUnit::LENGTH);
     let rim = writer.percent(rim_share, Rounding::Nearest);
     let label = label_words(&orbit.label);
-    let title = if label.is_empty() { orbit.joint.clone() } else { format!("{}, {label}", orbit.joint) };
+    let title = orbit_title(orbit);
     // The name of the figure keeps what the record says, word for word.
     let named = if label.is_empty() { orbit.joint.clone() } else { format!("{}, {}", orbit.joint, orbit.label) };
     let steps = force_steps(orbit);
@@ -54,12 +54,12 @@ pub(crate) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
     let caption = html! {
         strong { (title) } ". Circle: radial clearance " (clearance)
         @if magnification.is_finite() {
-            ", drawn " (round_to_two(magnification)) " times its size where the picture is " (STATED_WIDTH_MM) "\u{a0}mm wide"
+            ", magnified " (round_to_two(magnification)) " times at a width of " (STATED_WIDTH_MM) "\u{a0}mm"
         }
-        ". On the rim in " (rim) " of the samples; farthest " (farthest) " from the centre. "
+        ". On the rim in " (rim) " of the samples. "
         @if let Some([low_n, high_n]) = steps {
             @let [low, high] = [low_n, high_n].map(|force_n| writer.value_trimmed(force_n, &SiUnit::FORCE));
-            "On the rim by force: " (key("low", &format!("below {low},"))) " " (key("middle", &format!("up to {high},"))) " "
+            (key("low", &format!("below {low},"))) " " (key("middle", &format!("up to {high},"))) " "
             (key("high", "above;")) " "
         } @else {
             (key("middle", "on the rim,")) " "
@@ -76,6 +76,26 @@ pub(crate) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
         (drawn, caption),
         Some(&csv),
     )
+}
+
+/// All orbits, and a list of their names: where scripts run, it chooses the one that is shown.
+pub(crate) fn orbit_chooser(orbits: &[JournalOrbit], writer: &NumberWriter) -> Markup {
+    html! {
+        div.orbits data-chooser {
+            @if orbits.len() > 1 {
+                div.controls {
+                    label { span { "Bearing" } select { @for orbit in orbits { option { (orbit_title(orbit)) } } } }
+                }
+            }
+            @for orbit in orbits { (orbit_figure(orbit, writer)) }
+        }
+    }
+}
+
+/// Joint and run of an orbit in words.
+fn orbit_title(orbit: &JournalOrbit) -> String {
+    let label = label_words(&orbit.label);
+    if label.is_empty() { orbit.joint.clone() } else { format!("{}, {label}", orbit.joint) }
 }
 
 /// A label of a record in words: `joint.gudgeon.radial_clearance = 0.1 mm` is "gudgeon radial clearance 0.1 mm".

@@ -124,7 +124,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
     let caption = html! {
                 strong { "The path of " (subject) ", deviations magnified " (magnified) " times." }
                 " Dashed: the ideal path; the dot is where the recorded part begins. Orange: where " (stay) ", for all unknown values, \
-                 numerical error included: up to "
+                 at most "
                 (writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)) " to a side."
                 @if nominal.is_some() { " Black: nominal parts." }
                 @if curve.of == Deviation::Clearance {

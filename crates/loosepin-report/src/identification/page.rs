@@ -68,6 +68,8 @@ pub fn identification_page(answer: &Identification) -> String {
         is_answer_short: true,
         beside: html! {},
         below,
+        more: html! {},
+        is_folded: false,
         sections,
         identity: "identification".to_owned(),
         version: answer.version.clone(),

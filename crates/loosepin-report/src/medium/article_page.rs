@@ -72,13 +72,16 @@ fn whole_table(table: &Table) -> Markup {
 /// Columns that a page has room for; a table with more moves sideways in its frame.
 const MAX_COLUMNS: usize = 8;
 
-/// Rows become cards on a narrow screen, where each cell stands behind the head of its column. Without groups the first cell of a row
+/// Columns of a table whose rows stay lines on a narrow screen, at most.
+const MAX_COLUMNS_OF_LINES: usize = 3;
+
+/// Rows become cards on a narrow screen, where each cell stands behind the head of its column, unless they have few numbers. Without groups the first cell of a row
 /// is its head.
 fn rows(table: &Table) -> Markup {
     let columns = table.columns_on(Medium::Page);
     let is_wide = columns.len() > MAX_COLUMNS;
     let rows = html! {
-        table class=[(!is_wide).then_some("cards")] {
+        table class=[(!is_wide).then_some(if is_of_lines(table, &columns) { "lines" } else { "cards" })] {
             thead {
                 tr { @for (_, column) in &columns { th class=[class(column)] scope="col" { (text(&column.head)) } } }
             }
@@ -104,6 +107,13 @@ fn rows(table: &Table) -> Markup {
     } else {
         rows
     }
+}
+
+/// Whether each row has room in one line of a narrow screen: a number or two, and a name that a heading has made short.
+fn is_of_lines(table: &Table, columns: &[(usize, &Column)]) -> bool {
+    columns.len() <= MAX_COLUMNS_OF_LINES
+        && columns.iter().skip(1).all(|(_, column)| class(column).is_some())
+        && table.groups.iter().all(is_headed)
 }
 
 fn is_headed(group: &Group) -> bool {

@@ -15,7 +15,10 @@ const STYLE: &str = include_str!("../../assets/report.css");
 const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
 const SHARED_SCRIPTS: [&str; 2] = [include_str!("../../assets/ticks.js"), include_str!("../../assets/cursor.js")];
-const FIGURE_SCRIPTS: [&str; 5] = [
+const FIGURE_SCRIPTS: [&str; 7] = [
+    // Closes sections and leaves one orbit before any figure asks for its room.
+    include_str!("../../assets/fold.js"),
+    include_str!("../../assets/chooser.js"),
     // Takes the figures as they are before the next ones make them live.
     include_str!("../../assets/save.js"),
     include_str!("../../assets/chart.js"),
@@ -52,11 +55,30 @@ pub(crate) struct Section {
     pub id: &'static str,
     pub title: String,
     pub body: Markup,
+    /// Whether a folded page prints it although it is closed.
+    pub is_printed: bool,
 }
 
 impl Section {
     pub fn new(id: &'static str, title: impl Into<String>, body: Markup) -> Self {
-        Section { id, title: title.into(), body }
+        Section { id, title: title.into(), body, is_printed: true }
+    }
+
+    /// The same section; on paper only where a reader has opened it.
+    pub fn printed_if_open(self) -> Self {
+        Section { is_printed: false, ..self }
+    }
+
+    /// The section with its heading as the handle that opens and closes it. It is written open, so that it can be read without scripts.
+    fn folded(&self) -> Markup {
+        html! {
+            section id=(self.id) aria-labelledby={ (self.id) "-title" } {
+                details class=(if self.is_printed { "fold printed" } else { "fold" }) open {
+                    summary { h2 id={ (self.id) "-title" } { (self.title) } }
+                    (self.body)
+                }
+            }
+        }
     }
 
     fn element(&self) -> Markup {
@@ -85,6 +107,10 @@ pub(crate) struct Page {
     pub beside: Markup,
     /// The chart that the answer is about, below both.
     pub below: Markup,
+    /// What the first screen has below the chart.
+    pub more: Markup,
+    /// Whether the sections are closed until a reader opens them; a list of links stands before them otherwise.
+    pub is_folded: bool,
     pub sections: Vec<Section>,
     /// Name of the computation: `study 1f3a5b7c`.
     pub identity: String,
@@ -103,14 +129,7 @@ impl Page {
             }
             main id="content" {
                 (self.opening())
-                nav aria-label="On this page" {
-                    ol {
-                        @for section in &self.sections {
-                            li { a href={ "#" (section.id) } { (section.title) } }
-                        }
-                    }
-                }
-                @for section in &self.sections { (section.element()) }
+                @if self.is_folded { (self.folded_sections()) } @else { (self.linked_sections()) }
             }
             footer {
                 p.help {
@@ -139,13 +158,38 @@ impl Page {
         }
     }
 
-    /// The first screen: the answer, the mechanism, the chart.
+    fn linked_sections(&self) -> Markup {
+        html! {
+            nav aria-label="On this page" {
+                ol {
+                    @for section in &self.sections {
+                        li { a href={ "#" (section.id) } { (section.title) } }
+                    }
+                }
+            }
+            @for section in &self.sections { (section.element()) }
+        }
+    }
+
+    fn folded_sections(&self) -> Markup {
+        html! {
+            div.folds {
+                div.fold-all { button type="button" { "Open all sections" } }
+                @for section in &self.sections { (section.folded()) }
+            }
+        }
+    }
+
+    /// The first screen: the answer, the mechanism, the chart, and what is to be seen with them.
     fn opening(&self) -> Markup {
         html! {
             div class=(if self.is_answer_short { "opening short" } else { "opening" }) {
                 section.answer id="answer" aria-label="The answer" { (self.answer) }
-                div.beside { (self.beside) }
-                div.below { (self.below) }
+                div.figures {
+                    div.beside { (self.beside) }
+                    div.below { (self.below) }
+                }
+                @if !self.more.0.is_empty() { div.more { (self.more) } }
             }
         }
     }

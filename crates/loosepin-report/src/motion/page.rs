@@ -57,6 +57,8 @@ pub fn motion_page(record: &MotionRecord) -> String {
         is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.drive),
         below,
+        more: Markup::default(),
+        is_folded: false,
         sections: sections.into_iter().flatten().collect(),
         identity: "motion".to_owned(),
         version: record.version.clone(),

@@ -10,6 +10,8 @@ use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
 pub(crate) const PLAIN_DIGITS: usize = 4;
+/// Digits of a result, at most.
+const RESULT_DIGITS: usize = 3;
 /// Digits of an error.
 const ERROR_DIGITS: usize = 1;
 /// Digits beyond which a value is not written out even if its error is smaller.
@@ -139,14 +141,15 @@ impl<'a> NumberWriter<'a> {
     /// Number with unit, to as many places as its error allows, rounded in the given direction.
     pub fn down_to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let display = self.units.of(unit);
-        let text = to_error(display.from_si(value_si), display.from_si(error_si), rounding);
+        let text = to_error(display.from_si(value_si), display.from_si(error_si), MAX_DIGITS, rounding);
         self.with_symbol(text, value_si, unit, rounding)
     }
 
-    /// Like [`Self::down_to_error`], but to three digits at most: for sentences.
+    /// Like [`Self::down_to_error`], but to three digits at most: for results.
     pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
-        let least_error_si = 1e-3 * value_si.abs();
-        self.down_to_error(value_si, error_si.max(least_error_si), unit, rounding)
+        let display = self.units.of(unit);
+        let text = to_error(display.from_si(value_si), display.from_si(error_si), RESULT_DIGITS, rounding);
+        self.with_symbol(text, value_si, unit, rounding)
     }
 
     /// An error: one digit, rounded up, with unit.
@@ -280,19 +283,19 @@ pub(crate) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
     fixed(rounded, last_place + carried)
 }
 
-/// A value to the place of the first digit of its error (the second, where the first is a 1).
-fn to_error(value: f64, error: f64, rounding: Rounding) -> String {
+/// A value to the place of the first digit of its error (the second, where the first is a 1), in at most `max_digits` digits.
+fn to_error(value: f64, error: f64, max_digits: usize, rounding: Rounding) -> String {
     if !value.is_finite() {
         return not_finite(value);
     }
     if !error.is_finite() || error <= 0.0 || value == 0.0 {
-        return significant(value, PLAIN_DIGITS, rounding);
+        return significant(value, PLAIN_DIGITS.min(max_digits), rounding);
     }
     let error_magnitude = decimal_magnitude(error);
     let leading = error / 10f64.powi(error_magnitude);
     let place = if leading < 2.0 { error_magnitude - 1 } else { error_magnitude };
     let digits = decimal_magnitude(value) - place + 1;
-    significant(value, digits.clamp(2, MAX_DIGITS as i32) as usize, rounding)
+    significant(value, digits.clamp(2, max_digits as i32) as usize, rounding)
 }
 
 /// A share in percent: more places the nearer it is to 0 or 1, where they matter.
@@ -450,10 +453,11 @@ mod tests {
 
     #[test]
     fn analytic_digits_follow_the_error() {
-        assert_eq!(to_error(0.53467, 0.0042, Rounding::Nearest), "0.535");
-        assert_eq!(to_error(0.53467, 0.0012, Rounding::Nearest), "0.5347");
-        assert_eq!(to_error(123.4, 30.0, Rounding::Nearest), "120");
-        assert_eq!(to_error(0.5, f64::INFINITY, Rounding::Nearest), "0.5000");
+        assert_eq!(to_error(0.53467, 0.0042, MAX_DIGITS, Rounding::Nearest), "0.535");
+        assert_eq!(to_error(0.53467, 0.0012, MAX_DIGITS, Rounding::Nearest), "0.5347");
+        assert_eq!(to_error(0.53467, 0.0012, RESULT_DIGITS, Rounding::Up), "0.535");
+        assert_eq!(to_error(123.4, 30.0, MAX_DIGITS, Rounding::Nearest), "120");
+        assert_eq!(to_error(0.5, f64::INFINITY, MAX_DIGITS, Rounding::Nearest), "0.5000");
         assert_eq!(significant(1.2346e-9, 3, Rounding::Nearest), "1.23e-9");
         assert_eq!(significant(9.999e-9, 2, Rounding::Nearest), "1.0e-8");
         assert_eq!(significant(327334.2, 4, Rounding::Nearest), "327300");

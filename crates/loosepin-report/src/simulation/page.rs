@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::charts::figure::images;
-use crate::charts::still_figures::orbit_figure;
+use crate::charts::still_figures::orbit_chooser;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::page_section;
 use crate::medium::page::{Frame, Page, Section, sentences};
@@ -82,6 +82,8 @@ fn page(record: &SimulationRecord) -> Page {
         is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.settings.drive),
         below: first.map(|output| deviation_chart(record, output, writer).figure()).unwrap_or_default(),
+        more: Markup::default(),
+        is_folded: false,
         sections: sections.into_iter().flatten().collect(),
         identity: "simulation".to_owned(),
         version: record.version.clone(),
@@ -101,6 +103,6 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 fn orbits(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
         p { "The path of the pin centre relative to the hole, in the frame of the part with the hole." }
-        div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, writer)) } }
+        (orbit_chooser(&record.orbits, writer))
     }
 }

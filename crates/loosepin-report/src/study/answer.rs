@@ -2,7 +2,7 @@
 
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::Tag;
-use crate::study::output_summary::{SENTENCE_DIGITS, between, largest, output_summaries, smallest};
+use crate::study::output_summary::{between, largest, output_summaries, smallest};
 use crate::words::error::error_sentence;
 use crate::words::force::{JointForces, study_sentences};
 use crate::words::turn::turns_sentence;
@@ -20,13 +20,15 @@ use loosepin_text::units::SiUnit;
 pub(crate) struct StudyAnswer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
-    /// Caveats that may overturn the verdict: they stand beside it.
+    /// Caveats that may overturn the verdict, or else the numbers of the answer.
     pub caveats: Vec<String>,
     /// The sentence on the output that matters most.
     pub headline: String,
     /// A sentence on every other output, and for which values all of them hold; empty where there is one output.
     pub further: Vec<String>,
-    /// Scatter alone, numerical error, runs and assumptions.
+    /// The numerical error, and what would reduce a large one.
+    pub error: String,
+    /// Scatter alone, runs and assumptions.
     pub details: Vec<String>,
     /// Whether a stated requirement is not met.
     pub verdict: Option<Verdict>,
@@ -54,15 +56,14 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     further.extend((!further.is_empty()).then(|| conditions.trim_start().to_owned()));
     let verdict = result.verdict();
     let caveats = caveats(result, writer);
-    // Without a verdict they concern the numbers of the answer.
-    let (caveats, mut details) = if verdict.is_some() { (caveats, Vec::new()) } else { (Vec::new(), caveats) };
+    let mut details = Vec::new();
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
-    details.push(error_sentence(result, &answers, writer));
     details.extend(gaps_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    StudyAnswer { requirements, caveats, headline, further, details, verdict }
+    let error = error_sentence(result, &answers, writer);
+    StudyAnswer { requirements, caveats, headline, further, error, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
@@ -161,7 +162,8 @@ fn scatter_sentence(
         let [random, mixed] = if is_on_both_sides {
             [(random, &tags[0]), (mixed, &tags[1])].map(|(most, tag)| {
                 let reach = tag.part("reach");
-                let reach = writer.with_tag(&reach).rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up);
+                let error_si = curve.numerical_error_si;
+                let reach = writer.with_tag(&reach).for_sentence(most, error_si, &curve.unit, Rounding::Up);
                 format!("within ±{reach}")
             })
         } else {
@@ -172,11 +174,11 @@ fn scatter_sentence(
         match of_several {
             None => format!(
                 "With the unknown values in the middle of their ranges, {share} of mechanisms stay {random} at each angle. With all \
-                 unknown values and the numerical error, they stay {mixed}."
+                 unknown values, they stay {mixed}."
             ),
             Some(it_stays) => format!(
                 "With the unknown values in the middle of their ranges, {it_stays} {random} in {share} of mechanisms at each angle. With all \
-                 unknown values and the numerical error, it stays {mixed}."
+                 unknown values, it stays {mixed}."
             ),
         }
     })
@@ -268,11 +270,11 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
             )
         )
     } else if is_by_surrogate(result) {
-        "The required share lies within the numerical error: increase 'training_runs' or 'inner', or use \
+        "The required share lies within its error: increase 'training_runs' or 'inner', or use \
          direct = \"double-loop\"."
             .to_owned()
     } else {
-        "The required share lies within the numerical error: increase 'inner' and 'outer'.".to_owned()
+        "The required share lies within its error: increase 'inner' and 'outer'.".to_owned()
     }
 }
 
@@ -430,7 +432,7 @@ fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     if band.error_si().is_some_and(|error_si| error_si > (band.width_si() - mixed).abs()) {
         let error = band_error(band, comparison, writer);
         return format!(
-            " The band found is {compared}, but the numerical error of its ends, {error}, is larger than this difference."
+            " The band found is {compared}, but the error of its ends, {error}, is larger than this difference."
         );
     }
     format!(" The band is {compared}.")

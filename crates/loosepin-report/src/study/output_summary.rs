@@ -14,7 +14,7 @@ use loosepin_result::study::{
 use loosepin_text::units::{SiUnit, distinct};
 
 /// Digits of a bound in a sentence.
-pub(crate) const SENTENCE_DIGITS: usize = 2;
+const SENTENCE_DIGITS: usize = 2;
 /// Places of one output of which a sentence has the statistics, at most; the table has all.
 const MAX_PLACES: usize = 3;
 /// Further digits where both ends of a range are nearly the same, at most.
@@ -234,7 +234,9 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
         .with_tag(&Tag::Given("probability"))
         .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let mixed = Tag::curve(curve, "mixed");
-    let reach = mixed.part("reach");
+    let of_reach = mixed.part("reach");
+    let reach =
+        |writer: &NumberWriter| writer.for_sentence(magnitude, curve.numerical_error_si, &curve.unit, Rounding::Up);
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
@@ -245,9 +247,9 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
     let range = if is_distance {
-        format!("within {}", writer.with_tag(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within {}", reach(&writer.with_tag(&of_reach)))
     } else if is_even && curve.of != Deviation::Value {
-        format!("within ±{}", writer.with_tag(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within ±{}", reach(&writer.with_tag(&of_reach)))
     } else {
         between(lowest, highest, &curve.unit, &writer.with_tag(&mixed))
     };

@@ -36,7 +36,9 @@ fn answer_section(answer: &StudyAnswer) -> Section {
         section.push(Content::sentences([verdict_headline(verdict)]));
         section.push_close(Content::points(answer.requirements.iter().chain(&answer.caveats).cloned()));
     }
+    let caveats = if answer.verdict.is_some() { &[][..] } else { &answer.caveats };
     section.push(Content::sentences([&answer.headline].into_iter().chain(&answer.further).cloned()));
-    section.push_close(Content::points(answer.details.iter().cloned()));
+    let details = caveats.iter().chain([&answer.error]).chain(&answer.details);
+    section.push_close(Content::points(details.cloned()));
     section
 }

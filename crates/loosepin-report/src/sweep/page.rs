@@ -45,6 +45,8 @@ pub fn sweep_page(record: &SweepRecord) -> String {
         is_answer_short: true,
         beside: html! {},
         below: html! {},
+        more: Markup::default(),
+        is_folded: false,
         sections: sections.into_iter().flatten().collect(),
         identity: "sweep".to_owned(),
         version: record.version.clone(),

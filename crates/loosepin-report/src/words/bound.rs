@@ -4,6 +4,9 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use loosepin_result::study::{BoundEnd, BoundRecord};
 
+/// Ends of an interval are written to this share of its width, or to their error where it is larger.
+const RESOLVED_SHARE: f64 = 0.01;
+
 /// The widened end, rounded outwards.
 pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Rounding, writer: &NumberWriter) -> String {
     let part = match rounding {
@@ -16,7 +19,10 @@ pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Roundin
     if bound.statistic.is_probability() {
         writer.percent(end.widened_si, rounding)
     } else {
-        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
+        // Finer digits than the interval resolves are noise, however small the error is.
+        let width_si = bound.upper.widened_si - bound.lower.widened_si;
+        let resolved_si = if width_si.is_finite() { RESOLVED_SHARE * width_si } else { 0.0 };
+        writer.down_to_error(end.widened_si, end.error.total_si().max(resolved_si), &bound.unit, rounding)
     }
 }
 

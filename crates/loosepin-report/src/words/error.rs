@@ -1,11 +1,14 @@
-//! The numerical error of an answer: how large it is, where it comes from, and how many runs would halve it.
+//! The numerical error of an answer: how large it is, where it comes from, and what would reduce a large one.
 
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{OutputSummary, largest, smallest};
+use crate::words::bound::bound_error;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{count, is_by_surrogate};
-use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{
+    BoundRecord, DeviationCurve, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment,
+};
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;
@@ -16,19 +19,37 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
-        let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
-        let error = writer.with_tag(&summary.error_tag()).error(error_si, unit);
-        let halved = halving_words(result, *summary, writer).unwrap_or_default();
-        Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", summary.limit_words()))
+        let limit = summary.limit_words();
+        let (error, of_band) = match summary {
+            OutputSummary::Bound(bound) => {
+                let is_known = bound.lower.error.total_si().max(bound.upper.error.total_si()).is_finite();
+                (is_known.then(|| bound_error(bound, writer))?, None)
+            }
+            OutputSummary::Largest(..) | OutputSummary::Curve(_) => {
+                let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
+                let of_band = band_beside(result, *summary).map(|curve| {
+                    let tag = Tag::curve(curve, "error");
+                    writer.with_tag(&tag).error(curve.numerical_error_si, &curve.unit)
+                });
+                (writer.with_tag(&summary.error_tag()).error(error_si, unit), of_band)
+            }
+        };
+        let reduced = reduction_words(result, *summary, writer).unwrap_or_default();
+        Some(match of_band {
+            None => format!("Numerical error of {limit}: at most {error}, included in it.{reduced}"),
+            Some(of_band) => format!(
+                "Numerical error of {limit}: at most {error}, included in it.{reduced} The band at single angles includes its own, up to {of_band}."
+            ),
+        })
     });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let endless = |bound: &&BoundRecord| [&bound.lower, &bound.upper].iter().any(|end| end.widened_si.is_infinite());
     let mut sentence = match error_text {
         Some(error) if answers.len() > 1 => {
-            format!("{error} The table shows those of the other answers, which are included as well.")
+            format!("{error} The table of bounds shows those of the other answers, which are included as well.")
         }
         Some(error) => error,
-        None => "The table shows the numerical error of each bound.".to_owned(),
+        None => "The table of bounds shows the numerical error of each of them.".to_owned(),
     };
     if inner > 0 {
         let is_answer = headline.is_some_and(|summary| summary.is_unconfirmed());
@@ -65,6 +86,80 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     sentence
 }
 
+/// The band over the cycle of the output that a limit over the whole cycle answers for: its error is another one.
+fn band_beside<'r>(result: &'r StudyResult, summary: OutputSummary<'r>) -> Option<&'r DeviationCurve> {
+    let OutputSummary::Largest(bound, _) = summary else { return None };
+    let is_own = |curve: &&DeviationCurve| {
+        (&curve.output, curve.of) == (&bound.output, bound.of)
+            && !curve.mixed.lower_si.is_empty()
+            && curve.numerical_error_si.is_finite()
+    };
+    result.curves.iter().find(is_own)
+}
+
+/// What would reduce the error of an answer, where it is large; `None` where it is small or has no end.
+fn reduction_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &NumberWriter) -> Option<String> {
+    let (answer_si, error_si) = match summary {
+        OutputSummary::Largest(bound, _) => (bound.upper.widened_si.abs(), bound.upper.error.total_si()),
+        OutputSummary::Curve(curve) => {
+            (largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)), curve.numerical_error_si)
+        }
+        OutputSummary::Bound(bound) => {
+            let [lower, upper] = [&bound.lower, &bound.upper];
+            let answer_si = lower.widened_si.abs().max(upper.widened_si.abs());
+            (answer_si, lower.error.total_si().max(upper.error.total_si()))
+        }
+    };
+    if !(error_si.is_finite() && error_si > LARGE_SHARE * answer_si) {
+        return None;
+    }
+    halving_words(result, summary, writer).or_else(|| {
+        Some(if is_by_surrogate(result) {
+            " This is large: more training runs (training_runs), or direct = \"double-loop\", reduce it.".to_owned()
+        } else if result.accuracy.is_some() {
+            " This is large: a smaller accuracy, and a budget that allows it, reduce it.".to_owned()
+        } else if result.counts.inner < 2 {
+            " This is large: more values of the unknown inputs (outer) reduce it.".to_owned()
+        } else {
+            match largest_error(result, summary) {
+                Some(error) if error.sampling_si > error.optimisation_si => {
+                    " This is large: most of it comes from the random samples, and more of them (inner) reduce it.".to_owned()
+                }
+                Some(_) => {
+                    " This is large: most of it comes from the search over the unknown values, and more of them (outer) reduce it."
+                        .to_owned()
+                }
+                None => " This is large: more random samples (inner) and more values of the unknown inputs (outer) reduce it.".to_owned(),
+            }
+        })
+    })
+}
+
+/// The largest error among the bounds of an answer.
+fn largest_error(result: &StudyResult, summary: OutputSummary<'_>) -> Option<NumericalError> {
+    match summary {
+        OutputSummary::Largest(bound, _) => Some(bound.upper.error),
+        OutputSummary::Bound(bound) => Some(larger(bound.lower.error, bound.upper.error)),
+        OutputSummary::Curve(curve) => {
+            let errors = bounds_of_curve(result, curve).map(|bound| larger(bound.lower.error, bound.upper.error));
+            errors.filter(|error| error.total_si().is_finite()).reduce(larger)
+        }
+    }
+}
+
+fn larger(a: NumericalError, b: NumericalError) -> NumericalError {
+    if b.total_si() > a.total_si() { b } else { a }
+}
+
+/// The bounds at the poses of a curve that are the ends of its band.
+fn bounds_of_curve<'r>(result: &'r StudyResult, curve: &'r DeviationCurve) -> impl Iterator<Item = &'r BoundRecord> {
+    result.bounds.iter().filter(|bound| {
+        (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
+            && matches!(bound.at, ResponsePoint::Curve { .. })
+            && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
+    })
+}
+
 /// What would halve a large error: random samples, or nothing that more runs do. An answer here is a quantile, and its sampling error falls as
 /// 1/sqrt(inner); that of the search over the unknown values falls with `outer` as the statistic is smooth, which is not known beforehand.
 fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &NumberWriter) -> Option<String> {
@@ -73,13 +168,8 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
         return None;
     }
     let (bound, end, error) = furthest(result, summary)?;
-    let answer_si = match summary {
-        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => bound.upper.widened_si.abs(),
-        OutputSummary::Curve(curve) => largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)),
-    };
     let total_si = error.total_si();
-    let is_large = total_si.is_finite() && total_si > LARGE_SHARE * answer_si;
-    if !is_large || error.surrogate_si > 0.0 {
+    if error.surrogate_si > 0.0 || !total_si.is_finite() {
         return None;
     }
     let (sampling_si, search_si) = (error.sampling_si, error.optimisation_si);
@@ -124,16 +214,13 @@ fn furthest<'r>(
     summary: OutputSummary<'r>,
 ) -> Option<(&'r BoundRecord, &'static str, NumericalError)> {
     match summary {
-        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => Some((bound, "upper", bound.upper.error)),
+        OutputSummary::Largest(bound, _) => Some((bound, "upper", bound.upper.error)),
+        // A statistic may be a probability, of which nobody knows how its error falls.
+        OutputSummary::Bound(_) => None,
         OutputSummary::Curve(curve) => {
-            let is_of_curve = |bound: &&BoundRecord| {
-                (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
-                    && matches!(bound.at, ResponsePoint::Curve { .. })
-                    && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
-            };
             let ends =
                 |bound: &'r BoundRecord| [(bound, "lower", bound.lower.error), (bound, "upper", bound.upper.error)];
-            let ends = result.bounds.iter().filter(is_of_curve).flat_map(ends);
+            let ends = bounds_of_curve(result, curve).flat_map(ends);
             let largest = ends.max_by(|(_, _, a), (_, _, b)| a.total_si().total_cmp(&b.total_si()));
             // Where the band is narrowed to the limit over the whole cycle, parts of what it was before are none of its error.
             largest.filter(|(_, _, error)| error.total_si() <= curve.numerical_error_si)

@@ -125,7 +125,7 @@ fn identity_a_frame_is_the_first_screen_of_its_page() {
     };
     let result = report_fixture::study::worn_pin();
     let (page, frame) = (study_page(&result), study_frame(&result).document);
-    assert_eq!(opening(&frame, "<section id=\"bounds\""), opening(&page, "<nav"));
+    assert_eq!(opening(&frame, "<section id=\"bounds\""), opening(&page, "<div class=\"folds\""));
     let run = report_fixture::simulation::worn_pin();
     let (page, frame) = (simulation_page(&run), simulation_frame(&run).document);
     assert_eq!(opening(&frame, "<section id=\"extremes\""), opening(&page, "<nav"));

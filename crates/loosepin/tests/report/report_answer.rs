@@ -77,8 +77,40 @@ fn analytic_runs_that_would_halve_a_large_error() {
         "included in it. Of this, 0.06 mm comes from the search over the unknown values and decreases slowly with more runs (outer), and 0.04 mm \
          from random samples: inner = 1024, about 71000 runs should halve this part.",
     );
-    says(&shown(1e-6, 9e-5), "and decreases slowly with more runs (outer). - Between the 64 values");
+    says(&shown(1e-6, 9e-5), "and decreases slowly with more runs (outer). The band at single angles");
     assert!(!shown(1e-5, 1e-5).contains("halve"));
+}
+
+/// The band over the cycle answers; its errors are `share` of it, most of them from the samples or from the search.
+fn curve_with_error(share: f64, is_sampling: bool) -> StudyResult {
+    let mut result = curve_between(Deviation::Total, -5e-4, 5e-4);
+    result.accuracy = None;
+    let curve = &mut result.curves[0];
+    curve.numerical_error_si = share * 5e-4;
+    let mut bound = worn_pin().bounds[0].clone();
+    bound.at = ResponsePoint::Curve { pose_rad: curve.pose_rad[0] };
+    bound.of = curve.of;
+    bound.statistic = Statistic::Quantile(curve.probabilities[1]);
+    // More than that of the band, which the limit over the whole cycle has narrowed.
+    let [most, least] = [1.6, 0.2].map(|part| part * curve.numerical_error_si);
+    let (sampling_si, optimisation_si) = if is_sampling { (most, least) } else { (least, most) };
+    bound.upper.error = NumericalError { sampling_si, optimisation_si, surrogate_si: 0.0 };
+    bound.lower.error = NumericalError { sampling_si: 0.0, optimisation_si: 0.0, surrogate_si: 0.0 };
+    result.bounds = vec![bound];
+    result
+}
+
+#[test]
+fn a_large_error_says_what_reduces_it() {
+    assert_says(
+        &curve_with_error(0.2, false),
+        "This is large: most of it comes from the search over the unknown values, and more of them (outer) reduce it.",
+    );
+    assert_says(
+        &curve_with_error(0.2, true),
+        "This is large: most of it comes from the random samples, and more of them (inner) reduce it.",
+    );
+    assert!(!study_text(&curve_with_error(0.05, true)).contains("This is large"));
 }
 
 #[test]
@@ -189,7 +221,7 @@ fn a_bound_that_does_not_exist_makes_no_headline() {
     result.bounds[0].upper.widened_si = f64::INFINITY;
     assert_says(
         &result,
-        "At each angle of crank, the slider (x of slider.pin) stays within ±0.59 mm of its ideal motion in at least 95 % of mechanisms.",
+        "At each angle of crank, the slider (x of slider.pin) stays within ±0.583 mm of its ideal motion in at least 95 % of mechanisms.",
     );
     let page = study_page(&result);
     assert!(page.contains("∞"), "the table shows that there is no upper bound");
@@ -387,7 +419,7 @@ fn verdicts_stand_first_and_with_their_numbers() {
     assert_says(
         &result,
         "Undecided: the deviation of slider stays within ±0.7 mm over the whole cycle in 99.71 % to 99.75 % of mechanisms; required: at \
-         least 99.73 %. The required share lies within the numerical error: increase 'inner' and 'outer'.",
+         least 99.73 %. The required share lies within its error: increase 'inner' and 'outer'.",
     );
     assert!(study_page(&result).contains("Requirement undecided"));
     // None of 256 lies outside: a share of 6 in 256 may still do so.
@@ -412,9 +444,9 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     assert_says(&result, "1 of 3 bounds may be too narrow: increase 'inner'.");
     let mut answer = result.clone();
     answer.bounds[0].guarantee = Guarantee::Inner;
-    assert_says(&answer, "included in it. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.");
+    assert_says(&answer, "up to 0.005 mm. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.");
     answer.bounds[1].guarantee = answer.bounds[2].guarantee;
-    assert_says(&answer, "included in it. This answer may be too narrow: increase 'inner'.");
+    assert_says(&answer, "up to 0.005 mm. This answer may be too narrow: increase 'inner'.");
     assert_says(
         &result,
         "17536 runs, 3 failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
@@ -478,7 +510,7 @@ fn analytic_treatments_of_a_normal_plus_an_interval() {
         Some([-9.0, 9.0].map(|widened| TreatmentEnd { widened_si: 1e-3 * widened, error }));
     assert_says(
         &unsure,
-        "The band found is 35 % wider than the mixed band, but the numerical error of its ends, 5 mm, is larger than this difference.",
+        "The band found is 35 % wider than the mixed band, but the error of its ends, 5 mm, is larger than this difference.",
     );
     assert_says(&result, "Probability only -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
     assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");
@@ -583,11 +615,8 @@ fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
     let nearly_even = curve_between(Deviation::Total, 5.003e-4, 5.196e-4);
     assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
     let even = curve_between(Deviation::Total, -4.97e-4, 5.13e-4);
-    assert_says(&even, "stays within ±0.52 mm of its ideal motion");
-    assert_says(
-        &even,
-        "stay within ±0.27 mm at each angle. With all unknown values and the numerical error, they stay within ±0.52 mm.",
-    );
+    assert_says(&even, "stays within ±0.513 mm of its ideal motion");
+    assert_says(&even, "stay within ±0.261 mm at each angle. With all unknown values, they stay within ±0.513 mm.");
     let value = curve_between(Deviation::Value, 0.1552, 0.1698);
     assert_says(
         &value,
@@ -624,7 +653,7 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     assert!(!text.contains("all values of the unknown inputs"), "{text}");
     let page = one_line(&study_page(&result));
     assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
-    assert!(page.contains("Shares of mechanisms, numerical error included."), "{page}");
+    assert!(page.contains("Shares of mechanisms."), "{page}");
     assert!(page.contains("Each statistic lies between its two bounds. "), "{page}");
 }
 
@@ -649,15 +678,12 @@ fn the_share_below_a_limit_is_the_same_in_the_picture_as_in_the_table() {
     let asked = asked.expect("the fixture asks for a probability");
     (asked.lower.widened_si, asked.upper.widened_si) = (0.125, 0.75);
     let page = one_line(&study_page(&result));
-    assert!(page.contains("Below 0.4 mm: between 25 % and 87.5 % of mechanisms, numerical error included."), "{page}");
+    assert!(page.contains("Below 0.4 mm: between 25 % and 87.5 % of mechanisms."), "{page}");
     result.bounds.retain(|bound| !bound.statistic.is_probability());
     let pbox = &mut result.boxes[0];
     (pbox.value_si, pbox.lower, pbox.upper) = (vec![3e-4, 3.9e-4, 4.1e-4], vec![0.0, 0.5, 0.75], vec![0.0, 0.875, 1.0]);
     let page = one_line(&study_page(&result));
-    assert!(
-        page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms, sampling error not included."),
-        "{page}"
-    );
+    assert!(page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms that were run."), "{page}");
 }
 
 #[test]
@@ -667,7 +693,7 @@ fn where_only_curves_were_asked_for_no_empty_table_is_shown() {
     let count = result.bounds.len();
     let page = one_line(&study_page(&result));
     assert!(page.contains(&format!("All bounds are points of curves: {count} rows in bounds.csv.")), "{page}");
-    assert!(!page.contains("Lower bound, attained at"));
+    assert!(!page.contains("± error</th>"));
     assert_says(&result, "All bounds are points of curves");
 }
 

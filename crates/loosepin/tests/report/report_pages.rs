@@ -97,6 +97,48 @@ fn every_figure_has_a_caption_and_a_text_alternative() {
     }
 }
 
+/// Words of an element, but for those of its scripts and terms that are explained.
+fn words_of(element: ElementRef<'_>, words: &mut String) {
+    for child in element.children() {
+        if let Some(text) = child.value().as_text() {
+            words.push_str(text);
+        } else if let Some(inner) = ElementRef::wrap(child) {
+            let is_left = ["script", "svg", "pre"].contains(&inner.value().name())
+                || inner.value().classes().any(|class| class == "glossary");
+            if !is_left {
+                words_of(inner, words);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_study_speaks_of_its_numerical_error_once() {
+    for study in [report_fixture::study::worn_pin(), report_fixture::study::with_list()] {
+        let page = parsed("study", &study_page(&study));
+        let mut words = String::new();
+        words_of(select(&page, "main")[0], &mut words);
+        let words = words.to_lowercase();
+        assert_eq!(words.matches("numerical error").count(), 1, "{words}");
+        assert_eq!(words.matches("sampling error").count(), 0, "{words}");
+    }
+}
+
+#[test]
+fn sections_of_a_study_are_written_open_and_can_be_closed() {
+    let page = parsed("study", &study_page(&report_fixture::study::worn_pin()));
+    let sections = select(&page, ".folds > section");
+    assert!(sections.len() >= 8);
+    assert_eq!(select(&page, ".folds > section > details.fold[open] > summary > h2").len(), sections.len());
+    // What forwards the answer stands before them.
+    let shown = |selector: &str| select(&page, &format!(".opening {selector}")).len();
+    assert_eq!((shown(".verdict"), shown("figure.mechanism"), shown("[data-chart]")), (1, 1, 1));
+    assert_eq!(shown("#contributors-overview tbody tr"), 4, "an input a row");
+    // The other pages are as they were.
+    let motion = parsed("motion", &motion_page(&report_fixture::motion::worn_pin()));
+    assert!(select(&motion, ".fold").is_empty() && !select(&motion, "nav").is_empty());
+}
+
 #[test]
 fn every_id_is_unique_and_every_link_arrives() {
     for (name, text) in pages() {

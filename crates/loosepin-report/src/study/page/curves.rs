@@ -10,7 +10,6 @@ use crate::medium::script_data::round_to_digits;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::answer::requirement_words;
-use crate::study::output_summary::main_bound;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use loosepin_result::study::{
@@ -141,8 +140,8 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     let centre = writer.with_tag(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
     let worst_words = if worst.is_finite() {
         let [angle, reach] = ["mixed reach angle", "mixed reach"].map(|part| Tag::curve(curve, part));
-        let angle = writer.with_tag(&angle).rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest);
-        let reach = writer.with_tag(&reach).rounded(worst, &curve.unit, 2, Rounding::Up);
+        let angle = writer.with_tag(&angle).angle_in_turn(worst_angle, 3);
+        let reach = writer.with_tag(&reach).for_sentence(worst, curve.numerical_error_si, &curve.unit, Rounding::Up);
         format!("is largest at {angle}, {reach} from zero")
     } else {
         let reason = too_few_samples(result, &curve.probabilities, writer);
@@ -168,16 +167,6 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
                 ". With evidence, mechanisms belong to several intervals, so there is no band for a single value of the unknown inputs"
             }
             ". The orange band " (worst_words) "."
-            @if worst.is_finite() {
-                " It includes its numerical error, which differs from angle to angle: up to "
-                (writer.with_tag(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
-            }
-            @if let Some((bound, _)) = main_bound(&result.bounds).filter(|(bound, _)| bound.output == curve.output && bound.of == curve.of) {
-                " The limit over the whole cycle has its own, " (writer.with_tag(&Tag::bound(bound, "upper error")).error(bound.upper.error.total_si(), &bound.unit)) "."
-            }
-            @if let Some(confidence) = curve.confidence {
-                " Sampling errors hold with " (writer.with_tag(&Tag::curve(curve, "confidence")).percent(confidence, Rounding::Down)) " confidence at each angle by itself."
-            }
             @for each in &curve.simultaneous {
                 " " (simultaneous_words(curve, each, writer))
             }
@@ -320,7 +309,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         height: 320,
         caption: html! {
             strong { (capitalised(&response)) ". " } (median) " " (limit_words)
-            " Sampling error of the shares: at most " (writer.with_tag(&Tag::distribution(pbox, "error")).percent(pbox.numerical_error, Rounding::Up)) "."
+            " Shares ± " (writer.with_tag(&Tag::distribution(pbox, "error")).percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
         ..Chart::over(box_name(result, index), &x_label, &pbox.value_si, &pbox.unit, writer)
@@ -347,18 +336,17 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
     if pbox.value_si.is_empty() {
         return String::new();
     }
-    let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ", numerical error included"));
-    let read_off =
-        || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), ", sampling error not included");
-    let ([least, most], error) = bounded.unwrap_or_else(read_off);
+    let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ""));
+    let read_off = || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), " that were run");
+    let ([least, most], which) = bounded.unwrap_or_else(read_off);
     let limit = writer.with_tag(&Tag::Given("limit")).value_trimmed(limit_si, &pbox.unit);
     let [lower, upper] = ["share below lower", "share below upper"].map(|part| Tag::distribution(pbox, part));
     let [least, most] =
         [writer.with_tag(&lower).percent(least, Rounding::Down), writer.with_tag(&upper).percent(most, Rounding::Up)];
     if same_wording(&least, &most) {
-        return format!("Below {limit}: {least} of mechanisms{error}.");
+        return format!("Below {limit}: {least} of mechanisms{which}.");
     }
-    format!("Below {limit}: between {least} and {most} of mechanisms{error}.")
+    format!("Below {limit}: between {least} and {most} of mechanisms{which}.")
 }
 
 /// Least and largest share below the limit, where a probability of the same was asked for.

@@ -1,4 +1,4 @@
-//! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
+//! The page of a study: first a whole page with the answer, the mechanism, the chart and the contributors, then sections that open.
 //! What a terminal shows too stands in `sections`.
 
 mod curves;
@@ -10,7 +10,7 @@ use maud::{Markup, html};
 pub use curves::{KnownValue, known_values};
 
 use crate::charts::figure::images;
-use crate::charts::still_figures::orbit_figure;
+use crate::charts::still_figures::orbit_chooser;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{blocks, page_section};
 use crate::medium::page::{Frame, Page, Section};
@@ -19,14 +19,18 @@ use crate::numbers::tag::Tag;
 use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
 use crate::study::repeat_section::study_repeat_section;
 use crate::study::sections::{
-    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, degrees_section,
-    percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_overview, contributors_section,
+    degrees_section, percentiles_section, places_section, promise_section, rare_section, runs_section,
+    surrogate_section, treatments_section,
 };
 use crate::words::wording::{
     UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
+
+/// More comparisons of the treatments are printed only where the reader has opened them: the page has about four sheets.
+const MAX_PRINTED_TREATMENTS: usize = 2;
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -54,25 +58,34 @@ fn page(result: &StudyResult) -> Page {
         own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),
         own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
             curves::other_charts(result, writer)
-        }),
-        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
-        page_section(contributors_section(result, writer)),
+        })
+        .map(Section::printed_if_open),
+        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer))
+            .map(Section::printed_if_open),
+        page_section(contributors_section(result, writer)).map(Section::printed_if_open),
         page_section(allowed_section(result, writer)),
         page_section(answers_section(result, writer)),
-        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
-        page_section(treatments_section(result, writer)),
+        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer))
+            .map(Section::printed_if_open),
         page_section(requirements(result, writer)),
         page_section(bounds_section(result, writer)),
+        page_section(places_section(result, writer)).map(Section::printed_if_open),
+        page_section(treatments_section(result, writer)).map(|section| {
+            if result.treatments.len() <= MAX_PRINTED_TREATMENTS { section } else { section.printed_if_open() }
+        }),
         page_section(promise_section(result, writer)),
-        page_section(degrees_section(result, writer)),
-        page_section(percentiles_section(result, writer)),
+        page_section(degrees_section(result, writer)).map(Section::printed_if_open),
+        page_section(percentiles_section(result, writer)).map(Section::printed_if_open),
         page_section(rare_section(result, writer)),
-        page_section(surrogate_section(result, writer)),
+        page_section(surrogate_section(result, writer)).map(Section::printed_if_open),
         page_section(accuracy_section(result, writer)),
         page_section(runs_section(result, writer)),
-        result.energy.as_ref().map(|energy| Section::new("energy", "Energy check", provenance::energy(energy, writer))),
+        own("energy", "Energy check", result.energy.is_some(), &|| {
+            result.energy.as_ref().map(|energy| provenance::energy(energy, writer)).unwrap_or_default()
+        })
+        .map(Section::printed_if_open),
         page_section(provenance::method_section(result, writer)),
-        study_repeat_section(result, writer),
+        study_repeat_section(result, writer).map(Section::printed_if_open),
     ];
     Page {
         title: result.name.clone(),
@@ -82,9 +95,11 @@ fn page(result: &StudyResult) -> Page {
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
-        is_answer_short: false,
+        is_answer_short: true,
         beside: mechanism_figure(&result.drawing, &result.cycle.drive),
         below: first.markup,
+        more: contributors_overview(result, writer).unwrap_or_default(),
+        is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: format!("study {}", short_hash(&result.input_hash)),
         version: result.version.clone(),
@@ -110,6 +125,9 @@ fn short_hash(hash: &str) -> String {
 }
 
 fn answer_markup(answer: &StudyAnswer) -> Markup {
+    let caveats = html! {
+        @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
+    };
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {
@@ -117,10 +135,15 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
             }
         }
         @for requirement in &answer.requirements { p { (requirement) } }
-        @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
+        @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
         @if !answer.further.is_empty() { ul.further { @for sentence in &answer.further { li { (sentence) } } } }
-        ul.details { @for detail in &answer.details { li { (detail) } } }
+        @if answer.verdict.is_none() { (caveats) }
+        p.error { (answer.error) }
+        details.fold.printed open {
+            summary { "Runs and assumptions" }
+            ul.details { @for detail in &answer.details { li { (detail) } } }
+        }
     }
 }
 
@@ -166,7 +189,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::
         Column::words("Verdict"),
     ];
     let mut section = article::Section::new("requirements", "Requirements");
-    section.push(Content::Note(format!("Shares of mechanisms, numerical error included{of_unknown}.").into()));
+    section.push(Content::Note(format!("Shares of mechanisms{of_unknown}.").into()));
     section.push(Content::Table(Table::new(columns, result.requirements.iter().map(row))));
     (!result.requirements.is_empty()).then_some(section)
 }
@@ -177,6 +200,6 @@ fn orbits(result: &StudyResult, writer: &NumberWriter) -> Markup {
             "The path of the pin centre relative to the hole, in the frame of the part with the hole. Inside the circle the pin \
              does not touch the hole. On the circle the parts are in contact."
         }
-        div.orbits { @for orbit in &result.orbits { (orbit_figure(orbit, writer)) } }
+        (orbit_chooser(&result.orbits, writer))
     }
 }

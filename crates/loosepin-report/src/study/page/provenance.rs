@@ -5,12 +5,14 @@ use maud::{Markup, html};
 use crate::charts::still_figures::histogram_figure;
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::Tag;
+use crate::numbers::tag::{Tag, same_wording};
 use crate::study::answer::turns;
 use crate::study::sections::double_loop_words;
 use crate::words::glossary::glossary;
 use crate::words::wording::{count, guarantee_words, is_by_surrogate, listed, reading_words};
-use loosepin_result::study::{CorrelationDescription, EnergyResiduals, InputKind, Purpose, StudyResult, Treatment};
+use loosepin_result::study::{
+    CorrelationDescription, EnergyResiduals, Guarantee, InputKind, Purpose, StudyResult, Treatment,
+};
 use loosepin_text::article::{Cell, Column, Content, Fact, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
@@ -102,9 +104,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
 
 fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
-    let mut guarantees: Vec<String> = mixed().map(|bound| guarantee_words(bound.guarantee, writer)).collect();
-    guarantees.sort();
-    guarantees.dedup();
+    let guarantees = guarantees_words(mixed().map(|bound| bound.guarantee), writer);
     let mut readings: Vec<&'static str> = mixed().map(|bound| reading_words(bound.reading)).collect();
     readings.sort_unstable();
     readings.dedup();
@@ -121,7 +121,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
         ("Runs", runs_words(result, writer)),
         ("Integration", format!("{}, tolerance {tolerance}", cycle.method)),
         ("Reading of an interval", readings.join("; ")),
-        ("Guarantee of the bounds", guarantees.join(", or ")),
+        ("Guarantee of the bounds", guarantees),
         ("Seed", count(result.seed, &writer.with_tag(&Tag::Given("seed")))),
     ];
     let known = known.into_iter().filter(|(_, words)| !words.is_empty());
@@ -129,6 +129,29 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
     facts.push(Fact::new("Hash of all inputs", [Text::default().code(&result.input_hash)]));
     facts.push(Fact::new("Version", [format!("loosepin {}", result.version)]));
     facts
+}
+
+/// Each kind of guarantee once, confidences from the least to the most.
+fn guarantees_words(all: impl Iterator<Item = Guarantee>, writer: &NumberWriter) -> String {
+    let mut others: Vec<String> = Vec::new();
+    let mut confidences: Option<[f64; 2]> = None;
+    for guarantee in all {
+        if let Guarantee::Sampled { confidence } = guarantee {
+            let [least, most] = confidences.unwrap_or([confidence; 2]);
+            confidences = Some([least.min(confidence), most.max(confidence)]);
+        } else {
+            others.push(guarantee_words(guarantee, writer));
+        }
+    }
+    others.sort();
+    others.dedup();
+    let given = Tag::Given("confidence");
+    let sampled = confidences.map(|ends| {
+        let [least, most] = ends.map(|share| writer.with_tag(&given).percent(share, Rounding::Nearest));
+        let range = if same_wording(&least, &most) { least } else { format!("{least} to {most}") };
+        format!("estimated from samples, with {range} confidence in each statistic by itself")
+    });
+    others.into_iter().chain(sampled).collect::<Vec<String>>().join(", or ")
 }
 
 /// All runs as a sum of those for each purpose.

@@ -97,7 +97,7 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
     );
     let asked = writer.value_shortest(target.asked_si, &target.unit);
     if target.is_reached() {
-        return format!("{subject}: numerical error at most {}, required {asked}.", value(target.reached_si));
+        return format!("{subject}: error at most {}, required {asked}.", value(target.reached_si));
     }
     if !target.reached_si.is_finite() {
         return format!("{subject}: no finite error, required {asked}. Too few runs finished.");
@@ -113,7 +113,7 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
     let surrogate =
         if record.is_learned() { format!(", surrogate {}", value(target.surrogate_si)) } else { String::new() };
     format!(
-        "{subject}: numerical error up to {} (sampling {}, search {}{surrogate}), required {asked}. {foreseen}",
+        "{subject}: error up to {} (sampling {}, search {}{surrogate}), required {asked}. {foreseen}",
         value(target.reached_si),
         value(target.sampling_si),
         value(target.optimisation_si),

@@ -1,7 +1,7 @@
 //! The key table: every bound that is not a point of a curve.
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::Tag;
+use crate::numbers::tag::{Tag, same_wording};
 use crate::words::bound::{bound_error, bound_value, error_parts};
 use crate::words::wording::{
     MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
@@ -23,9 +23,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     if result.bounds.is_empty() {
         return None;
     }
-    let is_single =
-        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
-    let single: Vec<&BoundRecord> = result.bounds.iter().filter(is_single).collect();
+    let single = single_bounds(result);
     if single.is_empty() {
         let mut section = Section::headed_on_page("bounds", "Bounds");
         section.push(Content::sentences(only_curves(result.bounds.len(), writer)));
@@ -38,7 +36,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));
     let mut section = Section::new("bounds", heading);
     let what = format!(
-        "Each statistic lies between its two bounds{over}. The bounds include their numerical error and are rounded outwards."
+        "Each statistic lies between its two bounds{over}. The bounds include their error and are rounded outwards."
     );
     let of_parts = has_parts(&result.inputs).then(|| MASSES_ADD.to_owned());
     section.push_on(Medium::Page, Content::sentences([what].into_iter().chain(of_parts)));
@@ -57,39 +55,95 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     Some(section)
 }
 
+/// Where the bounds of the key table are attained, for a page; `None` if it has none.
+pub(crate) fn places_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let single = single_bounds(result);
+    let mut section = Section::new("bounds-attained", "Where the bounds are attained");
+    section.push(Content::Table(places(result, &single[..single.len().min(most_rows(writer.medium))], writer)));
+    (!single.is_empty()).then_some(section)
+}
+
+/// The bounds of the mixed treatment that are not points of curves.
+fn single_bounds(result: &StudyResult) -> Vec<&BoundRecord> {
+    let is_single =
+        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
+    result.bounds.iter().filter(is_single).collect()
+}
+
 fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
     let columns = vec![
         Column::words(Text::by_medium("Statistic", "statistic")),
-        Column { label: Some("Lower bound"), ..Column::numbers(Text::by_medium("Lower bound, attained at", "lower")) },
-        Column { label: Some("Upper bound"), ..Column::numbers(Text::by_medium("Upper bound, attained at", "upper")) },
-        Column::numbers(Text::by_medium("± numerical error", "± error")),
+        Column { only: Some(Medium::Page), ..Column::numbers("Bounds") },
+        Column { only: Some(Medium::Terminal), ..Column::numbers("lower") },
+        Column { only: Some(Medium::Terminal), ..Column::numbers("upper") },
+        Column::numbers("± error"),
         Column { only: Some(Medium::Terminal), ..Column::words("upper attained at") },
-        Column { only: Some(Medium::Page), ..Column::words("Guarantee") },
     ];
+    let groups = groups(result, shown, writer, &|bound| row(bound, result, writer));
+    Table { columns, groups, ..Table::default() }
+}
+
+/// Where the bounds are attained, the parts of their errors, and their guarantees.
+fn places(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
+    let columns =
+        ["Statistic", "Lower bound at", "Upper bound at", "Error from", "Guarantee"].map(Column::words).into();
+    let row = |bound: &BoundRecord| -> Vec<Cell> {
+        let witness = |part: &str, end: &BoundEnd| {
+            writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs)
+        };
+        vec![
+            statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
+            witness("lower witness", &bound.lower).into(),
+            witness("upper witness", &bound.upper).into(),
+            error_parts(bound, writer).into(),
+            Text::default().quiet(guarantee_words(bound.guarantee, writer)).into(),
+        ]
+    };
+    let groups = groups(result, shown, writer, &row);
+    Table { columns, groups, ..Table::default() }
+}
+
+/// The bounds of each response with its name.
+fn groups(
+    result: &StudyResult,
+    shown: &[&BoundRecord],
+    writer: &NumberWriter,
+    row: &dyn Fn(&BoundRecord) -> Vec<Cell>,
+) -> Vec<Group> {
     let groups = shown
         .chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
         .map(|group| Group {
             heading: Text::from(response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
                 .plain(reading_beside(result, group[0])),
-            rows: group.iter().map(|bound| row(bound, result, writer)).collect(),
+            rows: group.iter().map(|bound| row(bound)).collect(),
         });
-    Table { columns, groups: groups.collect(), ..Table::default() }
+    groups.collect()
+}
+
+/// The lower end without its unit, where the upper end has the same: `0.18` of `0.18 mm` and `0.61 mm`.
+fn without_unit<'t>(lower: &'t str, upper: &str) -> &'t str {
+    match (lower.rsplit_once('\u{a0}'), upper.rsplit_once('\u{a0}')) {
+        (Some((number, unit)), Some((_, same))) if unit == same => number,
+        _ => lower,
+    }
 }
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
-    let witness =
-        |part: &str, end: &BoundEnd| writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
-    // On a page a remark stands below the number.
-    let below = |number: Text, remark: String| number.on(Medium::Page, Text::from(" ").quiet(remark));
-    let upper_witness = witness("upper witness", &bound.upper);
+    let tag = Tag::bound(bound, "upper witness");
+    let upper_witness = writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs);
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
-    let upper = Text::default().strong(bound_value(&bound.upper, bound, Rounding::Up, writer));
+    let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
+    let both = if same_wording(&lower, &upper) {
+        lower.clone()
+    } else {
+        format!("{} to {upper}", without_unit(&lower, &upper))
+    };
     vec![
         statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
-        below(lower.into(), witness("lower witness", &bound.lower)).into(),
-        below(upper, upper_witness.clone()).into(),
-        below(bound_error(bound, writer).into(), error_parts(bound, writer)).into(),
+        both.into(),
+        lower.into(),
+        upper.into(),
+        bound_error(bound, writer).into(),
         upper_witness.into(),
-        Text::default().quiet(guarantee_words(bound.guarantee, writer)).into(),
     ]
 }

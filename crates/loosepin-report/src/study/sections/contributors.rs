@@ -1,4 +1,4 @@
-//! Sensitivity: how much narrower the band becomes by a tighter tolerance or a better measurement; one chart in two colours.
+//! Contributors: how much narrower the band becomes by a tighter tolerance or a better measurement; one chart in two colours.
 
 use maud::{Markup, html};
 
@@ -6,11 +6,61 @@ use crate::charts::still_figures::percent_of;
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
-use crate::words::wording::{counted, listed, response_words};
+use crate::study::output_summary::output_summaries;
+use crate::words::wording::{capitalised, counted, listed, response_words};
 use loosepin_result::study::{Contributors, ResponsePoint, ShareRange, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
-/// `None` if no question asks for contributors.
+/// Inputs that [`contributors_overview`] shows.
+const MAX_SHOWN: usize = 6;
+
+/// The inputs that make the band of the first answer wide, the widest first: one line each. `None` if none is known.
+pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter) -> Option<Markup> {
+    let first = output_summaries(result);
+    let of_first = |one: &&Contributors| first.first().is_some_and(|summary| summary.output() == one.output);
+    let one = result.contributors.iter().find(of_first).or(result.contributors.first())?;
+    let name = |path: &String| plain_name(path, &result.inputs);
+    let random = one.random.iter().map(|input| {
+        let name = listed(&input.paths.iter().map(name).collect::<Vec<String>>());
+        let tag = Tag::contributors(one, "band", &input.paths.join(" "));
+        (name, "probability", "tighter tolerance", [input.band_share; 2], tag)
+    });
+    let unknown = one.epistemic.iter().map(|input| {
+        (name(&input.path), "mixed", "measurement", input.band_share, Tag::contributors(one, "band", &input.path))
+    });
+    let mut all: Vec<_> = random.chain(unknown).filter(|(_, _, _, share, _)| share[1].is_finite()).collect();
+    all.sort_by(|a, b| b.3[1].total_cmp(&a.3[1]));
+    let left = all.len().saturating_sub(MAX_SHOWN);
+    let tag = Tag::contributors(one, "band width", "");
+    let width = writer.with_tag(&tag).rounded(one.band_width_si, &one.unit, 3, Rounding::Nearest);
+    (!all.is_empty()).then(|| {
+        html! {
+            section.contributors id="contributors-overview" aria-labelledby="contributors-overview-title" {
+                h2 id="contributors-overview-title" { "What makes the band wide" }
+                table.lines {
+                    thead { tr { th scope="col" { "Input" } th scope="col" { "Reduced by" } th scope="col" { "Band narrower by" } } }
+                    tbody {
+                        @for (name, colour, means, share, tag) in all.into_iter().take(MAX_SHOWN) {
+                            tr {
+                                th scope="row" { (name) }
+                                td.means { (means) }
+                                td { (bar_markup(colour, share, &writer.with_tag(&tag)).0) }
+                            }
+                        }
+                    }
+                }
+                p.quiet {
+                    (capitalised(&response_words(result, (&one.output, one.of, one.at), writer))) ": the band of "
+                    (band_probability(writer)) " of mechanisms is " (width) " wide. "
+                    @if left > 0 { "Inputs with smaller shares: " a href="#contributors" { "Sensitivity" } "." }
+                    @else { "Details: " a href="#contributors" { "Sensitivity" } "." }
+                }
+            }
+        }
+    })
+}
+
+/// `None` if no question has contributors.
 pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     if result.contributors.is_empty() {
         return None;
@@ -73,10 +123,18 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
         Column::numbers(Text::by_medium("Sobol' index, total", "Sobol' total")),
         Column::numbers(Text::by_medium("Quasi-static share", "quasi-static")),
     ];
+    // Without runs of their own there are no indices.
+    let has_indices = |place: usize| !one.points.is_empty() || !matches!(place, 3 | 4);
+    let shown = |row: Vec<Cell>| -> Vec<Cell> {
+        row.into_iter().enumerate().filter(|(place, _)| has_indices(*place)).map(|(_, cell)| cell).collect()
+    };
+    let columns: Vec<Column> =
+        columns.into_iter().enumerate().filter(|(place, _)| has_indices(*place)).map(|(_, column)| column).collect();
+    let rows: Vec<Vec<Cell>> = random.chain(epistemic).map(shown).collect();
     Table {
         title: response_words(result, (&one.output, one.of, one.at), writer).into(),
         caption: caption(one, writer).into(),
-        ..Table::new(columns, random.chain(epistemic))
+        ..Table::new(columns, rows)
     }
 }
 
@@ -97,6 +155,12 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
             counted(one.points.len() as u64, "value", &writer.with_tag(&Tag::Count("values with Sobol' indices"))),
             writer.with_tag(&Tag::Given("confidence")).percent(one.confidence, Rounding::Nearest)
         ));
+    }
+    if one.points.is_empty() && one.random.iter().any(|input| input.band_share.is_finite()) {
+        caption.push_str(
+            " For a random input it is estimated without further runs: from its share of the variance by linear scatter without play. \
+             Sobol' indices need further runs: \"contributors\" among the statistics.",
+        );
     }
     caption.push_str(
         " Quasi-static share, without dynamics: share of the variance by linear scatter without play, or share of the worst case of \
@@ -136,6 +200,12 @@ fn band_share(share: [f64; 2], writer: &NumberWriter) -> Option<String> {
 }
 
 fn bar(colour: &'static str, share: [f64; 2], writer: &NumberWriter) -> Cell {
+    let (html, text) = bar_markup(colour, share, writer);
+    Cell::Drawn { html: html.into_string(), text: text.unwrap_or_else(|| "-".to_owned()) }
+}
+
+/// The bar of a share of the band with the share in words, and these alone.
+fn bar_markup(colour: &'static str, share: [f64; 2], writer: &NumberWriter) -> (Markup, Option<String>) {
     let text = band_share(share, writer);
     let [least, most] = share.map(|share| if share.is_finite() { share } else { 0.0 });
     let on_page = text.as_deref().unwrap_or("–");
@@ -148,5 +218,5 @@ fn bar(colour: &'static str, share: [f64; 2], writer: &NumberWriter) -> Cell {
         }
         span.range { (on_page) }
     };
-    Cell::Drawn { html: html.into_string(), text: text.unwrap_or_else(|| "-".to_owned()) }
+    (html, text)
 }

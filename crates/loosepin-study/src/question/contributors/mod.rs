@@ -1,4 +1,5 @@
 //! Contributors to an answer: the runs that determine shares of the variance. The indices are computed in `loosepin-uncertainty`.
+//! Without an ask for them, each output has those that need no runs of their own.
 
 mod plan;
 mod record;
@@ -13,18 +14,20 @@ use crate::runs::all_runs::Runs;
 use loosepin_bounds::{RunInputs, SampleTable};
 use plan::ContributorPlan;
 
-/// What contributes to the answers that are asked so.
+/// What contributes to the answers.
 struct ContributorQuestion {
-    /// `None` if nothing is random: then unknown inputs contribute, which needs no further runs.
+    /// `None` if nothing is random or no ask wants contributors: then nothing needs further runs.
     plan: Option<ContributorPlan>,
 }
 
-/// Planned where an ask wants contributors.
+/// Planned where direct runs answer; with runs of its own where an ask wants contributors.
 pub fn planned(basis: &QuestionContext<'_>) -> Planned {
-    if basis.is_surrogate_alone || !basis.study.asks.iter().any(Ask::is_for_contributors) {
+    if basis.is_surrogate_alone {
         return Ok(None);
     }
-    Ok(Some(Box::new(ContributorQuestion { plan: ContributorPlan::new(basis.study, basis.double_loop)? })))
+    let is_asked = basis.study.asks.iter().any(Ask::is_for_contributors);
+    let plan = if is_asked { ContributorPlan::new(basis.study, basis.double_loop)? } else { None };
+    Ok(Some(Box::new(ContributorQuestion { plan })))
 }
 
 impl Question for ContributorQuestion {

@@ -2,8 +2,8 @@
 
 use super::plan::{ContributorPlan, groups};
 use crate::assemble::Material;
-use crate::file::{Ask, Deviation, EpistemicInput, Study, Where};
-use crate::response::columns::Location;
+use crate::file::{Ask, Deviation, EpistemicInput, Reduction, Study, Where};
+use crate::response::columns::{ColumnPlan, Location, StudyColumn};
 use crate::response::outputs::OutputSource;
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
@@ -15,40 +15,74 @@ use loosepin_uncertainty::contributors::{Index, Indices, SHARES_CONFIDENCE};
 
 /// Positions of the quasi-static answer in a turn.
 const POSITIONS: usize = 72;
-/// The contributors to every question that asks for them.
+
+/// Columns whose contributors are told together.
+struct Subject<'a> {
+    deviation: Deviation,
+    /// One number of a run, or all poses of a curve.
+    columns: &'a [usize],
+    is_curve: bool,
+}
+
+/// The contributors to every question that asks for them; where none does, to the first number of each output.
 pub fn contributors(
     material: &Material<'_>,
     double_loop: &DoubleLoop,
     plan: Option<&ContributorPlan>,
 ) -> Vec<Contributors> {
-    let asks = material.response.shared.plan.asks.iter().filter(|ask| ask.is_for_contributors());
-    let quasi_static = quasi_static(material);
-    asks.flat_map(|ask| {
-        // A curve is answered as a whole, poses one by one.
-        let parts: Vec<&[usize]> = match ask.location {
-            Where::Cycle => vec![&ask.columns[..]],
-            _ => ask.columns.chunks(1).collect(),
+    let asks = &material.response.shared.plan.asks;
+    let mut subjects: Vec<Subject<'_>> = asks.iter().filter(|ask| ask.is_for_contributors()).flat_map(asked).collect();
+    let first = first_numbers(&material.response.shared.plan);
+    if subjects.is_empty() && !(material.study.random.is_empty() && material.study.epistemic.is_empty()) {
+        subjects.extend(first.iter().map(|(deviation, column)| Subject {
+            deviation: *deviation,
+            columns: std::slice::from_ref(column),
+            is_curve: false,
+        }));
+    }
+    let quasi_static = if subjects.is_empty() { None } else { quasi_static(material) };
+    subjects.iter().map(|subject| of_columns(material, double_loop, plan, subject, quasi_static.as_ref())).collect()
+}
+
+/// What an ask is about: a curve as a whole, poses one by one.
+fn asked(ask: &Ask) -> Vec<Subject<'_>> {
+    let is_curve = ask.location == Where::Cycle;
+    let parts: Vec<&[usize]> = if is_curve { vec![&ask.columns[..]] } else { ask.columns.chunks(1).collect() };
+    parts.into_iter().map(|columns| Subject { deviation: ask.deviation, columns, is_curve }).collect()
+}
+
+/// A number for each output, of the first deviation that is asked of it: the largest over the cycle where there is one, which answers
+/// for a curve, else the first that is asked.
+fn first_numbers(plan: &ColumnPlan) -> Vec<(Deviation, usize)> {
+    let mut outputs: Vec<usize> = Vec::new();
+    let mut numbers = Vec::new();
+    for ask in &plan.asks {
+        if outputs.contains(&ask.output) {
+            continue;
+        }
+        outputs.push(ask.output);
+        let is_largest = |column: &StudyColumn| {
+            (column.output, column.deviation) == (ask.output, ask.deviation)
+                && matches!(column.spot, Location::Reduced(Reduction::MaximumAbsolute))
         };
-        parts.into_iter().map(|columns| of_columns(material, double_loop, plan, ask, columns, quasi_static.as_ref()))
-    })
-    .collect()
+        let largest = plan.columns.iter().position(is_largest);
+        numbers.extend(largest.or(ask.columns.first().copied()).map(|column| (ask.deviation, column)));
+    }
+    numbers
 }
 
 fn of_columns(
     material: &Material<'_>,
     double_loop: &DoubleLoop,
     plan: Option<&ContributorPlan>,
-    ask: &Ask,
-    columns: &[usize],
+    subject: &Subject<'_>,
     quasi_static: Option<&MotionRecord>,
 ) -> Contributors {
     let study = material.study;
+    let &Subject { deviation, columns, is_curve } = subject;
     let indices = plan.map(|plan| plan.indices(material.table, columns)).unwrap_or_default();
     let pinching = double_loop.pinching(material.table, columns).ok().flatten();
-    let at = match ask.location {
-        Where::Cycle => ResponsePoint::Whole,
-        _ => material.point_of(columns[0], false),
-    };
+    let at = if is_curve { ResponsePoint::Whole } else { material.point_of(columns[0], false) };
     let output = material.name_of(columns[0]);
     let plan_of_columns = &material.response.shared.plan;
     // To first order the distance from the path is the error across it.
@@ -64,7 +98,7 @@ fn of_columns(
         Some(Still {
             record,
             output: record.outputs.iter().find(|own| own.name == still_name)?,
-            spot: spot(material, ask, columns),
+            spot: spot(material, subject),
         })
     });
     let share_of_scatter = pinching.as_ref().map_or(f64::NAN, |p| (p.scatter / p.width).clamp(0.0, 1.0));
@@ -78,13 +112,15 @@ fn of_columns(
             let shares = still
                 .as_ref()
                 // Shares of a variance add up to 1 only where the inputs are independent.
-                .filter(|_| ask.deviation != Deviation::Clearance && study.correlation.is_none())
+                .filter(|_| deviation != Deviation::Clearance && study.correlation.is_none())
                 .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
+            // Without indices, by the linear share.
+            let share = if total.centre.is_nan() { shares.unwrap_or(f64::NAN) } else { total.centre };
             RandomContributor {
                 paths,
                 first: range(&indices, |indices| indices.first[group]),
                 total,
-                band_share: share_of_scatter * (1.0 - (1.0 - total.centre).clamp(0.0, 1.0).sqrt()),
+                band_share: share_of_scatter * (1.0 - (1.0 - share).clamp(0.0, 1.0).sqrt()),
                 quasi_static_share: shares,
             }
         })
@@ -102,7 +138,7 @@ fn of_columns(
                 error,
                 quasi_static_share: still
                     .as_ref()
-                    .filter(|_| ask.deviation != Deviation::Dimensional)
+                    .filter(|_| deviation != Deviation::Dimensional)
                     .and_then(|still| still.play_share(&play_from(study, input))),
             }
         })
@@ -111,7 +147,7 @@ fn of_columns(
     let per_pose = 1.0 / columns.len() as f64;
     Contributors {
         output,
-        of: ask.deviation,
+        of: deviation,
         at,
         unit: material.unit_of(columns[0]),
         band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),
@@ -171,9 +207,9 @@ fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
 }
 
 /// The pose of a question at a single one.
-fn spot(material: &Material<'_>, ask: &Ask, columns: &[usize]) -> Option<f64> {
-    match material.response.shared.plan.columns[columns[0]].spot {
-        Location::Pose { angle_rad, .. } if ask.location != Where::Cycle => Some(angle_rad),
+fn spot(material: &Material<'_>, subject: &Subject<'_>) -> Option<f64> {
+    match material.response.shared.plan.columns[subject.columns[0]].spot {
+        Location::Pose { angle_rad, .. } if !subject.is_curve => Some(angle_rad),
         _ => None,
     }
 }
