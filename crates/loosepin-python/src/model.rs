@@ -220,9 +220,9 @@ impl Model {
         self.0.demand_dynamics().and_then(|()| self.0.demand_wear()).map_err(raise)
     }
 
-    /// Its motion without dynamics, with the settings `set`.
-    fn motion(&self, py: Python<'_>, set: Vec<String>) -> PyResult<Motion> {
-        Motion::of_file(py, self.file(), set)
+    /// Its motion without dynamics, with the settings `set` and the paths of the points `paths`.
+    fn motion(&self, py: Python<'_>, set: Vec<String>, paths: Vec<String>) -> PyResult<Motion> {
+        Motion::of_file(py, self.file(), set, paths)
     }
 
     /// What is known of it before it runs.

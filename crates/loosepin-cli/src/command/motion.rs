@@ -17,8 +17,9 @@ use crate::ending::{Done, Ending};
 pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     warn(warnings(&file));
-    let record = file.motion_answer(&arguments.set, &AtomicBool::new(false))?;
-    let claim = claim(ResultKind::Motion, &file.model().name, file.motion_inputs(&arguments.set), &arguments.output);
+    let record = file.motion_answer(&arguments.set, &arguments.path, &AtomicBool::new(false))?;
+    let inputs = file.motion_inputs(&arguments.set, &arguments.path);
+    let claim = claim(ResultKind::Motion, &file.model().name, inputs, &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<MotionRecord>(folder);

@@ -21,7 +21,7 @@ from ._extras import need
 from ._figures import Line, simulation_figure
 from ._notebook.html import simulation_html
 from ._notebook.display import Figure, NotebookDisplay
-from ._objects.arguments import item_named, must_be, paths, settings
+from ._objects.arguments import item_named, must_be, paths, settings, texts
 from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.errors import refused
 from ._objects.pickles import check_version, pickled
@@ -227,15 +227,16 @@ class Model(NoArray):
         columns = {name: table[:, place] for place, name in enumerate(names)}
         return simulated(run, len(table), columns, {name: known.get(name, "1") for name in names}, threads, progress)
 
-    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+    def motion(self, *, set: Mapping[str, str | float] | None = None, paths: Sequence[str] = ()) -> Motion:
         """The ideal motion over a cycle, and the quasi-static effect of play on it: the answer of `loosepin motion`, without any run.
 
             motion = model.motion()
             motion["slider"].worst_case.max(), motion["slider"].proven
+            model.motion(paths=["rod.centre"]).paths["rod.centre"].plot()
 
-        set: as for `simulate`. Raises LoosepinError for a mechanism that its drives do not move alone.
+        set: as for `simulate`. paths: points "body.point" whose paths are given besides those of outputs. Raises LoosepinError for a mechanism that its drives do not move alone.
         """
-        return Motion(self._native.motion(self._settings(set)))
+        return Motion(self._native.motion(self._settings(set), texts("paths", paths)))
 
     def sweep(
         self,

@@ -18,9 +18,9 @@ use crate::waiting::until_interrupted;
 pub struct Motion(MotionRecord);
 
 impl Motion {
-    /// The motion of `file` with the settings `set`, texts `path=value`.
-    pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>) -> PyResult<Self> {
-        until_interrupted(py, |stop| file.motion_answer(&set, stop))?.map(Self).map_err(raise)
+    /// The motion of `file` with the settings `set`, texts `path=value`, and the paths of points, `BODY.POINT`.
+    pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>, paths: Vec<String>) -> PyResult<Self> {
+        until_interrupted(py, |stop| file.motion_answer(&set, &paths, stop))?.map(Self).map_err(raise)
     }
 }
 
