@@ -8,14 +8,16 @@
         const svg = figure.querySelector('svg.figure');
         const ideal = figure.querySelector('.ideal');
         const [head = '', ...rows] = (figure.querySelector('script[type="text/csv"]')?.textContent ?? '').trim().split('\n');
-        if (!svg || !ideal || rows.length === 0)
-            return;
         const heads = head.split(',');
+        if (!svg || !ideal || rows.length === 0 || heads[0] !== 'angle [deg]')
+            return;
         const columnOf = (name) => {
             const column = heads.findIndex((own) => own.startsWith(name + ' ['));
             return rows.map((row) => { const cell = row.split(',')[column]; return cell ? Number(cell) : NaN; });
         };
         const [angles, xs, ys, directions, along, across] = ['angle', 'x', 'y', 'direction of motion', 'play along', 'play across'].map(columnOf);
+        // A run has places beside its ideal ones; the picture magnifies the difference.
+        const [idealXs, idealYs] = heads.some((own) => own.startsWith('ideal x [')) ? [columnOf('ideal x'), columnOf('ideal y')] : [xs, ys];
         const unit = /\[(.*)\]/.exec(heads[1] ?? '')?.[1] ?? '';
         const [x0, y0, scale, magnification] = [ideal.dataset.x0, ideal.dataset.y0, ideal.dataset.scale, ideal.dataset.magnification].map(Number);
         const reading = figure.querySelector('.reading');
@@ -29,15 +31,22 @@
         svg.append(now);
         const [least, most] = angles.reduce(([low, high], angle) => [Math.min(low, angle), Math.max(high, angle)], [Infinity, -Infinity]);
         let place = 0;
+        /** Where a position stands in the picture, in the unit of the table. */
+        function drawn(at) {
+            const from = (ideals, own) => { const ideal = ideals[at] ?? NaN; return ideal + magnification * ((own[at] ?? NaN) - ideal); };
+            return [from(idealXs, xs), from(idealYs, ys)];
+        }
         function show(next) {
             place = next;
             const at = (list) => list[place] ?? NaN;
             const [x, y] = [at(xs), at(ys)];
+            const [drawnX, drawnY] = drawn(place);
             now.setAttribute('visibility', isFinite(x + y) ? 'visible' : 'hidden');
             // Upwards is below zero in a picture.
-            now.setAttribute('transform', 'translate(' + (x0 + x * scale).toFixed(2) + ' ' + (y0 - y * scale).toFixed(2) + ') rotate(' + (-at(directions) || 0).toFixed(2) + ')');
+            now.setAttribute('transform', 'translate(' + (x0 + drawnX * scale).toFixed(2) + ' ' + (y0 - drawnY * scale).toFixed(2) + ') rotate(' + (-at(directions) || 0).toFixed(2) + ')');
             const [far, wide] = [at(along), at(across)].map((reach) => (reach * scale * magnification).toFixed(1));
-            cross.setAttribute('d', 'M-' + far + ' 0H' + far + 'M0 -' + wide + 'V' + wide);
+            if (isFinite(at(along)))
+                cross.setAttribute('d', 'M-' + far + ' 0H' + far + 'M0 -' + wide + 'V' + wide);
             const inTurn = ((at(angles) % 360) + 360) % 360;
             const near = (value) => withUnit(readText(value), unit);
             const strays = at(along) > 0 || at(across) > 0 ? '; play ±' + near(at(along)) + ' along, ±' + near(at(across)) + ' across' : '';
@@ -52,7 +61,7 @@
             const box = svg.getBoundingClientRect();
             const shown = svg.viewBox.baseVal.width / box.width;
             const [x, y] = [((event.clientX - box.left) * shown - x0) / scale, (y0 - (event.clientY - box.top) * shown) / scale];
-            const away = (at) => Math.hypot((xs[at] ?? NaN) - x, (ys[at] ?? NaN) - y);
+            const away = (at) => { const [drawnX, drawnY] = drawn(at); return Math.hypot(drawnX - x, drawnY - y); };
             let best = place;
             rows.forEach((_, at) => { if (away(at) < away(best))
                 best = at; });

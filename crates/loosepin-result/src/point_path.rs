@@ -73,6 +73,18 @@ pub struct PointPath {
     pub scatter_angle_rad: Vec<f64>,
 }
 
+/// Paths over one cycle with the angle of the drive that they belong to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CyclePaths {
+    /// Name of the drive, or `cycle`.
+    pub drive: String,
+    /// Angle of the drive, increasing.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// The paths.
+    pub paths: Vec<PointPath>,
+}
+
 impl PointPath {
     /// Number of positions.
     pub fn positions(&self) -> usize {

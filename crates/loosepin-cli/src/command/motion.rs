@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use loosepin::accuracy::record::{MotionRecord, MotionVerdict};
 use loosepin::check::warnings;
 use loosepin::report::{motion_page, motion_text};
-use loosepin::results::ResultKind;
+use loosepin::results::{MOTION_FILE, ResultKind};
+use loosepin::simulate::motion_csv;
 use loosepin::study::InputFile;
 
 use super::inputs::warn;
@@ -24,7 +25,10 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     if folder.is_finished() {
         return show_found::<MotionRecord>(folder);
     }
-    run_and_write(folder, |folder| write_and_print(&record, folder))
+    run_and_write(folder, |folder| {
+        folder.write(MOTION_FILE, motion_csv(&record).as_bytes())?;
+        write_and_print(&record, folder)
+    })
 }
 
 impl StoredResult for MotionRecord {

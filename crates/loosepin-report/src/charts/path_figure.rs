@@ -16,6 +16,8 @@ const MAX_PIECES: usize = 120;
 const TICK_DEG: f64 = 30.0;
 /// Room that the label of a mark needs, in units of the picture.
 const LABEL_ROOM: f64 = 44.0;
+/// From the zone to the middle of a label.
+const LABEL_GAP: f64 = 20.0;
 /// A mark stands at the position that is nearest to its angle, within this share of a step.
 const HALF_STEP: f64 = 0.5;
 
@@ -60,7 +62,7 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
         path.ideal d={ (view.line(&ideal)) (closing) } data-x0=(format!("{x0:.3}")) data-y0=(format!("{y0:.3}"))
             data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
         path.ticks d=(marks.iter().map(|(k, _)| format!("M{}h0", view.point(ideal[*k]))).collect::<String>()) {}
-        (labels(&marks, &ideal, &view, magnification * largest_m * view.per_m))
+        (labels(path, &marks, &ideal, &view, magnification))
         (bars(&view, magnification, writer))
     };
     let caption = html! {
@@ -80,11 +82,111 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
     .figure(caption, Some(&csv))
 }
 
+/// A path of a run: positions with play, and those of the ideal motion at the same times; empty where there is none.
+pub(crate) struct RunCourse<'r> {
+    pub name: &'r str,
+    pub point: &'r str,
+    pub xy_m: [&'r [f64]; 2],
+    pub ideal_m: [&'r [f64]; 2],
+    /// Angles of the drive as in the charts; empty where these are over time.
+    pub drive_angle_rad: Vec<f64>,
+}
+
+/// Points of a drawn line, at most.
+const MAX_POINTS: usize = 4000;
+
+/// The path of a point in a run: where it has an ideal path, its deviation from there is magnified. Nothing where it does not move.
+pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> Markup {
+    let samples = course.xy_m[0].len();
+    let has_ideal = course.ideal_m.iter().all(|list| list.len() == samples);
+    let from_m = if has_ideal { course.ideal_m } else { course.xy_m };
+    let is_finite = |list: &&[f64]| list.iter().all(|value| value.is_finite());
+    let size_m = size_m(from_m);
+    if samples < 3
+        || course.xy_m[1].len() != samples
+        || !from_m.iter().chain(&course.xy_m).all(is_finite)
+        || size_m == 0.0
+    {
+        return html! {};
+    }
+    let strays = (0..samples).map(|k| [0, 1].map(|axis| course.xy_m[axis][k] - from_m[axis][k]));
+    let strays_m: Vec<[f64; 2]> = strays.collect();
+    let largest_m = strays_m.iter().fold(0.0, |most: f64, [x, y]| most.max(x.hypot(*y)));
+    let magnification =
+        if largest_m > 0.0 { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 };
+    let view = PlaneView::new(from_m, magnification * largest_m);
+    let step = samples.div_ceil(MAX_POINTS).max(1);
+    let line = |factor: f64| {
+        let place = |k: usize| [0, 1].map(|axis| from_m[axis][k] + factor * strays_m[k][axis]);
+        view.line(&(0..samples).step_by(step).map(place).collect::<Vec<_>>())
+    };
+    let [x0, y0] = view.place([0.0, 0.0]);
+    let per_length = view.per_m / writer.units.of(&SiUnit::LENGTH).per_si;
+    let tag = |part: &str| Tag::joint(course.name, "path", part);
+    let magnified = writer.with_tag(&tag("magnification")).count(magnification as u64);
+    let largest = writer.with_tag(&tag("deviation")).rounded(largest_m, &SiUnit::LENGTH, 2, Rounding::Up);
+    let is_straying = has_ideal && largest_m > 0.0;
+    let sentence = if is_straying {
+        format!(
+            "Dashed: the ideal path. Line: the path with play, up to {largest} from where it should be at the same time."
+        )
+    } else {
+        "As it was recorded.".to_owned()
+    };
+    let drawn = html! {
+        path.actual d=(line(magnification)) {}
+        path.ideal.dashed[is_straying] d=(line(0.0)) data-x0=(format!("{x0:.3}")) data-y0=(format!("{y0:.3}"))
+            data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
+        (bars(&view, magnification, writer))
+    };
+    let caption = html! {
+        strong { "The path of " (course.point) @if is_straying { ", deviations magnified " (magnified) " times" } "." } " " (sentence)
+        " " span.reading {}
+    };
+    let alternative = format!("The path of {}. {sentence}", course.point);
+    let csv = run_csv(course, has_ideal, writer);
+    let view = [0.0, 0.0, view.width, view.height];
+    Picture { name: name_of("path", course.name), class: "trace", view, below: 0.0, alternative, drawn }
+        .figure(caption, Some(&csv))
+}
+
+/// Positions of the drawn samples.
+fn run_csv(course: &RunCourse<'_>, has_ideal: bool, writer: &NumberWriter) -> String {
+    let symbol = writer.symbol(&SiUnit::LENGTH);
+    let lists = course.xy_m.into_iter().chain(if has_ideal { course.ideal_m.to_vec() } else { Vec::new() });
+    let heads = ["x", "y", "ideal x", "ideal y"].map(|words| with_unit(words, &symbol));
+    let mut columns: Vec<(String, Vec<f64>)> = Vec::new();
+    if course.drive_angle_rad.len() == course.xy_m[0].len() {
+        let degrees = course.drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect();
+        columns.push(("angle [deg]".to_owned(), degrees));
+    }
+    let scaled = |list: &[f64]| list.iter().map(|value| writer.scaled(*value, &SiUnit::LENGTH)).collect();
+    columns.extend(heads.into_iter().zip(lists.map(scaled)));
+    table(&columns, course.xy_m[0].len().div_ceil(MAX_POINTS).max(1))
+}
+
+/// Columns as comma-separated values, every `step`-th row.
+fn table(columns: &[(String, Vec<f64>)], step: usize) -> String {
+    let heads: Vec<String> = columns.iter().map(|(head, _)| csv_text(head)).collect();
+    let mut table = format!("{}\n", heads.join(","));
+    for row in (0..columns[0].1.len()).step_by(step) {
+        let cells: Vec<String> = columns.iter().map(|(_, values)| csv_number(values[row])).collect();
+        table.push_str(&format!("{}\n", cells.join(",")));
+    }
+    table
+}
+
 /// The largest reach of the zone at any angle, m.
 pub(crate) fn largest_reach_m(path: &PointPath) -> f64 {
     let reaches = (0..path.positions()).flat_map(|k| path.zone_m(k));
     // Beyond the reaches themselves by a corner of the polygon: what is drawn has room.
     reaches.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)))
+}
+
+/// A reach, or zero where it is round-off beside the largest one.
+pub(crate) fn without_round_off(reach_m: f64, path: &PointPath) -> f64 {
+    const ROUND_OFF: f64 = 1e-6;
+    if reach_m <= ROUND_OFF * largest_reach_m(path) { 0.0 } else { reach_m }
 }
 
 /// What a figure says of its path.
@@ -109,7 +211,7 @@ impl Words {
         }
         let [along, across] = [0, 1].map(|part| {
             let values = (0..path.positions()).map(|k| path.along_and_across_m(k)[part]);
-            let most_m = values.fold(0.0, f64::max);
+            let most_m = without_round_off(values.fold(0.0, f64::max), path);
             let tag = tag(["along", "across"][part]);
             writer.with_tag(&tag).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)
         });
@@ -213,21 +315,35 @@ fn ellipse(path: &PointPath, k: usize, [x, y]: [f64; 2], per_m: f64) -> Markup {
     }
 }
 
-/// Angles of the drive outside of the path, where there is room.
-fn labels(marks: &[(usize, f64)], ideal_m: &[[f64; 2]], view: &PlaneView, reach: f64) -> Markup {
-    let middle = |axis: usize| ideal_m.iter().map(|place| place[axis]).sum::<f64>() / ideal_m.len() as f64;
-    let centre = view.place([middle(0), middle(1)]);
+/// Angles of the drive beside the zone, where there is room: on the side that lies further from the rest of the path.
+fn labels(
+    path: &PointPath,
+    marks: &[(usize, f64)],
+    ideal_m: &[[f64; 2]],
+    view: &PlaneView,
+    magnification: f64,
+) -> Markup {
+    let places: Vec<[f64; 2]> = ideal_m.iter().map(|place| view.place(*place)).collect();
+    let largest = largest_reach_m(path) * magnification * view.per_m;
     let mut placed: Vec<[f64; 2]> = Vec::new();
     let mut texts = Vec::new();
     for (k, angle_deg) in marks {
-        let [x, y] = view.place(ideal_m[*k]);
-        let [across, down] = [x - centre[0], y - centre[1]];
-        let distance = across.hypot(down).max(1e-9);
-        let room = reach + 16.0;
-        let place = [x + room * across / distance, y + room * down / distance];
-        if placed.iter().all(|other| (other[0] - place[0]).hypot(other[1] - place[1]) >= LABEL_ROOM) {
+        let [x, y] = places[*k];
+        let normal = match [path.tangent_x[*k], path.tangent_y[*k]] {
+            [0.0, 0.0] => [0.0, -1.0],
+            // Upwards is below zero in a picture.
+            [along_x, along_y] => [-along_y, -along_x],
+        };
+        let sides = [1.0, -1.0].map(|side| {
+            let away = side * (largest + LABEL_GAP);
+            let place = [x + away * normal[0], y + away * normal[1]];
+            (distance_to(&places, place), place)
+        });
+        let (room, place) = if sides[0].0 >= sides[1].0 { sides[0] } else { sides[1] };
+        let is_free = placed.iter().all(|other| distance_to(&[*other], place) >= LABEL_ROOM);
+        if is_free && room > largest + 0.7 * LABEL_GAP {
             placed.push(place);
-            texts.push((place, angle_deg));
+            texts.push((place, angle_deg.rem_euclid(360.0)));
         }
     }
     html! {
@@ -235,6 +351,11 @@ fn labels(marks: &[(usize, f64)], ideal_m: &[[f64; 2]], view: &PlaneView, reach:
             text x=(format!("{x:.1}")) y=(format!("{:.1}", y + 4.0)) text-anchor="middle" { (format!("{angle_deg:.0}°")) }
         }
     }
+}
+
+/// Distance to the nearest of `places`.
+fn distance_to(places: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+    places.iter().fold(f64::INFINITY, |least, place| least.min((place[0] - x).hypot(place[1] - y)))
 }
 
 /// Position, direction and zone at each angle; the script reads the places from it.
@@ -258,13 +379,7 @@ fn csv(path: &PointPath, drive_angle_rad: &[f64], writer: &NumberWriter) -> Stri
         let turns = path.scatter_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect::<Vec<f64>>();
         columns.push(("ellipse angle [deg]".to_owned(), turns));
     }
-    let heads: Vec<String> = columns.iter().map(|(head, _)| csv_text(head)).collect();
-    let mut table = format!("{}\n", heads.join(","));
-    for k in 0..path.positions() {
-        let cells: Vec<String> = columns.iter().map(|(_, values)| csv_number(values[k])).collect();
-        table.push_str(&format!("{}\n", cells.join(",")));
-    }
-    table
+    table(&columns, 1)
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! Points that a command or a call names: `--path coupler.tool`.
 
 use crate::model::ids::{BodyId, PointId};
-use crate::model::parts::topology::Model;
+use crate::model::parts::topology::{Body, Model};
 use crate::model::problem::ModelProblem;
-use crate::model::words::part_names::PartNames;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
 
 /// The argument that names points whose paths are recorded.
@@ -31,26 +30,30 @@ impl Model {
     }
 
     fn point_called(&self, name: &str) -> Result<PointId, ModelProblem> {
-        let points = || {
-            let of_body = |(body, entry): (usize, &crate::model::parts::topology::Body)| {
-                (0..entry.points.len()).map(move |point| PointId { body: BodyId(body), point })
-            };
-            self.bodies.iter().enumerate().flat_map(of_body)
-        };
-        if let Some(point) = points().find(|point| self.point(*point) == name) {
-            return Ok(point);
-        }
         let entry = PATH.to_owned();
-        if !name.contains('.') {
+        let Some((body_name, point_name)) = name.split_once('.') else {
             return Err(ModelProblem::NotAPoint { entry, text: name.to_owned() });
+        };
+        let unknown = |nearest: Option<String>, known: Vec<String>| ModelProblem::UnknownReference {
+            entry: entry.clone(),
+            what: "point",
+            name: name.to_owned(),
+            nearest,
+            known,
+        };
+        if let Some(body) = self.bodies.iter().position(|body| body.name == body_name) {
+            let names = || self.bodies[body].points.iter().map(|point| point.name.as_str());
+            let Some(point) = names().position(|own| own == point_name) else {
+                let nearest = nearest_name(point_name, names()).map(|nearest| format!("{body_name}.{nearest}"));
+                return Err(unknown(nearest, names().map(|own| format!("'{body_name}.{own}'")).collect()));
+            };
+            return Ok(PointId { body: BodyId(body), point });
         }
-        let names: Vec<String> = points().map(|point| self.point(point)).collect();
-        let nearest = nearest_name(name, names.iter().map(String::as_str)).map(str::to_owned);
-        // Of a body that there is, its points are meant.
-        let body = name.split_once('.').map(|(body, _)| format!("{body}.")).unwrap_or_default();
-        let has_body = names.iter().any(|own| own.starts_with(&body));
-        let known =
-            names.iter().filter(|own| !has_body || own.starts_with(&body)).map(|own| format!("'{own}'")).collect();
-        Err(ModelProblem::UnknownReference { entry, what: "point", name: name.to_owned(), nearest, known })
+        let of_body = |body: &Body| -> Vec<String> {
+            body.points.iter().map(|point| format!("{}.{}", body.name, point.name)).collect()
+        };
+        let all: Vec<String> = self.bodies.iter().flat_map(of_body).collect();
+        let nearest = nearest_name(name, all.iter().map(String::as_str)).map(str::to_owned);
+        Err(unknown(nearest, all.iter().map(|own| format!("'{own}'")).collect()))
     }
 }

@@ -204,7 +204,7 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         return cls(loaded(_loosepin.Motion.load, folder))
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
-        """Writes the files of `loosepin motion --out` into a folder: summary.json and report.html.
+        """Writes the files of `loosepin motion --out` into a folder: motion.csv, summary.json and report.html.
 
         force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
         """
