@@ -184,9 +184,9 @@ pub(crate) fn largest_reach_m(path: &PointPath) -> f64 {
 }
 
 /// A reach, or zero where it is round-off beside the largest one.
-pub(crate) fn without_round_off(reach_m: f64, path: &PointPath) -> f64 {
+pub(crate) fn without_round_off(reach_m: f64, largest_m: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-6;
-    if reach_m <= ROUND_OFF * largest_reach_m(path) { 0.0 } else { reach_m }
+    if reach_m <= ROUND_OFF * largest_m { 0.0 } else { reach_m }
 }
 
 /// What a figure says of its path.
@@ -209,9 +209,10 @@ impl Words {
                 magnification: magnified,
             };
         }
+        let largest_m = largest_reach_m(path);
         let [along, across] = [0, 1].map(|part| {
             let values = (0..path.positions()).map(|k| path.along_and_across_m(k)[part]);
-            let most_m = without_round_off(values.fold(0.0, f64::max), path);
+            let most_m = without_round_off(values.fold(0.0, f64::max), largest_m);
             let tag = tag(["along", "across"][part]);
             writer.with_tag(&tag).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)
         });
@@ -315,7 +316,7 @@ fn ellipse(path: &PointPath, k: usize, [x, y]: [f64; 2], per_m: f64) -> Markup {
     }
 }
 
-/// Angles of the drive beside the zone, where there is room: on the side that lies further from the rest of the path.
+/// Angles of the drive beside the zone, where there is room: outside of the path, or else inside.
 fn labels(
     path: &PointPath,
     marks: &[(usize, f64)],
@@ -324,7 +325,7 @@ fn labels(
     magnification: f64,
 ) -> Markup {
     let places: Vec<[f64; 2]> = ideal_m.iter().map(|place| view.place(*place)).collect();
-    let largest = largest_reach_m(path) * magnification * view.per_m;
+    let middle = [0, 1].map(|axis| places.iter().map(|place| place[axis]).sum::<f64>() / places.len() as f64);
     let mut placed: Vec<[f64; 2]> = Vec::new();
     let mut texts = Vec::new();
     for (k, angle_deg) in marks {
@@ -334,16 +335,17 @@ fn labels(
             // Upwards is below zero in a picture.
             [along_x, along_y] => [-along_y, -along_x],
         };
-        let sides = [1.0, -1.0].map(|side| {
-            let away = side * (largest + LABEL_GAP);
-            let place = [x + away * normal[0], y + away * normal[1]];
-            (distance_to(&places, place), place)
-        });
-        let (room, place) = if sides[0].0 >= sides[1].0 { sides[0] } else { sides[1] };
-        let is_free = placed.iter().all(|other| distance_to(&[*other], place) >= LABEL_ROOM);
-        if is_free && room > largest + 0.7 * LABEL_GAP {
-            placed.push(place);
-            texts.push((place, angle_deg.rem_euclid(360.0)));
+        let [_, across_m] = path.along_and_across_m(*k);
+        let away = across_m * magnification * view.per_m + LABEL_GAP;
+        let outwards = (1.0_f64).copysign((x - middle[0]) * normal[0] + (y - middle[1]) * normal[1]);
+        let sides = [outwards, -outwards].map(|side| [x + side * away * normal[0], y + side * away * normal[1]]);
+        let is_free = |place: &&[f64; 2]| {
+            distance_to(&places, **place) > away - 0.3 * LABEL_GAP
+                && placed.iter().all(|other| distance_to(&[*other], **place) >= LABEL_ROOM)
+        };
+        if let Some(place) = sides.iter().find(is_free) {
+            placed.push(*place);
+            texts.push((*place, angle_deg.rem_euclid(360.0)));
         }
     }
     html! {
@@ -360,22 +362,27 @@ fn distance_to(places: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
 
 /// Position, direction and zone at each angle; the script reads the places from it.
 fn csv(path: &PointPath, drive_angle_rad: &[f64], writer: &NumberWriter) -> String {
-    let length =
-        |values: &[f64]| -> Vec<f64> { values.iter().map(|value| writer.scaled(*value, &SiUnit::LENGTH)).collect() };
+    let scaled = |value_m: f64| writer.scaled(value_m, &SiUnit::LENGTH);
+    // What is round-off beside the path, or beside the largest reach, is zero.
+    let size_m = size_m([&path.x_m, &path.y_m]);
+    let place = |value_m: &f64| if value_m.abs() < 1e-12 * size_m { 0.0 } else { scaled(*value_m) };
+    let largest_m = largest_reach_m(path);
+    let reach = |value_m: &f64| scaled(without_round_off(*value_m, largest_m));
+    let list = |values: &[f64], of: &dyn Fn(&f64) -> f64| -> Vec<f64> { values.iter().map(of).collect() };
     let symbol = writer.symbol(&SiUnit::LENGTH);
     let tangents = path.tangent_x.iter().zip(&path.tangent_y);
     let direction = |(x, y): (&f64, &f64)| if *x == 0.0 && *y == 0.0 { f64::NAN } else { y.atan2(*x).to_degrees() };
     let mut columns = vec![
         ("angle [deg]".to_owned(), drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect()),
-        (with_unit("x", &symbol), length(&path.x_m)),
-        (with_unit("y", &symbol), length(&path.y_m)),
+        (with_unit("x", &symbol), list(&path.x_m, &place)),
+        (with_unit("y", &symbol), list(&path.y_m, &place)),
         ("direction of motion [deg]".to_owned(), tangents.map(direction).collect()),
-        (with_unit("play along", &symbol), length(&path.play_along_m)),
-        (with_unit("play across", &symbol), length(&path.play_across_m)),
+        (with_unit("play along", &symbol), list(&path.play_along_m, &reach)),
+        (with_unit("play across", &symbol), list(&path.play_across_m, &reach)),
     ];
     if !path.scatter_major_m.is_empty() {
-        columns.push((with_unit("ellipse major", &symbol), length(&path.scatter_major_m)));
-        columns.push((with_unit("ellipse minor", &symbol), length(&path.scatter_minor_m)));
+        columns.push((with_unit("ellipse major", &symbol), list(&path.scatter_major_m, &reach)));
+        columns.push((with_unit("ellipse minor", &symbol), list(&path.scatter_minor_m, &reach)));
         let turns = path.scatter_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect::<Vec<f64>>();
         columns.push(("ellipse angle [deg]".to_owned(), turns));
     }

@@ -2,7 +2,7 @@
 
 use maud::html;
 
-use crate::charts::path_figure::{path_figure, without_round_off};
+use crate::charts::path_figure::{largest_reach_m, path_figure, without_round_off};
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
@@ -39,7 +39,7 @@ fn row(record: &MotionRecord, path: &PointPath, writer: &NumberWriter) -> Vec<Ce
     let ends = ["along", "across"].iter().enumerate().flat_map(|(part, word)| {
         let values: Vec<f64> = reaches.iter().map(|reach| reach[part]).collect();
         let (angle_rad, most_m) = largest(record, &values);
-        let most_m = without_round_off(most_m, path);
+        let most_m = without_round_off(most_m, largest_reach_m(path));
         let [most, at] = [Tag::joint(&path.name, "path", word), Tag::joint(&path.name, "path", word).part("at")];
         let place = (most_m > 0.0).then(|| turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&at)));
         [Some(writer.with_tag(&most).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)), place]
