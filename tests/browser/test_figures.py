@@ -37,7 +37,7 @@ def browser():
         yield browser
 
 
-@pytest.mark.parametrize("name", ["study", "simulation", "motion", "four_bar"])
+@pytest.mark.parametrize("name", ["study", "simulation", "motion", "four_bar", "coupler_path"])
 def test_the_page_saves_what_the_library_writes(pages, browser, name):
     browser.open(str(pages / f"{name}.html"))
     saved = {figure: (svg, table) for figure, svg, table in browser.evaluate(SAVED)}

@@ -114,9 +114,10 @@ pub struct CheckArguments {
 #[command(
     after_help = "Takes about a second. Shows the worst case of the play (the largest deviation found, and a proven limit), its standard \
     deviation, and the contribution of each joint. For a study, it also shows the root sum of squares of the random inputs, and checks \
-    [[require]] and [allow] without dynamics. Writes summary.json and report.html.\n\n\
+    [[require]] and [allow] without dynamics. Writes motion.csv, summary.json and report.html.\n\n\
     Exit status 1: a requirement is not met in the worst case, or cannot be decided without dynamics.\n\n\
-    Examples:\n  loosepin motion model.toml\n  loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
+    Examples:\n  loosepin motion model.toml\n  loosepin motion model.toml --path coupler.tool\n  \
+    loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
 )]
 pub struct MotionArguments {
     /// Model or study file
@@ -125,6 +126,9 @@ pub struct MotionArguments {
     /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Show the path of a point with the zone that play and scatter leave it, beside those of outputs; may be repeated
+    #[arg(long = "path", value_name = "BODY.POINT")]
+    pub path: Vec<String>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -145,6 +149,9 @@ pub struct SimulateArguments {
     /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Also record the path of a point, its velocity and its acceleration; may be repeated
+    #[arg(long = "path", value_name = "BODY.POINT")]
+    pub path: Vec<String>,
     /// Also record position, velocity and acceleration of every body
     #[arg(long)]
     pub states: bool,

@@ -180,9 +180,9 @@ impl Model {
         Ok((output, component, of, place))
     }
 
-    /// Runs it once. `set` holds texts `path=value`, `measured` paths of tables; what is left out is as the file has it.
+    /// Runs it once. `set` holds texts `path=value`, `measured` paths of tables, `paths` points `BODY.POINT`; what is left out is as the file has it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set, integrator, lyapunov, measured, start))]
+    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set, integrator, lyapunov, measured, start, paths))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -197,6 +197,7 @@ impl Model {
         lyapunov: Option<i64>,
         measured: Vec<PathBuf>,
         start: Option<PyRef<'_, Simulation>>,
+        paths: Vec<String>,
     ) -> PyResult<Simulation> {
         let start = start.as_deref().map(Simulation::end_state).transpose()?;
         let plan = Plan {
@@ -212,7 +213,7 @@ impl Model {
             second_run,
             overrides: Override::from_settings(&set),
         };
-        single_run::simulate(py, &self.0, &set, &plan, start, &measured)
+        single_run::simulate(py, &self.0.with_paths(&paths).map_err(raise)?, &set, &plan, start, &measured)
     }
 
     /// Refuses a model in which no joint wears, or that lacks what a run needs.
@@ -220,9 +221,9 @@ impl Model {
         self.0.demand_dynamics().and_then(|()| self.0.demand_wear()).map_err(raise)
     }
 
-    /// Its motion without dynamics, with the settings `set`.
-    fn motion(&self, py: Python<'_>, set: Vec<String>) -> PyResult<Motion> {
-        Motion::of_file(py, self.file(), set)
+    /// Its motion without dynamics, with the settings `set` and the paths of the points `paths`.
+    fn motion(&self, py: Python<'_>, set: Vec<String>, paths: Vec<String>) -> PyResult<Motion> {
+        Motion::of_file(py, self.file(), set, paths)
     }
 
     /// What is known of it before it runs.

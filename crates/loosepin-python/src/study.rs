@@ -130,9 +130,9 @@ impl Study {
         }
     }
 
-    /// Its motion without dynamics, with the settings `set`.
-    fn motion(&self, py: Python<'_>, set: Vec<String>) -> PyResult<Motion> {
-        Motion::of_file(py, InputFile::Study(Box::new(self.0.clone())), set)
+    /// Its motion without dynamics, with the settings `set` and the paths of the points `paths`.
+    fn motion(&self, py: Python<'_>, set: Vec<String>, paths: Vec<String>) -> PyResult<Motion> {
+        Motion::of_file(py, InputFile::Study(Box::new(self.0.clone())), set, paths)
     }
 
     /// What is known of it before it runs.

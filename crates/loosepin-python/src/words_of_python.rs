@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{Code, Diagnostic, Label, Place, Source};
 
 /// What a sentence says to users of the command, and what it says to those of Python. The longer ones first.
-const SENTENCES: [(&str, &str); 18] = [
+const SENTENCES: [(&str, &str); 19] = [
     ("; --resume --most-failed SHARE goes on with the runs that are kept", ""),
     (
         "--resume --most-failed SHARE goes on with the runs that are kept",
@@ -37,7 +37,12 @@ const SENTENCES: [(&str, &str); 18] = [
     ("loosepin schema model lists them", "the reference of model files lists them"),
     ("run loosepin identify", "call identify"),
     ("`loosepin simulate`", "Model.simulate"),
+    (PATH, PATHS),
 ];
+
+/// The option that names one point whose path is recorded, and the argument with all of them.
+const PATH: &str = "--path";
+const PATHS: &str = "paths";
 
 /// The source of settings.
 const SET: &str = "--set";
@@ -68,7 +73,10 @@ pub fn in_python(diagnostic: &Diagnostic) -> Diagnostic {
 /// A place in an argument is called by the name of the argument.
 fn place(place: &Place) -> Place {
     match place.source.name().strip_prefix("--") {
-        Some(argument) => Place::new(&Source::new(argument, place.source.text()), place.span),
+        Some(argument) => {
+            let argument = if place.source.name() == PATH { PATHS } else { argument };
+            Place::new(&Source::new(argument, place.source.text()), place.span)
+        }
         None => place.clone(),
     }
 }

@@ -81,6 +81,8 @@ lyapunov: lp.Lyapunov | None = run.lyapunov
 measured: tuple[lp.MeasuredCurve, ...] = run.measured
 motion: lp.Motion = model.motion()
 moved: lp.OutputMotion = motion["slider"]
+traced: lp.PointPath = model.motion(paths=["rod.small_end"]).paths["rod.small_end"]
+corners: NDArray[np.float64] = traced.zone_m
 check: lp.Check = model.check()
 section: lp.CheckSection = check["joints"]
 sweep: lp.Sweep = model.sweep("joint.gudgeon.radial_clearance", between=("0.1 mm", 3e-4), points=3)

@@ -12,12 +12,18 @@ pub struct KinematicProperties {
     pub ranges: Vec<MotionRange>,
     /// Transmission and pressure angles of the loops that a drive at the ground moves.
     pub transmission_angles: Vec<TransmissionAngle>,
+    /// Mechanical advantage of each output that moves, where one drive at constant speed moves all; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mechanical_advantages: Vec<MechanicalAdvantage>,
 }
 
 impl KinematicProperties {
     /// Whether nothing is known.
     pub fn is_empty(&self) -> bool {
-        self.loops.is_empty() && self.ranges.is_empty() && self.transmission_angles.is_empty()
+        self.loops.is_empty()
+            && self.ranges.is_empty()
+            && self.transmission_angles.is_empty()
+            && self.mechanical_advantages.is_empty()
     }
 }
 
@@ -119,4 +125,22 @@ pub struct TransmissionAngle {
     /// Angles of the drive there.
     #[serde(with = "extended")]
     pub at_rad: [f64; 2],
+    /// Its value at each angle of the drive; empty in records of older versions.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub value_rad: Vec<f64>,
+}
+
+/// Force or torque on an output that balances a unit torque of the drive, without losses, weight and inertia.
+///
+/// Virtual power: T ω = F v, with the torque T and the speed ω of the drive, the force F on the output along its motion and the output's
+/// speed v. So A = F/T = ω/|v|. It is infinite where the output stands still: in a dead centre no force on it reaches the drive.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MechanicalAdvantage {
+    /// Name of the output, or of the path: then the force is along its motion.
+    pub name: String,
+    /// 1 for an angle (torque per torque), 1/m for a position (force per torque).
+    pub unit: SiUnit,
+    /// Its value at each angle of the drive.
+    #[serde(with = "extended")]
+    pub value_si: Vec<f64>,
 }

@@ -34,6 +34,18 @@ pub struct PointPath {
     /// Positions on the ideal path, m.
     #[serde(with = "extended")]
     pub y_m: Vec<f64>,
+    /// Velocities at the speed of the drive, m/s; empty in records of older versions.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub velocity_x_m_s: Vec<f64>,
+    /// Velocities, m/s.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub velocity_y_m_s: Vec<f64>,
+    /// Accelerations at the speed of the drive, m/s²; empty in records of older versions.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub acceleration_x_m_s2: Vec<f64>,
+    /// Accelerations, m/s².
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub acceleration_y_m_s2: Vec<f64>,
     /// Unit vectors along the motion; (0, 0) where the point stands still.
     #[serde(with = "extended")]
     pub tangent_x: Vec<f64>,
@@ -61,6 +73,18 @@ pub struct PointPath {
     pub scatter_angle_rad: Vec<f64>,
 }
 
+/// Paths over one cycle with the angle of the drive that they belong to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CyclePaths {
+    /// Name of the drive, or `cycle`.
+    pub drive: String,
+    /// Angle of the drive, increasing.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// The paths.
+    pub paths: Vec<PointPath>,
+}
+
 impl PointPath {
     /// Number of positions.
     pub fn positions(&self) -> usize {
@@ -71,10 +95,30 @@ impl PointPath {
     pub fn is_complete(&self) -> bool {
         let positions = self.positions();
         let lists = [&self.y_m, &self.tangent_x, &self.tangent_y, &self.play_along_m, &self.play_across_m];
-        let scatter = [&self.scatter_major_m, &self.scatter_minor_m, &self.scatter_angle_rad];
+        let are_whole_or_absent = |lists: &[&Vec<f64>]| {
+            lists.iter().all(|list| list.len() == positions) || lists.iter().all(|list| list.is_empty())
+        };
+        let rates = [&self.velocity_x_m_s, &self.velocity_y_m_s, &self.acceleration_x_m_s2, &self.acceleration_y_m_s2];
         lists.iter().all(|list| list.len() == positions)
             && self.play_reach_m.len() == REACH_DIRECTIONS * positions
-            && (scatter.iter().all(|list| list.len() == positions) || scatter.iter().all(|list| list.is_empty()))
+            && are_whole_or_absent(&rates)
+            && are_whole_or_absent(&[&self.scatter_major_m, &self.scatter_minor_m, &self.scatter_angle_rad])
+    }
+
+    /// Whether `output` is the name of one of its coordinates among the outputs.
+    pub fn has_coordinate(&self, output: &str) -> bool {
+        let axis = self.output.as_ref().and_then(|name| output.strip_prefix(name.as_str()));
+        matches!(axis, Some(" x" | " y"))
+    }
+
+    /// Speeds, m/s; empty in records of older versions.
+    pub fn speeds_m_s(&self) -> Vec<f64> {
+        self.velocity_x_m_s.iter().zip(&self.velocity_y_m_s).map(|(x, y)| x.hypot(*y)).collect()
+    }
+
+    /// Magnitudes of the acceleration, m/s²; empty in records of older versions.
+    pub fn acceleration_magnitudes_m_s2(&self) -> Vec<f64> {
+        self.acceleration_x_m_s2.iter().zip(&self.acceleration_y_m_s2).map(|(x, y)| x.hypot(*y)).collect()
     }
 
     /// Whether anything takes the point off its path.

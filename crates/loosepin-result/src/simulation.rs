@@ -7,6 +7,7 @@ mod end_state;
 mod life;
 mod measured;
 mod motion_kind;
+mod run_path;
 mod spectrum;
 mod trust;
 mod wear;
@@ -25,6 +26,7 @@ pub use end_state::EndState;
 pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
+pub use run_path::RunPath;
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
 pub use trust::{MeasuredTrust, Trust, TrustHorizon};
@@ -78,6 +80,9 @@ pub struct SimulationRecord {
     pub drive_angle_rad: Vec<f64>,
     /// The outputs in file order.
     pub outputs: Vec<OutputHistory>,
+    /// Paths of points among the outputs; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub paths: Vec<RunPath>,
     /// Normal contact force of each clearance joint at the sample times. Peaks between samples stand in `impacts`.
     pub contact_forces: Vec<ContactForceHistory>,
     /// How controls followed their references; empty, and not written, where there are none.

@@ -53,6 +53,7 @@ pub use recording::flight::FlightClock;
 pub use recording::history::{
     BodyStates, MAX_NUMBERS, MAX_ROWS, Plan, Simulation, input, simulate, simulate_from, simulate_poses, simulate_until,
 };
+pub use recording::motion_table::{motion_columns, motion_csv};
 pub use recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
 pub use recording::tables::{
     HistoryColumn, HistoryError, SpectrumColumn, body_states_of_csv, history_columns, history_csv, impacts_csv,

@@ -8,9 +8,12 @@ mod report_fixture;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::AtomicBool;
 use std::{env, fs, io};
 
+use loosepin::accuracy::record::MotionRecord;
 use loosepin::report;
+use loosepin::study::InputFile;
 
 fn main() -> ExitCode {
     let Some(folder) = env::args_os().nth(1).map(PathBuf::from) else {
@@ -33,9 +36,18 @@ fn write_pages(folder: &Path) -> io::Result<()> {
     write_page(folder, "simulation", &report::simulation_page(&report_fixture::simulation::worn_pin()))?;
     write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
     write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;
+    write_page(folder, "coupler_path", &report::motion_page(&coupler_path()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
     fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))
+}
+
+/// The motion of a four-bar with the paths of two points of its coupler, as the library computes it.
+fn coupler_path() -> MotionRecord {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/four_bar_coupler_path/study.toml");
+    let found = InputFile::from_path(&file)
+        .and_then(|file| file.motion_answer(&[], &["coupler.head".to_owned()], &AtomicBool::new(false)));
+    found.unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 /// A page, and beside it a folder with its figures as the library saves them.

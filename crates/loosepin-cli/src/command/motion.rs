@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use loosepin::accuracy::record::{MotionRecord, MotionVerdict};
 use loosepin::check::warnings;
 use loosepin::report::{motion_page, motion_text};
-use loosepin::results::ResultKind;
+use loosepin::results::{MOTION_FILE, ResultKind};
+use loosepin::simulate::motion_csv;
 use loosepin::study::InputFile;
 
 use super::inputs::warn;
@@ -17,13 +18,17 @@ use crate::ending::{Done, Ending};
 pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     warn(warnings(&file));
-    let record = file.motion_answer(&arguments.set, &AtomicBool::new(false))?;
-    let claim = claim(ResultKind::Motion, &file.model().name, file.motion_inputs(&arguments.set), &arguments.output);
+    let record = file.motion_answer(&arguments.set, &arguments.path, &AtomicBool::new(false))?;
+    let inputs = file.motion_inputs(&arguments.set, &arguments.path);
+    let claim = claim(ResultKind::Motion, &file.model().name, inputs, &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<MotionRecord>(folder);
     }
-    run_and_write(folder, |folder| write_and_print(&record, folder))
+    run_and_write(folder, |folder| {
+        folder.write(MOTION_FILE, motion_csv(&record).as_bytes())?;
+        write_and_print(&record, folder)
+    })
 }
 
 impl StoredResult for MotionRecord {

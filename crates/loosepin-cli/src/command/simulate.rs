@@ -24,7 +24,7 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
 
 /// Runs the model or reads the stored run, and shows it as an `R`.
 pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
-    let model = read_model(&arguments.model)?;
+    let model = read_model(&arguments.model)?.with_paths(&arguments.path)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
     check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;

@@ -21,6 +21,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
         transient,
         tolerance,
         output,
+        path: Vec::new(),
         states: false,
         samples: None,
         lyapunov: None,

@@ -6,6 +6,7 @@ mod bad_input;
 mod cases;
 mod cluster_page;
 mod command_line;
+mod curves;
 mod failed_runs;
 mod figures;
 mod forces;

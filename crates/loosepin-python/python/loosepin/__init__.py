@@ -38,6 +38,7 @@ from ._objects.errors import LoosepinFileNotFoundError, LoosepinValueError
 from ._records import Bound, BoundEnd, Curve, Extreme, ExtremePoint
 from ._result import Samples, StudyResult
 from ._mechanism.many_runs import Simulations
+from ._mechanism.paths import PointPath
 from ._mechanism.run_records import BodyStates, Lyapunov, MeasuredCurve, Orbit, Spectrum
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
@@ -92,6 +93,7 @@ __all__ = [
     "OutputMotion",
     "Parameter",
     "Periodic",
+    "PointPath",
     "Posterior",
     "Samples",
     "Simulation",

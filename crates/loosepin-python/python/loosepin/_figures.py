@@ -116,6 +116,41 @@ def motion_figure(
     return figure
 
 
+def path_figure(
+    point: str,
+    path_m: tuple[Array, Array],
+    zone_m: Array,
+    magnification: float | None,
+    display_units: dict[str, Any],
+    ax: Axes = None,
+) -> matplotlib.figure.Figure:
+    """The path of a point, and about it its zone, magnified: corners about each position, shape (positions, corners, 2)."""
+    figure, (axis,) = _panels([point], ax)
+    unit, factor = shown("m", display_units)
+    x_m, y_m = path_m
+    widest = np.hypot(zone_m[:, :, 0], zone_m[:, :, 1]).max()
+    if magnification is None:
+        magnification = _round_down(0.08 * np.hypot(np.ptp(x_m), np.ptp(y_m)) / widest) if widest > 0 else 1.0
+    # Matplotlib is there: the axes are its own.
+    collections = need("matplotlib.collections", "plot()")
+    corners = factor * (np.stack([x_m, y_m], axis=1)[:, np.newaxis, :] + magnification * zone_m)
+    if widest > 0:
+        axis.add_collection(collections.PolyCollection(corners, facecolor="#f0cda5", edgecolor="none"))
+        axis.plot([], [], color="#f0cda5", lw=6, label=f"zone, magnified {magnification:g} times")
+    axis.plot(x_m * factor, y_m * factor, color=INK, lw=1.2, label="ideal path")
+    axis.set(xlabel=f"x of {point}{_in(unit)}", ylabel=f"y{_in(unit)}", aspect="equal")
+    axis.legend(frameon=False, fontsize="small")
+    return figure
+
+
+def _round_down(value: float) -> float:
+    """1, 2 or 5 times a power of ten, at most `value`; at least 1."""
+    if value < 1:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(next(step * power for step in (5, 2, 1) if step * power <= value * (1 + 1e-9)))
+
+
 def sweep_figure(
     over: tuple[str, str, Array], outputs: Sequence[tuple[str, str, Array]], display_units: dict[str, Any], ax: Axes = None
 ) -> matplotlib.figure.Figure:

@@ -21,7 +21,7 @@ from ._extras import need
 from ._figures import Line, simulation_figure
 from ._notebook.html import simulation_html
 from ._notebook.display import Figure, NotebookDisplay
-from ._objects.arguments import item_named, must_be, paths, settings
+from ._objects.arguments import file_paths, item_named, must_be, settings, texts
 from ._objects.arrays import NoArray, frozen, refuse_taken
 from ._objects.errors import refused
 from ._objects.pickles import check_version, pickled
@@ -137,6 +137,7 @@ class Model(NoArray):
         lyapunov: int | None = None,
         measured: Sequence[str | os.PathLike[str]] = (),
         start: Simulation | None = None,
+        paths: Sequence[str] = (),
     ) -> Simulation:
         """Runs the model once.
 
@@ -149,7 +150,7 @@ class Model(NoArray):
         the largest Lyapunov exponent is measured by runs of their own. measured: CSV files of curves that are compared with the outputs,
         with a header such as "angle [deg], slider [mm]"; angles are moved by whole turns into the recorded ones, times count from the
         start of the run, before its transient. start: a run from whose end this one continues, without a transient unless one is given;
-        its time goes on.
+        its time goes on. paths: points "body.point" whose path, velocity and acceleration are recorded besides the outputs.
 
         The rows include the end of the last turn; `evaluate` leaves it out. A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
@@ -161,7 +162,7 @@ class Model(NoArray):
         simulation = Simulation(
             self._native.simulate(
                 turns, transient, samples, tolerance, states, second_run, self._settings(set), integrator, lyapunov,
-                paths("measured", measured), None if start is None else start._native,
+                file_paths("measured", measured), None if start is None else start._native, texts("paths", paths),
             )
         )
         warn(simulation._native.warnings)
@@ -216,7 +217,7 @@ class Model(NoArray):
             shared | {name: self._native.text_of_value("inputs", name, value) for name, value in zip(names, row, strict=True)}
             for row in table.tolist()
         ]
-        files = paths("measured", measured)
+        files = file_paths("measured", measured)
 
         def run(row: int) -> Simulation:
             return self.simulate(
@@ -227,15 +228,16 @@ class Model(NoArray):
         columns = {name: table[:, place] for place, name in enumerate(names)}
         return simulated(run, len(table), columns, {name: known.get(name, "1") for name in names}, threads, progress)
 
-    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+    def motion(self, *, set: Mapping[str, str | float] | None = None, paths: Sequence[str] = ()) -> Motion:
         """The ideal motion over a cycle, and the quasi-static effect of play on it: the answer of `loosepin motion`, without any run.
 
             motion = model.motion()
             motion["slider"].worst_case.max(), motion["slider"].proven
+            model.motion(paths=["rod.centre"]).paths["rod.centre"].plot()
 
-        set: as for `simulate`. Raises LoosepinError for a mechanism that its drives do not move alone.
+        set: as for `simulate`. paths: points "body.point" whose paths are given besides those of outputs. Raises LoosepinError for a mechanism that its drives do not move alone.
         """
-        return Motion(self._native.motion(self._settings(set)))
+        return Motion(self._native.motion(self._settings(set), texts("paths", paths)))
 
     def sweep(
         self,

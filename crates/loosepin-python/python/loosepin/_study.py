@@ -137,13 +137,13 @@ class Study(NoArray):
             native = self._native.run(place, resume, force, threads, notify, stated, most, made)
         return StudyResult(native)
 
-    def motion(self, *, set: Mapping[str, str | float] | None = None) -> Motion:
+    def motion(self, *, set: Mapping[str, str | float] | None = None, paths: Sequence[str] = ()) -> Motion:
         """The ideal motion, the quasi-static effect of play and of the random inputs on it, and what of `[[require]]` and `[allow]` can be
         judged without dynamics: the answer of `loosepin motion`.
 
-        Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`.
+        Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`. paths: as for `Model.motion`.
         """
-        return Motion(self._native.motion(settings("set", set, self.model._native)))
+        return Motion(self._native.motion(settings("set", set, self.model._native), texts("paths", paths)))
 
     def check(self) -> Check:
         """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::report::{mechanism_picture, motion_page, motion_text};
-use loosepin::results::{ResultKind, write_whole};
+use loosepin::results::{MOTION_FILE, ResultKind, write_whole};
+use loosepin::simulate::motion_csv;
 use loosepin::study::{InputFile, RecordFiles, read_record};
 use pyo3::prelude::*;
 
@@ -18,9 +19,9 @@ use crate::waiting::until_interrupted;
 pub struct Motion(MotionRecord);
 
 impl Motion {
-    /// The motion of `file` with the settings `set`, texts `path=value`.
-    pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>) -> PyResult<Self> {
-        until_interrupted(py, |stop| file.motion_answer(&set, stop))?.map(Self).map_err(raise)
+    /// The motion of `file` with the settings `set`, texts `path=value`, and the paths of points, `BODY.POINT`.
+    pub fn of_file(py: Python<'_>, file: InputFile, set: Vec<String>, paths: Vec<String>) -> PyResult<Self> {
+        until_interrupted(py, |stop| file.motion_answer(&set, &paths, stop))?.map(Self).map_err(raise)
     }
 }
 
@@ -45,7 +46,7 @@ impl Motion {
             kind: ResultKind::Motion,
             name: record.model.clone(),
             summary: to_json(record)?,
-            tables: Vec::new(),
+            tables: vec![(MOTION_FILE, motion_csv(record))],
             page: motion_page(record),
         };
         stored::save(py, &files, folder, force)

@@ -118,3 +118,62 @@ def test_a_check_says_what_keeps_a_model_from_running():
     text = MODEL.read_text(encoding="utf-8").replace('crank_length = "50 mm"', 'crank_length = "150 mm"')
     with pytest.raises(lp.LoosepinError, match="crank"):
         lp.Model.from_text(text).check()
+
+
+def test_analytic_path_of_the_rod(model):
+    motion = model.motion(paths=["rod.small_end"])
+    path, angle = motion.paths["rod.small_end"], motion.drive_angle_rad
+    # Ideal: the pin of the slider, 50 mm crank, 120 mm rod; on the line of the guide.
+    root = np.sqrt(0.12**2 - (0.05 * np.sin(angle)) ** 2)
+    np.testing.assert_allclose(path.x_m, 0.05 * np.cos(angle) + root, atol=1e-13)
+    np.testing.assert_allclose(path.y_m, 0, atol=1e-13)
+    speed = 5000 * 2 * np.pi / 60
+    velocity = -0.05 * np.sin(angle) * (1 + 0.05 * np.cos(angle) / root) * speed
+    np.testing.assert_allclose(path.velocity_x_m_s, velocity, atol=1e-9)
+    np.testing.assert_allclose(path.speed_m_s, np.abs(velocity), atol=1e-9)
+    # Virtual power, and the angle of the rod.
+    advantage = motion.mechanical_advantages["slider"]
+    moving = np.abs(velocity) > 1e-3
+    np.testing.assert_allclose(advantage[moving], (speed / np.abs(velocity))[moving], rtol=1e-9)
+    assert np.isinf(advantage[[0, 180]]).all()
+    np.testing.assert_allclose(motion.transmission_angles_rad["rod slider"], np.arcsin(np.abs(0.05 * np.sin(angle)) / 0.12), atol=1e-9)
+    assert [each["name"] for each in motion.kinematics["ranges"]] == ["rod", "guide"]
+
+
+def test_identity_the_zone_reaches_as_far_as_the_play(model):
+    motion = model.motion(set={"joint.gudgeon.radial_clearance": "0.4 mm"}, paths=["slider.pin"])
+    path = motion.paths["slider.pin"]
+    # The slider moves along x alone: as far as its output.
+    np.testing.assert_allclose(path.zone_m[:, :, 0].max(axis=1), motion["slider"].first_order, rtol=1e-9)
+    np.testing.assert_allclose(path.zone_m[:, :, 1], 0, atol=1e-12)
+    moving = path.tangent_x != 0
+    np.testing.assert_allclose(path.play_along_m[moving], motion["slider"].first_order[moving], rtol=1e-9)
+    figure = path.plot()
+    assert figure.axes[0].get_xlabel() == "x of slider.pin [mm]"
+    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == ["zone, magnified 10 times", "ideal path"]
+    frame = motion.to_pandas()
+    np.testing.assert_array_equal(frame["slider.pin play_along_m"], path.play_along_m)
+    assert motion.to_xarray()["slider velocity"].attrs["units"] == "m/s"
+
+
+def test_identity_paths_are_those_of_the_command(model, tmp_path):
+    ended = command("motion", str(MODEL), "--path", "crank.pin", "--out", "run", cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    motion = model.motion(paths=["crank.pin"])
+    assert motion._native.summary_json() == (tmp_path / "run/summary.json").read_text(encoding="utf-8")
+    motion.save(tmp_path / "saved")
+    assert (tmp_path / "saved/motion.csv").read_bytes() == (tmp_path / "run/motion.csv").read_bytes()
+
+
+def test_points_that_are_not_there_are_refused(model):
+    with pytest.raises(lp.LoosepinError, match=r"paths: there is no point 'crank.pim'\nhint: did you mean 'crank.pin'\?"):
+        model.motion(paths=["crank.pim"])
+    with pytest.raises(TypeError, match="paths is a str; must be a list of str"):
+        model.motion(paths="crank.pin")
+
+
+def test_a_run_records_the_path_of_a_point(model):
+    run = model.simulate(turns=0.5, transient=0, samples=40, second_run=False, states=True, paths=["crank.pin"])
+    angle = run.states["crank"].angle_rad
+    np.testing.assert_allclose(run["crank.pin x"], 0.05 * np.cos(angle), atol=1e-12)
+    np.testing.assert_allclose(run["crank.pin velocity x"], -0.05 * np.sin(angle) * run.states["crank"].omega_rad_s, atol=1e-9)

@@ -57,7 +57,7 @@ def every_object():
     answers = identifications()
     full, other_full = full_runs()
     sweeps, wears = sweeps_and_wears()
-    motions = [model.motion(set={"joint.gudgeon.radial_clearance": clearance}) for clearance in ("0.3 mm", "0.4 mm")]
+    motions = [model.motion(set={"joint.gudgeon.radial_clearance": clearance}, paths=["rod.small_end"]) for clearance in ("0.3 mm", "0.4 mm")]
     checks = (model.check(), study.check())
     ends = [result.bounds[0].lower, result.bounds[0].upper]
     objects = {
@@ -83,6 +83,7 @@ def every_object():
         "Lyapunov": (full.lyapunov, other_full.lyapunov),
         "MeasuredCurve": (full.measured[0], other_full.measured[0]),
         "Motion": tuple(motions),
+        "PointPath": tuple(motion.paths["rod.small_end"] for motion in motions),
         "OutputMotion": tuple(motion["slider"] for motion in motions),
         "Check": checks,
         "CheckSection": tuple(check.sections[0] for check in checks),

@@ -103,7 +103,7 @@ def arrays_of(thing, seen):
 
 WITH_ARRAYS = [
     *("BodyStates", "Box", "Curve", "Evaluation", "FunctionBounds", "JointWear", "Lyapunov", "MeasuredCurve", "Motion", "Orbit"),
-    *("OutputMotion", "Samples", "Simulation", "Simulations", "Spectrum", "StudyResult", "SurfaceLife", "SurfaceWear", "SurrogateOutput", "Surrogates"),
+    *("OutputMotion", "PointPath", "Samples", "Simulation", "Simulations", "Spectrum", "StudyResult", "SurfaceLife", "SurfaceWear", "SurrogateOutput", "Surrogates"),
     *("Sweep", "SweptJoint", "Wear"),
 ]
 

@@ -3,55 +3,10 @@
 use maud::{Markup, html};
 
 use crate::charts::figure::{Picture, csv_number};
-use crate::mechanism::shapes::MM_PER_M;
+use crate::charts::plane_view::{PlaneView, VISIBLE_SHARE, bars, is_closed, round_factor, size_m};
 use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::study::{CurveRange, Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
-
-/// The longer side of the picture in its own units; a unit is about a pixel.
-const SIDE: f64 = 640.0;
-const MARGIN: f64 = 48.0;
-/// The widest deviation is drawn as about this share of the size of the path.
-const VISIBLE_SHARE: f64 = 0.08;
-/// The bar of the scale is about this share of the picture.
-const BAR_SHARE: f64 = 0.18;
-
-/// Positions in the picture.
-struct View {
-    left_m: f64,
-    top_m: f64,
-    per_m: f64,
-    width: f64,
-    height: f64,
-}
-
-impl View {
-    /// Around all points, each so far from the path.
-    fn new(path: &PathCurve, room_m: f64) -> Self {
-        let range = |values: &[f64]| {
-            let low = values.iter().fold(f64::INFINITY, |low, value| low.min(*value)) - room_m;
-            (low, values.iter().fold(f64::NEG_INFINITY, |high, value| high.max(*value)) + room_m)
-        };
-        let ((left, right), (low, high)) = (range(&path.x_m), range(&path.y_m));
-        let per_m = SIDE / (right - left).max(high - low).max(f64::MIN_POSITIVE);
-        let [width, height] = [right - left, high - low].map(|side| (side * per_m).max(0.3 * SIDE) + 2.0 * MARGIN);
-        Self { left_m: left, top_m: high, per_m, width, height: height + MARGIN }
-    }
-
-    fn point(&self, [x_m, y_m]: [f64; 2]) -> String {
-        format!("{:.1} {:.1}", MARGIN + (x_m - self.left_m) * self.per_m, MARGIN + (self.top_m - y_m) * self.per_m)
-    }
-
-    /// A line through points; whole curves are closed.
-    fn line(&self, points: &[[f64; 2]]) -> String {
-        let mut line = String::new();
-        for (k, point) in points.iter().enumerate() {
-            line.push_str(if k == 0 { "M" } else { "L" });
-            line.push_str(&self.point(*point));
-        }
-        line
-    }
-}
 
 /// The figure, or nothing where the curve is no distance from a path, or has no ends.
 pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, writer: &NumberWriter) -> Markup {
@@ -72,11 +27,12 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
         return html! {};
     }
     let largest_m = ends.iter().flat_map(|end| end.iter()).fold(0.0_f64, |most, value| most.max(value.abs()));
-    let size_m = size_m(path);
+    let xy_m = [path.x_m.as_slice(), path.y_m.as_slice()];
+    let size_m = size_m(xy_m);
     let magnification = round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m));
     let nominal_m =
         curve.nominal_si.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, own| most.max(own.abs()));
-    let view = View::new(path, magnification * largest_m.max(nominal_m));
+    let view = PlaneView::new(xy_m, magnification * largest_m.max(nominal_m));
     let beside = |offsets_m: &[f64]| -> Vec<[f64; 2]> {
         let one = |k: usize| {
             let offset_m = magnification * offsets_m[k];
@@ -84,7 +40,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
         };
         (0..poses).map(one).collect()
     };
-    let is_closed = is_closed(path, size_m);
+    let is_closed = is_closed(xy_m, size_m);
     let closing = if is_closed { "Z" } else { "" };
     let [lower, upper] = ends.map(|end| beside(end));
     // One piece of the band for each step along the path, all turned the same way round: where the path is passed again, or crosses itself,
@@ -118,7 +74,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
         path.border d=(borders) {}
         @if let Some(nominal) = &nominal { path.actual d={ (view.line(nominal)) (closing) } {} }
         path.ideal d={ (view.line(&ideal)) (closing) } {}
-        circle.start r="5" cx=(start(&view, &ideal[0]).0) cy=(start(&view, &ideal[0]).1) {}
+        circle.start r="5" cx=(format!("{:.1}", view.place(ideal[0])[0])) cy=(format!("{:.1}", view.place(ideal[0])[1])) {}
         (bars(&view, magnification, writer))
     };
     let caption = html! {
@@ -171,95 +127,5 @@ fn stay_words(curve: &DeviationCurve, whole: Option<&SimultaneousCurve>, writer:
             let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
             format!("{share} of mechanisms stay at each angle")
         }
-    }
-}
-
-fn start(view: &View, point: &[f64; 2]) -> (String, String) {
-    let text = view.point(*point);
-    let (x, y) = text.split_once(' ').unwrap_or(("0", "0"));
-    (x.to_owned(), y.to_owned())
-}
-
-/// Two bars: a length of the path, and a deviation from it.
-fn bars(view: &View, magnification: f64, writer: &NumberWriter) -> Markup {
-    let about_m = BAR_SHARE * SIDE / view.per_m;
-    let bar = |length_m: f64, factor: f64, y: f64, what: &str, class: &str| {
-        let length = length_m * factor * view.per_m;
-        html! {
-            g class={ "bar " (class) } transform=(format!("translate({MARGIN} {y:.1})")) {
-                path d=(format!("M0 -4V4M0 0H{length:.1}M{length:.1} -4V4")) {}
-                text x=(format!("{:.1}", length + 10.0)) y="5" {
-                    (writer.value_shortest(length_m, &SiUnit::LENGTH)) " " (what)
-                }
-            }
-        }
-    };
-    let (path_m, deviation_m) = (round_length_m(about_m), round_length_m(about_m / magnification));
-    html! {
-        (bar(path_m, 1.0, view.height - 50.0, "along the path", "of-path"))
-        (bar(deviation_m, magnification, view.height - 24.0, "of deviation", "of-deviation"))
-    }
-}
-
-/// The diagonal of the path's frame, m.
-fn size_m(path: &PathCurve) -> f64 {
-    let extent = |values: &[f64]| {
-        let high = values.iter().fold(f64::NEG_INFINITY, |high, value| high.max(*value));
-        high - values.iter().fold(f64::INFINITY, |low, value| low.min(*value))
-    };
-    extent(&path.x_m).hypot(extent(&path.y_m))
-}
-
-/// Whether the last pose lies before the first one as poses do.
-fn is_closed(path: &PathCurve, size_m: f64) -> bool {
-    let last = path.x_m.len() - 1;
-    let between = |a: usize, b: usize| (path.x_m[a] - path.x_m[b]).hypot(path.y_m[a] - path.y_m[b]);
-    let longest = (0..last).map(|k| between(k, k + 1)).fold(0.0, f64::max);
-    between(last, 0) <= 1.5 * longest.max(1e-3 * size_m)
-}
-
-/// 1, 2 or 5 times a power of ten, at most `factor`; at least 1.
-pub(crate) fn round_factor(factor: f64) -> f64 {
-    round_down(factor).max(1.0)
-}
-
-/// 1, 2 or 5 times a power of ten millimetres, at most `length_m`.
-fn round_length_m(length_m: f64) -> f64 {
-    round_down(length_m * MM_PER_M) / MM_PER_M
-}
-
-fn round_down(value: f64) -> f64 {
-    let power = 10_f64.powf(value.log10().floor());
-    let step = [5.0, 2.0, 1.0].into_iter().find(|step| step * power <= value * (1.0 + 1e-9)).unwrap_or(1.0);
-    // A power of ten below one has round-off.
-    format!("{:.12e}", step * power).parse().unwrap_or(step * power)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{is_closed, round_down, round_factor};
-    use loosepin_result::study::PathCurve;
-
-    #[test]
-    fn analytic_round_numbers() {
-        for (value, round) in
-            [(1.0, 1.0), (1.99, 1.0), (2.0, 2.0), (49.0, 20.0), (50.0, 50.0), (0.03, 0.02), (1e3, 1e3)]
-        {
-            assert_eq!(round_down(value), round, "{value}");
-        }
-        assert_eq!(round_factor(0.3), 1.0);
-    }
-
-    #[test]
-    fn analytic_a_circle_is_closed_and_half_of_it_is_not() {
-        let arc = |turns: f64| {
-            let angle = |k: usize| std::f64::consts::TAU * turns * k as f64 / 36.0;
-            PathCurve {
-                x_m: (0..36).map(|k| angle(k).cos()).collect(),
-                y_m: (0..36).map(|k| angle(k).sin()).collect(),
-                ..PathCurve::default()
-            }
-        };
-        assert!(is_closed(&arc(1.0), 2.0) && !is_closed(&arc(0.5), 2.0));
     }
 }

@@ -1,6 +1,6 @@
 //! Flexible bodies in the drawing of a mechanism: their bent axes, magnified.
 
-use crate::charts::zone_figure::round_factor;
+use crate::charts::plane_view::round_factor;
 use crate::mechanism::shapes::MM_PER_M;
 use crate::medium::script_data::round_to_digits;
 use loosepin_result::simulation::{Drawing, DrawnBeam};

@@ -15,14 +15,16 @@ const STYLE: &str = include_str!("../../assets/report.css");
 const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
 const SHARED_SCRIPTS: [&str; 2] = [include_str!("../../assets/ticks.js"), include_str!("../../assets/cursor.js")];
-const FIGURE_SCRIPTS: [&str; 7] = [
-    // Closes sections and leaves one orbit before any figure asks for its room.
+const FIGURE_SCRIPTS: [&str; 8] = [
+    // Closes sections before any figure asks for its room.
     include_str!("../../assets/fold.js"),
-    include_str!("../../assets/chooser.js"),
     // Takes the figures as they are before the next ones make them live.
     include_str!("../../assets/save.js"),
     include_str!("../../assets/chart.js"),
     include_str!("../../assets/orbit.js"),
+    include_str!("../../assets/trace.js"),
+    // Hides figures: those before it have been drawn.
+    include_str!("../../assets/chooser.js"),
     include_str!("../../assets/mechanism.js"),
     include_str!("../../assets/what-if.js"),
 ];

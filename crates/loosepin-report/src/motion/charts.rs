@@ -6,8 +6,10 @@ use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
-use crate::words::wording::named_words;
+use crate::words::wording::{capitalised, named_words};
+use loosepin_result::kinematics::{MechanicalAdvantage, TransmissionAngle};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
 use super::angles::angle_chart;
@@ -76,40 +78,169 @@ fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWrite
     }
 }
 
-/// Charts of each output.
+/// Position, velocity and acceleration of each output and of each path: one chart at a time.
 pub(super) fn ideal_motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    let is_coordinate = |output: &&OutputMotion| record.paths.iter().any(|path| path.has_coordinate(&output.name));
+    let outputs = record.outputs.iter().filter(|output| output.path_error.is_none() && !is_coordinate(output));
     html! {
         div.charts {
-            @for output in &record.outputs {
-                (motion_chart(record, output, "position", &output.value_si, Some(output.unit.clone()), writer))
-                @let rate = output.unit.per_second();
-                (motion_chart(record, output, "velocity", &output.velocity_si, rate.clone(), writer))
-                @let second = rate.and_then(|rate| rate.per_second());
-                (motion_chart(record, output, "acceleration", &output.acceleration_si, second, writer))
+            @for output in outputs {
+                @let name = named_words(&output.name, &output.words);
+                @let lines = [&output.value_si, &output.velocity_si, &output.acceleration_si];
+                (of_derivatives(record, &output.name, &name, &output.unit, &lines.map(|values| vec![("", values.clone())]), writer))
+            }
+            @for path in &record.paths {
+                (of_derivatives(record, &path.name, &path.point, &SiUnit::LENGTH, &path_lines(path), writer))
             }
         }
     }
 }
 
-fn motion_chart(
+/// Curves of a path: coordinates, and of its rates the magnitude too.
+fn path_lines(path: &PointPath) -> [Vec<(&'static str, Vec<f64>)>; 3] {
+    [
+        vec![("x", path.x_m.clone()), ("y", path.y_m.clone())],
+        vec![("x", path.velocity_x_m_s.clone()), ("y", path.velocity_y_m_s.clone()), ("magnitude", path.speeds_m_s())],
+        vec![
+            ("x", path.acceleration_x_m_s2.clone()),
+            ("y", path.acceleration_y_m_s2.clone()),
+            ("magnitude", path.acceleration_magnitudes_m_s2()),
+        ],
+    ]
+}
+
+/// A value and its first two derivatives, of which one chart is shown at a time.
+fn of_derivatives(
     record: &MotionRecord,
-    output: &OutputMotion,
-    what: &str,
-    values_si: &[f64],
-    unit: Option<SiUnit>,
+    name: &str,
+    words: &str,
+    unit: &SiUnit,
+    lines: &[Vec<(&str, Vec<f64>)>; 3],
     writer: &NumberWriter,
 ) -> Markup {
-    let unit = unit.unwrap_or(SiUnit::NONE);
-    let Some([lowest, highest]) = range(output, what, values_si, &unit, writer) else { return html! {} };
-    let mut chart = angle_chart(record, name_of(what, &output.name), writer);
-    chart.set_vertical_axis(format!("{what} of {}", output.name), &unit, writer);
+    let rate = unit.per_second();
+    let second = rate.as_ref().and_then(SiUnit::per_second);
+    let units = [Some(unit.clone()), rate, second].map(|unit| unit.unwrap_or(SiUnit::NONE));
+    let choices = ["position", "velocity", "acceleration"].into_iter().zip(units).zip(lines).filter_map(
+        |((what, unit), lines)| Some((what.to_owned(), motion_chart(record, name, words, what, &unit, lines, writer)?)),
+    );
+    chooser(words, choices.collect())
+}
+
+fn motion_chart(
+    record: &MotionRecord,
+    name: &str,
+    words: &str,
+    what: &str,
+    unit: &SiUnit,
+    lines: &[(&str, Vec<f64>)],
+    writer: &NumberWriter,
+) -> Option<Markup> {
+    let all = || lines.iter().flat_map(|(_, values)| values);
+    let tag = |part: &str| Tag::joint(name, &format!("ideal {what}"), part);
+    let number = |part: &str, value_si: f64| writer.with_tag(&tag(part)).value(value_si, unit);
+    let lowest = number("smallest", all().copied().reduce(f64::min)?);
+    let highest = number("largest", all().copied().reduce(f64::max)?);
+    let mut chart = angle_chart(record, name_of(what, name), writer);
+    chart.set_vertical_axis(format!("{what} of {name}"), unit, writer);
     chart.height = 220;
-    chart.entries.push(Entry::line(&format!("ideal {what}"), Role::First, false, values_si, &unit, writer));
-    let name = named_words(&output.name, &output.words);
+    for (index, (part, values_si)) in lines.iter().enumerate() {
+        let label = if part.is_empty() { format!("ideal {what}") } else { (*part).to_owned() };
+        chart.entries.push(Entry::line(&label, Role::of_index(index), false, values_si, unit, writer));
+    }
     let range = format!("between {lowest} and {highest}");
-    chart.caption = html! { strong { "Ideal " (what) " of " (name) }  ": " (range) "." };
-    chart.alternative = format!("Chart of the ideal {what} of {name} over one cycle: {range}.");
+    chart.caption = html! { strong { "Ideal " (what) " of " (words) }  ": " (range) "." };
+    chart.alternative = format!("Chart of the ideal {what} of {words} over one cycle: {range}.");
+    Some(chart.figure())
+}
+
+/// Transmission angles of the loops, and mechanical advantages of outputs and paths; `None` if neither is known.
+pub(super) fn transmission(record: &MotionRecord, writer: &NumberWriter) -> Option<Markup> {
+    let angles = record.kinematics.transmission_angles.iter().filter(|angle| !angle.value_rad.is_empty());
+    let angles = angles.map(|angle| (transmission_name(angle), transmission_chart(record, angle, writer)));
+    let advantages = record.kinematics.mechanical_advantages.iter().filter(|each| has_advantage(each));
+    let advantages: Vec<_> =
+        advantages.map(|each| (each.name.clone(), advantage_chart(record, each, writer))).collect();
+    let angles: Vec<_> = angles.collect();
+    if angles.is_empty() && advantages.is_empty() {
+        return None;
+    }
+    Some(html! {
+        p {
+            "The transmission angle μ lies between coupler and output link. It is best at 90°; the pressure angle of a slider is best at 0°. The \
+             mechanical advantage is the force on an output along its motion, or the torque on a turning one, that balances a unit torque of \
+             " (record.drive) ": A = ω/|v| by virtual power, without losses, weight and inertia. It is infinite in a dead centre."
+        }
+        div.charts {
+            (chooser("loops", angles))
+            (chooser("outputs", advantages))
+        }
+    })
+}
+
+fn transmission_name(angle: &TransmissionAngle) -> String {
+    let [coupler, output] = &angle.bodies;
+    format!("{coupler} and {output}")
+}
+
+fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngle, writer: &NumberWriter) -> Markup {
+    let kind = if angle.is_pressure_angle { "pressure angle" } else { "transmission angle" };
+    let name = transmission_name(angle);
+    let mut chart = angle_chart(record, name_of(&kind.replace(' ', "-"), &angle.bodies.join(" ")), writer);
+    chart.set_vertical_axis(kind, &SiUnit::ANGLE, writer);
+    chart.height = 220;
+    chart.entries.push(Entry::line(kind, Role::First, false, &angle.value_rad, &SiUnit::ANGLE, writer));
+    let number = |end: usize| {
+        let tag = Tag::joint(&name, kind, ["smallest", "largest"][end]);
+        writer.with_tag(&tag).value(angle.extremes_rad[end], &SiUnit::ANGLE)
+    };
+    let range = format!("between {} and {}", number(0), number(1));
+    chart.caption = html! { strong { (capitalised(kind)) " of " (name) } ": " (range) "." };
+    chart.alternative = format!("Chart of the {kind} of {name} over one cycle: {range}.");
     chart.figure()
+}
+
+/// Whether an output ever moves, and is not the drive itself.
+fn has_advantage(each: &MechanicalAdvantage) -> bool {
+    each.value_si.iter().any(|value| value.is_finite() && (value - 1.0).abs() > 1e-9)
+}
+
+/// Charts show mechanical advantages up to this many times the least one: they grow beyond all limits towards dead centres.
+const SHOWN_ADVANTAGE: f64 = 6.0;
+
+fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &NumberWriter) -> Markup {
+    let MechanicalAdvantage { name, unit, value_si } = each;
+    let mut chart = angle_chart(record, name_of("mechanical-advantage", name), writer);
+    chart.set_vertical_axis("mechanical advantage", unit, writer);
+    chart.height = 220;
+    chart.entries.push(Entry::line("mechanical advantage", Role::First, false, value_si, unit, writer));
+    let least = value_si.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = value_si.iter().copied().fold(0.0, f64::max);
+    let shown = most.min(SHOWN_ADVANTAGE * least);
+    chart.y_range = Some([0.0, 1.05 * writer.scaled(shown, unit)]);
+    let tag = |part: &str| Tag::joint(name, "mechanical advantage", part);
+    let least_words = writer.with_tag(&tag("smallest")).value(least, unit);
+    let cut = if most > shown {
+        let times = writer.with_tag(&Tag::Given("shown mechanical advantage")).count(SHOWN_ADVANTAGE as u64);
+        format!(" Drawn up to {times} times that.")
+    } else {
+        String::new()
+    };
+    chart.caption = html! { strong { "Mechanical advantage at " (name) } ": at least " (least_words) "." (cut) };
+    chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: at least {least_words}.");
+    chart.figure()
+}
+
+/// Figures of which one is shown at a time: those of a page without its script are all there.
+fn chooser(of: &str, choices: Vec<(String, Markup)>) -> Markup {
+    if choices.is_empty() {
+        return html! {};
+    }
+    html! {
+        div.chooser data-chooser=(of) {
+            @for (label, figure) in choices { div.choice data-choice=(label) { (figure) } }
+        }
+    }
 }
 
 /// The smallest and the largest value of a history; `None` if it has none.

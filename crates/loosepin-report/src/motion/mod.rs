@@ -7,6 +7,7 @@
 //! | what each joint contributes | `contributors.rs` |
 //! | the effect of part scatter | `scatter.rs` |
 //! | loops, swings, dead centres, transmission angles | `kinematic_sentences.rs` |
+//! | paths of points with their zones | `paths.rs` |
 //! | what the drives must do | `efforts.rs` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
 //!
@@ -19,6 +20,7 @@ mod contributors;
 mod efforts;
 mod kinematic_sentences;
 mod page;
+mod paths;
 mod play_effect;
 mod ranges;
 mod scatter;

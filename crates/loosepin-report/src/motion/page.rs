@@ -14,9 +14,10 @@ use loosepin_text::article::{self, Fact};
 use loosepin_text::units::SiUnit;
 
 use super::answer::{has_clearance, has_scatter, headline_sentences, singular_place};
-use super::charts::{clearance, clearance_chart, ideal_motion};
+use super::charts::{clearance, clearance_chart, ideal_motion, transmission};
 use super::contributors::contributors_section;
 use super::efforts::efforts_section;
+use super::paths::paths_section;
 use super::ranges::ranges_section;
 use super::scatter::{scatter_chart, scatter_section};
 
@@ -33,11 +34,13 @@ pub fn motion_page(record: &MotionRecord) -> String {
         (None, None) => Markup::default(),
     };
     let sections = [
+        page_section(paths_section(record, writer)),
         page_section(ranges_section(record, writer)),
         play.map(|_| Section::new("clearance", "Effect of play", clearance(record, writer))),
         page_section(contributors_section(record, writer)),
         page_section(scatter_section(record, scatter, writer)),
         Some(Section::new("motion", "Ideal motion", ideal_motion(record, writer))),
+        transmission(record, writer).map(|body| Section::new("transmission", "Transmission", body)),
         page_section(efforts_section(record, writer)),
         page_section(method(record, writer)),
         repeat_section(&record.repeat),

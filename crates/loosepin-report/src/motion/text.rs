@@ -8,6 +8,7 @@ use loosepin_text::article::{Content, Section};
 use super::answer::headline_sentences;
 use super::contributors::contributors_section;
 use super::efforts::efforts_section;
+use super::paths::paths_section;
 use super::ranges::ranges_section;
 use super::scatter::scatter_section;
 
@@ -20,6 +21,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
     let sections = [
         Some(answer),
         ranges_section(record, writer),
+        paths_section(record, writer),
         efforts_section(record, writer),
         contributors_section(record, writer),
         scatter_section(record, None, writer),

@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use crate::charts::chart::{Chart, Entry, Role, turns_before_rad};
 use crate::charts::figure::name_of;
+use crate::charts::path_figure::{RunCourse, run_path_figure};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::named_words;
@@ -52,6 +53,25 @@ pub(super) fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Marku
             }
         }
     }
+}
+
+/// The paths of points, each beside its ideal path; `None` if there are none.
+pub(super) fn paths(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
+    let before_rad = before_rad(record);
+    let figures = record.paths.iter().filter_map(|path| {
+        let [x, y] = record.coordinates(path)?;
+        let angles = record.drive_angle_rad.iter().filter(|_| is_over_angle(record));
+        let course = RunCourse {
+            name: &path.name,
+            point: &path.point,
+            xy_m: [&x.value_si, &y.value_si],
+            ideal_m: [&x.ideal_si, &y.ideal_si],
+            drive_angle_rad: angles.map(|angle_rad| angle_rad - before_rad).collect(),
+        };
+        Some(run_path_figure(&course, writer))
+    });
+    let figures: Vec<Markup> = figures.collect();
+    (!figures.is_empty()).then(|| html! { div.charts { @for figure in figures { (figure) } } })
 }
 
 fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &NumberWriter) -> Chart {

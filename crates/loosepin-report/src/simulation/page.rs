@@ -15,7 +15,9 @@ use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::units::SiUnit;
 
 use super::answer::{headline_sentences, trusted_run};
-use super::charts::{before_rad, controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation};
+use super::charts::{
+    before_rad, controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation, paths,
+};
 use super::contact::contact_section;
 use super::extremes::extremes_section;
 use super::kind::kind_section;
@@ -48,6 +50,7 @@ fn page(record: &SimulationRecord) -> Page {
         |id: &'static str, title: &'static str, body: Option<Markup>| body.map(|body| Section::new(id, title, body));
     let sections = [
         own("orbits", "The journal in its bearing", (!record.orbits.is_empty()).then(|| orbits(record, writer))),
+        own("paths", "Paths of points", paths(record, writer)),
         // The numbers before the charts: on a narrow screen those are several screens high.
         page_section(extremes_section(record, writer)),
         own("outputs", "Outputs", Some(outputs(record, writer))),

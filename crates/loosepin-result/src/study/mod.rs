@@ -19,6 +19,7 @@ mod requirement;
 mod surrogate;
 mod verdict;
 
+use crate::point_path::CyclePaths;
 use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
@@ -170,6 +171,10 @@ pub struct StudyResult {
     pub boxes: Vec<ProbabilityBox>,
     /// Paths of journals in their bearings.
     pub orbits: Vec<JournalOrbit>,
+    /// Ideal paths of outputs with the zones about them, to first order: unknown clearances where there is most play. Absent where no output
+    /// is a path, and in records of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paths: Option<CyclePaths>,
     /// The mechanism and its poses.
     pub drawing: Drawing,
 }

@@ -13,7 +13,7 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
-use crate::kinematics::kinematic_properties;
+use crate::kinematics::{kinematic_properties, mechanical_advantages};
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
@@ -185,6 +185,12 @@ fn motion_with(
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;
     }
+    let paths = recorder.paths.into_paths();
+    let mut kinematics = kinematic_properties(mechanism, values, &cycle.states, &input);
+    // With several drives, or a phase in the place of an angle, no torque is the one that is balanced.
+    if input.is_drive && mechanism.model.drives.len() == 1 {
+        kinematics.mechanical_advantages = mechanical_advantages(&recorder.outputs, &paths, input.speed_rad_s);
+    }
     let is_proven_between_angles = proofs.as_ref().is_some_and(|proofs| proofs.is_between_angles);
     Ok(MotionRecord {
         model: mechanism.model.name.clone(),
@@ -193,7 +199,7 @@ fn motion_with(
         drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
-        kinematics: kinematic_properties(mechanism, values, &cycle.states, &input),
+        kinematics,
         guide_overhangs: overhangs.into_found(),
         unproven_spans: proofs.map_or_else(Vec::new, |proofs| proofs.unproven_spans),
         is_proven_between_angles,
@@ -202,7 +208,7 @@ fn motion_with(
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,
-        paths: recorder.paths.into_paths(),
+        paths,
         // Without masses nothing is known of them.
         efforts: match mechanism.model.demand_dynamics() {
             Ok(()) => ideal_efforts(mechanism, &sample, &cycle.states),
@@ -353,8 +359,7 @@ impl<'a> Recorder<'a> {
                 contributor.first_order_si.push(first_order_si(&[*joint]));
             }
         }
-        let values_si: Vec<[f64; 2]> = jets.iter().map(|jet| [jet[0], jet[1]]).collect();
-        self.paths.record(&values_si, &gradients, &self.reaches);
+        self.paths.record(jets, &gradients, &self.reaches);
         let mut variances = vec![0.0; self.outputs.len()];
         let mut signed_si = vec![Vec::with_capacity(self.directions.len()); self.outputs.len()];
         for (index, (entry, direction)) in self.directions.iter().enumerate() {

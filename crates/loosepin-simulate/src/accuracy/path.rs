@@ -20,8 +20,6 @@ struct RecordedPath {
     /// Places of x and y among the readings.
     places: [usize; 2],
     path: PointPath,
-    /// Velocity at each position, m/s.
-    velocities_m_s: Vec<Vec2<f64>>,
     /// Displacement by a standard deviation of each dimension at the present position, m.
     scatter_m: Vec<Vec2<f64>>,
 }
@@ -51,7 +49,6 @@ pub(super) fn points_of_paths(mechanism: &Mechanism, points: &[PointId], reading
         RecordedPath {
             places: [Axis::X, Axis::Y].map(|axis| place(Position::Point(point, axis))),
             path: PointPath { name, point: words, output, ..PointPath::default() },
-            velocities_m_s: Vec::new(),
             scatter_m: Vec::new(),
         }
     };
@@ -68,11 +65,19 @@ pub(super) fn points_of_paths(mechanism: &Mechanism, points: &[PointId], reading
 }
 
 impl PathRecorder {
-    /// Takes a position: value and velocity of each reading, and its gradients by play.
-    pub fn record(&mut self, readings: &[[f64; 2]], gradients: &[Vec<Vec2<f64>>], reaches: &[PlayReach]) {
-        for RecordedPath { places: [x, y], path, velocities_m_s, .. } in &mut self.paths {
-            path.x_m.push(readings[*x][0]);
-            path.y_m.push(readings[*y][0]);
+    /// Takes a position: value, velocity and acceleration of each reading, and its gradients by play.
+    pub fn record(&mut self, readings: &[[f64; 3]], gradients: &[Vec<Vec2<f64>>], reaches: &[PlayReach]) {
+        for RecordedPath { places: [x, y], path, .. } in &mut self.paths {
+            for (list, value) in
+                [&mut path.x_m, &mut path.velocity_x_m_s, &mut path.acceleration_x_m_s2].into_iter().zip(readings[*x])
+            {
+                list.push(value);
+            }
+            for (list, value) in
+                [&mut path.y_m, &mut path.velocity_y_m_s, &mut path.acceleration_y_m_s2].into_iter().zip(readings[*y])
+            {
+                list.push(value);
+            }
             let reach_m = |direction: Vec2<f64>| -> f64 {
                 let gradients = gradients[*x].iter().zip(&gradients[*y]);
                 gradients
@@ -82,7 +87,6 @@ impl PathRecorder {
             };
             path.play_reach_m.extend(self.directions.iter().map(|direction| reach_m(*direction)));
             let velocity_m_s = Vec2::new(readings[*x][1], readings[*y][1]);
-            velocities_m_s.push(velocity_m_s);
             let speed_m_s = velocity_m_s.length();
             let [along_m, across_m] = if speed_m_s > 0.0 {
                 let tangent = velocity_m_s * (1.0 / speed_m_s);
@@ -129,7 +133,9 @@ impl PathRecorder {
 
     /// The finished paths. Where a point is slower than a hundredth of its mean speed, its motion has no direction.
     pub fn into_paths(self) -> Vec<PointPath> {
-        let finish = |RecordedPath { mut path, velocities_m_s, .. }: RecordedPath| {
+        let finish = |RecordedPath { mut path, .. }: RecordedPath| {
+            let velocities_m_s: Vec<Vec2<f64>> =
+                path.velocity_x_m_s.iter().zip(&path.velocity_y_m_s).map(|(x, y)| Vec2::new(*x, *y)).collect();
             let speeds: Vec<f64> = velocities_m_s.iter().map(|velocity| velocity.length()).collect();
             let least = MIN_SHARE_OF_SPEED * speeds.iter().sum::<f64>() / speeds.len() as f64;
             for (position, (velocity, speed)) in velocities_m_s.iter().zip(speeds).enumerate() {

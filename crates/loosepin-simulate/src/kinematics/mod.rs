@@ -1,5 +1,6 @@
 //! Kinematic properties of the ideal motion: what a designer asks first, without play.
 
+mod advantage;
 mod loops;
 mod quantity;
 #[cfg(test)]
@@ -13,6 +14,7 @@ use loosepin_mechanics::model::{CycleInput, Model, PointId, Values};
 use loosepin_result::kinematics::{KinematicProperties, LoopProperties, MotionRange, TransmissionAngle};
 use loosepin_text::units::SiUnit;
 
+pub use advantage::mechanical_advantages;
 use loops::{GroundLoop, ground_loops};
 use quantity::{Angle, Quantity, Travel};
 use turning::{Walked, crossings};
@@ -122,10 +124,9 @@ fn transmission_angle(
         let within = (angle_rad - TAU * (angle_rad / TAU).round()).abs();
         if is_pressure_angle { within.min(PI - within) } else { within }
     };
-    let mut candidates: Vec<(f64, f64)> = Vec::new();
-    for state in walked.states {
-        candidates.push((folded(angle.value(state)), walked.input.angle_rad(state.time_s())));
-    }
+    let value_rad: Vec<f64> = walked.states.iter().map(|state| folded(angle.value(state))).collect();
+    let angles_rad = walked.states.iter().map(|state| walked.input.angle_rad(state.time_s()));
+    let mut candidates: Vec<(f64, f64)> = value_rad.iter().copied().zip(angles_rad).collect();
     for end in walked.turning_points(&angle) {
         candidates.push((folded(end.value), end.angle_rad));
     }
@@ -144,5 +145,6 @@ fn transmission_angle(
         is_pressure_angle,
         extremes_rad: [smallest.0, largest.0],
         at_rad: [smallest.1, largest.1],
+        value_rad,
     })
 }

@@ -28,11 +28,13 @@ use crate::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, acceleration_at};
-use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
+use loosepin_mechanics::model::{
+    Cycle, CycleInput, CycleSpan, Model, Output, PartNames, Recorded, Values, relative_words,
+};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, ImpactRecord, JointSummary, JointWearRecord, JournalOrbit,
-    OutputHistory, Override, SimulationRecord, SimulationSettings, StopReason, Trust,
+    OutputHistory, Override, RunPath, SimulationRecord, SimulationSettings, StopReason, Trust,
 };
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;
@@ -505,6 +507,7 @@ impl<'a> Recorder<'a> {
             trust: Trust::NotMeasured,
             display_units: self.mechanism.model.shown_in(DisplayUnits::for_duration_s(self.window.end_s)),
             outputs,
+            paths: paths(&self.mechanism.model),
             contact_forces: (0..self.contact_forces.len())
                 .map(|contact| ContactForceHistory {
                     joint: self.mechanism.contact_name(contact),
@@ -647,6 +650,15 @@ fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f
     positions.into_iter().chain(velocities).chain(accelerations).collect()
 }
 
+/// The outputs that are paths of points.
+fn paths(model: &Model) -> Vec<RunPath> {
+    let path = |output: &Output| match output.kind.recorded() {
+        Recorded::Path(point) => Some(RunPath { name: output.name.clone(), point: relative_words(model, point) }),
+        Recorded::Number(_) | Recorded::Wear(..) => None,
+    };
+    model.outputs.iter().filter_map(path).collect()
+}
+
 /// The command by which the run that `plan` asks of `model` is made again: what differs from the file is in it.
 fn repeat(model: &Model, plan: &Plan) -> Repeat {
     let mut arguments: Vec<String> = Vec::new();
@@ -678,6 +690,9 @@ fn repeat(model: &Model, plan: &Plan) -> Repeat {
     }
     if plan.with_states {
         arguments.push("--states".to_owned());
+    }
+    for point in &model.asked_paths {
+        arguments.extend(["--path".to_owned(), model.point(*point)]);
     }
     Repeat::new("simulate", &arguments, input_files(model))
 }

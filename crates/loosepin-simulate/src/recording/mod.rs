@@ -11,6 +11,7 @@ pub(crate) mod drawing;
 pub(crate) mod extremes;
 pub(crate) mod flight;
 pub(crate) mod history;
+pub(crate) mod motion_table;
 pub(crate) mod report;
 pub(crate) mod tables;
 pub(crate) mod work;

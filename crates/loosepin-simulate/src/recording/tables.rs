@@ -6,7 +6,7 @@ use loosepin_text::diagnostics::{Code, problems};
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// A column of `history.csv`.
+/// A column of `history.csv` or `motion.csv`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryColumn<'s> {
     /// Its name, with the unit: `slider_m`. No two columns have the same.
@@ -62,11 +62,15 @@ fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str
 
 /// `history.csv`: the [`history_columns`], one row a sample.
 pub fn history_csv(record: &SimulationRecord, states: Option<&BodyStates>) -> String {
-    let columns = history_columns(record, states);
+    table(&history_columns(record, states), record.time_s.len())
+}
+
+/// Columns as comma-separated values with their names above.
+pub(super) fn table(columns: &[HistoryColumn<'_>], rows: usize) -> String {
     let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
     let mut text = names.join(",");
     text.push('\n');
-    for row in 0..record.time_s.len() {
+    for row in 0..rows {
         for (index, column) in columns.iter().enumerate() {
             let _ = write!(text, "{}{:?}", if index > 0 { "," } else { "" }, column.values_si[row]);
         }
@@ -182,7 +186,7 @@ pub fn spectrum_csv(record: &SimulationRecord) -> Option<String> {
 }
 
 /// The unit as a suffix of a column name: `m/s^2` becomes `_m_s2`.
-fn unit_suffix(symbol: &str) -> String {
+pub(super) fn unit_suffix(symbol: &str) -> String {
     let plain: String = symbol
         .chars()
         .filter(|c| *c != '^')

@@ -31,6 +31,8 @@ pub const SUMMARY_FILE: &str = "summary.json";
 pub const HISTORY_FILE: &str = "history.csv";
 /// Name of the file with one impact a row.
 pub const IMPACTS_FILE: &str = "impacts.csv";
+/// The curves of an ideal motion over the angle of the drive.
+pub const MOTION_FILE: &str = "motion.csv";
 /// Name of the file with one order of the drive a row.
 pub const SPECTRUM_FILE: &str = "spectrum.csv";
 /// Name of the file with one sector of a worn surface a row.

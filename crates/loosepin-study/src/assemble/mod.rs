@@ -11,6 +11,7 @@ mod drawing;
 #[cfg(test)]
 mod few_runs;
 mod material;
+mod paths;
 mod requirements;
 mod summary;
 mod treatments;
@@ -74,6 +75,7 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
         boxes: boxes::boxes(material),
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
+        paths: paths::paths(study),
         drawing: pictures.drawing,
     }
 }

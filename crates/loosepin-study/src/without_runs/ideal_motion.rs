@@ -32,24 +32,25 @@ impl InputFile {
         set: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+        self.moved(positions, set, &[], &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
     }
 
-    /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, and with the requirements of a study
-    /// judged by them, until `stop` is set.
+    /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, with the requirements of a study
+    /// judged by them, and with the paths of the points called `paths`, until `stop` is set.
     ///
     /// # Errors
-    /// As for [`Self::ideal_motion`]; that it was stopped.
+    /// As for [`Self::ideal_motion`]; a path of a point that the model does not have; that it was stopped.
     pub fn ideal_motion_with_worst_cases(
         &self,
         positions: usize,
         set: &[String],
+        paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
         let motion = |mechanism: &Mechanism, values: &Values, plan: &MotionPlan| {
             motion_with_worst_cases_until(mechanism, values, plan, stop)
         };
-        let mut record = self.moved(positions, set, &motion)?;
+        let mut record = self.moved(positions, set, paths, &motion)?;
         if let InputFile::Study(study) = self {
             let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
             (record.requirements, record.allowances) = (requirements, allowances);
@@ -61,11 +62,13 @@ impl InputFile {
         &self,
         positions: usize,
         set: &[String],
+        paths: &[String],
         motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
     ) -> Result<MotionRecord, Diagnostics> {
         let model = self.model();
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
+        let paths = model.points_of_paths(paths)?;
         let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
         let plan = MotionPlan {
             span: model.cycle.span,
@@ -75,7 +78,7 @@ impl InputFile {
                 InputFile::Model(_) => Vec::new(),
                 InputFile::Study(study) => study.linear_correlations(),
             },
-            paths: Vec::new(),
+            paths,
             overrides: Override::from_settings(&settings),
         };
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)

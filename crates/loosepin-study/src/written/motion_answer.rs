@@ -14,13 +14,20 @@ const POSITIONS: usize = 360;
 
 impl InputFile {
     /// The ideal motion at every degree, with worst cases of the play, the requirements of a study judged by them, and the command that
-    /// makes it again, until `stop` is set; `set` are settings `path=value`.
+    /// makes it again, until `stop` is set; `set` are settings `path=value`, `paths` points `BODY.POINT` whose paths are recorded besides those
+    /// of outputs.
     ///
     /// # Errors
-    /// As for [`Self::ideal_motion`]; that it was stopped.
-    pub fn motion_answer(&self, set: &[String], stop: &AtomicBool) -> Result<MotionRecord, Diagnostics> {
-        let mut record = self.ideal_motion_with_worst_cases(POSITIONS, set, stop)?;
-        let arguments: Vec<String> = set.iter().flat_map(|set| ["--set".to_owned(), set.clone()]).collect();
+    /// As for [`Self::ideal_motion_with_worst_cases`].
+    pub fn motion_answer(
+        &self,
+        set: &[String],
+        paths: &[String],
+        stop: &AtomicBool,
+    ) -> Result<MotionRecord, Diagnostics> {
+        let mut record = self.ideal_motion_with_worst_cases(POSITIONS, set, paths, stop)?;
+        let written = set.iter().map(|set| ("--set", set)).chain(paths.iter().map(|path| ("--path", path)));
+        let arguments: Vec<String> = written.flat_map(|(name, text)| [name.to_owned(), text.clone()]).collect();
         record.repeat = match self {
             InputFile::Model(model) => Repeat::new("motion", &arguments, input_files(model)),
             InputFile::Study(study) => Repeat::new("motion", &arguments, study.input_files()),
@@ -29,7 +36,7 @@ impl InputFile {
     }
 
     /// The hash of everything that [`Self::motion_answer`] is computed from.
-    pub fn motion_inputs(&self, set: &[String]) -> InputsHash {
+    pub fn motion_inputs(&self, set: &[String], paths: &[String]) -> InputsHash {
         let mut hasher = InputsHasher::new(ResultKind::Motion);
         add_model(&mut hasher, self.model());
         if let InputFile::Study(study) = self {
@@ -37,6 +44,9 @@ impl InputFile {
         }
         for set in set {
             hasher.add("set", set);
+        }
+        for path in paths {
+            hasher.add("path", path);
         }
         hasher.finish()
     }

@@ -8,7 +8,7 @@ use crate::written::simulate_command::witness_settings;
 use crate::written::stored_records::run_tables;
 use crate::written::tables::{FilesError, SUMMARY_FILE};
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Cycle, Model, SetValues};
+use loosepin_mechanics::model::{Cycle, Model, PartNames, SetValues};
 use loosepin_result::json::Stored;
 use loosepin_result::simulation::{EndState, Override, SimulationRecord};
 use loosepin_result::study::Witness;
@@ -48,6 +48,9 @@ pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[M
     add_model(&mut hasher, model);
     for set in settings {
         hasher.add("set", set);
+    }
+    for point in &model.asked_paths {
+        hasher.add("path", model.point(*point));
     }
     for table in measured {
         hasher.add("measured", table.text());

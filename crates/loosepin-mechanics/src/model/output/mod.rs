@@ -3,6 +3,7 @@
 //! A kind says of itself what the rest of the program asks ([`KindOfOutput`]), reads its own table, and reads its number off a state
 //! ([`KindOfReading`]).
 
+mod asked_paths;
 mod effort;
 mod joint_force;
 mod kind;

@@ -68,8 +68,10 @@ pub struct Model {
     pub cycle: Cycle,
     /// For how long wear is stated; `None` if no joint wears.
     pub wear: Option<WearLife>,
-    /// Outputs in file order.
+    /// Outputs in file order; behind them those of [`Self::asked_paths`].
     pub outputs: Vec<Output>,
+    /// Points that a command named, whose paths and rates are among the outputs.
+    pub asked_paths: Vec<PointId>,
     /// Entries that runs need and the file lacks: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and
     /// the numbers that stand for it are not to be used.
     pub missing_for_runs: Vec<Diagnostic>,

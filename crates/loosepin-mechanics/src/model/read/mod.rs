@@ -216,6 +216,7 @@ impl ModelReader {
                 cycle,
                 wear,
                 outputs,
+                asked_paths: Vec::new(),
                 missing_for_runs: self.missing_for_runs,
                 warnings: self.warnings,
                 source: self.reader.source,

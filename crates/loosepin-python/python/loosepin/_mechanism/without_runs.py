@@ -20,6 +20,7 @@ from .._objects.pickles import pickled
 from .._objects.records import Record
 from .._objects.stored import loaded, saved
 from .._records import Array, numbers
+from .paths import PATH_UNITS, PointPath, point_paths
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -66,6 +67,10 @@ class OutputMotion(Record):
     """Standard deviation by each random input of a study alone, by its path."""
 
 
+_PER = {"velocity": "/s", "acceleration": "/s^2"}
+"""What the units of derivatives have on top of those of outputs."""
+
+
 class Motion(NoArray, Mapping[str, OutputMotion]):
     """The ideal motion over one cycle, with the quasi-static effect of play and scatter: `motion["slider"].worst_case`.
 
@@ -80,6 +85,17 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         """Angle of the drive over the cycle, rad."""
         self.efforts: dict[str, Array] = {each["name"]: numbers(each["value_si"]) for each in self.summary["efforts"]}
         """Torques, forces and powers of drives among the outputs, for the ideal motion, in `units`."""
+        self.paths: dict[str, PointPath] = point_paths(self.summary)
+        """Paths of points with their zones: of outputs that are paths, then of those asked for."""
+        kinematics = self.summary.get("kinematics", {})
+        self.transmission_angles_rad: dict[str, Array] = {
+            " ".join(each["bodies"]): numbers(each["value_rad"]) for each in kinematics.get("transmission_angles", []) if "value_rad" in each
+        }
+        """Transmission angle of each loop that a drive at the ground moves, by "coupler rocker"; pressure angle, by "rod slider"."""
+        self.mechanical_advantages: dict[str, Array] = {
+            each["name"]: numbers(each["value_si"]) for each in kinematics.get("mechanical_advantages", [])
+        }
+        """Force or torque on each output that balances a unit torque of the drive, in 1/m or 1; infinite in dead centres."""
         self.units: dict[str, str] = {each["name"]: each["unit"] for key in ("outputs", "efforts") for each in self.summary[key]}
         """SI unit of each output."""
 
@@ -97,6 +113,12 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         """The answer as `summary.json` has it; SI. Numbers that are not finite are "inf", "-inf" or "nan"."""
         summary: dict[str, Any] = json.loads(self._native.summary_json())
         return summary
+
+    @property
+    def kinematics(self) -> dict[str, Any]:
+        """Classes of loops, swings, dead centres, time ratios and transmission angles, as in `summary.json`."""
+        kinematics: dict[str, Any] = self.summary.get("kinematics", {})
+        return kinematics
 
     @property
     def requirements(self) -> list[dict[str, Any]]:
@@ -137,6 +159,8 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         for name, output in self.items():
             values = {
                 "value": output.value,
+                "velocity": output.velocity,
+                "acceleration": output.acceleration,
                 "worst_case": output.worst_case,
                 "lowest": output.found[0],
                 "highest": output.found[1],
@@ -150,7 +174,16 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
             values |= {f"standard_deviation of {path}": of_path for path, of_path in output.dimensions.items()}
             for what, each in values.items():
                 if len(each):
-                    yield name, what, each, output.unit
+                    yield name, what, each, output.unit + _PER.get(what, "")
+        for path in self.paths.values():
+            for what, unit in PATH_UNITS.items():
+                each = getattr(path, what)
+                if len(each):
+                    yield path.name, what, each, unit
+        for bodies, each in self.transmission_angles_rad.items():
+            yield bodies, "transmission_angle_rad", each, "rad"
+        for name, each in self.mechanical_advantages.items():
+            yield name, "mechanical_advantage", each, "1" if name in self and self[name].unit == "rad" else "1/m"
 
     def plot(self, *outputs: str, ax: Any = None) -> matplotlib.figure.Figure:
         """Draws the worst case of the play over the cycle: what was found, and what is proven; all outputs where none is named.
@@ -171,7 +204,7 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         return cls(loaded(_loosepin.Motion.load, folder))
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
-        """Writes the files of `loosepin motion --out` into a folder: summary.json and report.html.
+        """Writes the files of `loosepin motion --out` into a folder: motion.csv, summary.json and report.html.
 
         force: replaces other results there. Raises LoosepinError if the folder holds something else. Returns the folder.
         """

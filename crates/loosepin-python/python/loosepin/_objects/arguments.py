@@ -77,7 +77,7 @@ def names_of(name: str, value: Mapping[Any, Any]) -> None:
             raise TypeError(f"{name}: a name is {key!r}; must be a str")
 
 
-def paths(name: str, value: Sequence[str | os.PathLike[str]]) -> list[str]:
+def file_paths(name: str, value: Sequence[str | os.PathLike[str]]) -> list[str]:
     """The paths of a list or tuple."""
     if isinstance(value, str) or not isinstance(value, Sequence):
         raise TypeError(f"{name} is {_what(value)}; must be a list of paths")

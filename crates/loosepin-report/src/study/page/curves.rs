@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::what_if::what_if;
 use crate::charts::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::charts::figure::name_of;
+use crate::charts::path_figure::path_figure;
 use crate::charts::zone_figure::zone_figure;
 use crate::medium::script_data::round_to_digits;
 use crate::numbers::number::{NumberWriter, Rounding};
@@ -73,12 +74,17 @@ pub(super) fn other_charts(result: &StudyResult, writer: &NumberWriter) -> Marku
     }
 }
 
-/// Paths with the zones about them.
+/// Paths with the zones about them: of the studied deviations, then to first order.
 pub(super) fn zones(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         @for curve in &result.curves {
             @let name = name_of("path", &format!("{} {}", curve.output, curve.of.word()));
             (zone_figure(curve, name, &point_words(result, curve), writer))
+        }
+        @if let Some(of_cycle) = &result.paths {
+            div.charts {
+                @for path in &of_cycle.paths { (path_figure(path, &of_cycle.drive, &of_cycle.drive_angle_rad, writer)) }
+            }
         }
     }
 }

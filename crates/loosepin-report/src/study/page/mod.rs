@@ -52,7 +52,7 @@ fn page(result: &StudyResult) -> Page {
     let own = |id: &'static str, title: &'static str, is_there: bool, body: &dyn Fn() -> Markup| {
         is_there.then(|| Section::new(id, title, body()))
     };
-    let has_path = result.curves.iter().any(|curve| curve.path.is_some());
+    let has_path = result.paths.is_some() || result.curves.iter().any(|curve| curve.path.is_some());
     let has_boxes = result.boxes.len() > first.boxes;
     let sections = [
         own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),

@@ -1,6 +1,7 @@
 //! The ideal motion, the quasi-static answer and the identities that hold the physics together, on the mechanisms of
 //! `cases/` and on small ones written here.
 
+mod curves;
 mod efforts;
 mod guide;
 mod kinematics;

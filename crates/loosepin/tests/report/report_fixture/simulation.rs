@@ -156,6 +156,7 @@ pub fn worn_pin() -> SimulationRecord {
         display_units: DisplayUnits::for_duration_s(time_s[time_s.len() - 1]),
         drive_angle_rad: angles.clone(),
         outputs,
+        paths: Vec::new(),
         contact_forces: vec![ContactForceHistory { joint: "gudgeon".to_owned(), force_n: forces }],
         controls: Vec::new(),
         impacts,

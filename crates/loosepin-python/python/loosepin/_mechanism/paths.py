@@ -1,0 +1,116 @@
+"""Paths of points over the cycle, with the zone in which play and scatter let each be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._figures import path_figure
+from .._objects.arrays import read_only
+from .._objects.records import Record
+from .._records import Array, numbers
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PointPath(Record):
+    """The ideal path of a point, and how far play and scatter take it off, to first order.
+
+    All arrays have one entry for each of `Motion.drive_angle_rad`, unless said otherwise; those that do not apply are empty.
+    """
+
+    name: str
+    """Name of the output that is the path, or of the point."""
+    point: str
+    """The point in words, for example "coupler.tool"."""
+    x_m: Array
+    y_m: Array
+    velocity_x_m_s: Array
+    """At the speed of the drive."""
+    velocity_y_m_s: Array
+    acceleration_x_m_s2: Array
+    """At the speed of the drive."""
+    acceleration_y_m_s2: Array
+    tangent_x: Array
+    """Unit vectors along the motion; (0, 0) where the point stands still."""
+    tangent_y: Array
+    play_reach_m: Array
+    """Furthest displacement by play in the directions 0°, 11.25°, ... 168.75° from the x axis, to either side; shape (angles, 16)."""
+    play_along_m: Array
+    """Furthest displacement by play along the motion, to either side."""
+    play_across_m: Array
+    """Furthest displacement by play across the motion, to either side."""
+    scatter_major_m: Array
+    """Larger semi-axis of the ellipse that holds 95 % of the scatter, for the random inputs of a study."""
+    scatter_minor_m: Array
+    """Its smaller semi-axis."""
+    scatter_angle_rad: Array
+    """Angle of its larger semi-axis from the x axis."""
+    _display_units: dict[str, Any]
+
+    @property
+    def speed_m_s(self) -> Array:
+        """Magnitude of the velocity."""
+        return read_only(np.hypot(self.velocity_x_m_s, self.velocity_y_m_s))
+
+    @cached_property
+    def zone_m(self) -> Array:
+        """Corners of the zone about each position, m: the polygon with 32 sides about play and scatter together; shape (angles, 32, 2).
+
+        Its sides touch the zone. Two neighbouring ones, n·d = h and n'·d = h' with normals turned by δ, meet in (h n'⊥ - h' n⊥)/sin δ.
+        """
+        directions = np.pi * np.arange(16) / 16
+        reach = np.concatenate([self.play_reach_m, self.play_reach_m], axis=1)
+        normals = np.concatenate([directions, directions + np.pi])
+        if len(self.scatter_major_m):
+            turned = normals[np.newaxis, :] - self.scatter_angle_rad[:, np.newaxis]
+            major, minor = self.scatter_major_m[:, np.newaxis], self.scatter_minor_m[:, np.newaxis]
+            reach = reach + np.hypot(major * np.cos(turned), minor * np.sin(turned))
+        following, further = np.roll(reach, -1, axis=1), np.roll(normals, -1)
+        step = np.sin(np.pi / 16)
+        x = (reach * np.sin(further) - following * np.sin(normals)) / step
+        y = (following * np.cos(normals) - reach * np.cos(further)) / step
+        return read_only(np.stack([x, y], axis=2))
+
+    def plot(self, *, magnification: float | None = None, ax: Any = None) -> matplotlib.figure.Figure:
+        """Draws the path with its zone.
+
+        magnification: of the zone; where it is None, a round number by which the widest zone is about 8 % of the size of the path. ax: as
+        for `Simulation.plot`.
+        """
+        return path_figure(self.point, (self.x_m, self.y_m), self.zone_m, magnification, self._display_units, ax)
+
+
+PATH_UNITS = {
+    "x_m": "m",
+    "y_m": "m",
+    "velocity_x_m_s": "m/s",
+    "velocity_y_m_s": "m/s",
+    "acceleration_x_m_s2": "m/s^2",
+    "acceleration_y_m_s2": "m/s^2",
+    "play_along_m": "m",
+    "play_across_m": "m",
+    "scatter_major_m": "m",
+    "scatter_minor_m": "m",
+    "scatter_angle_rad": "rad",
+}
+"""SI unit of each array of a path that tables hold."""
+
+
+def point_paths(summary: dict[str, Any]) -> dict[str, PointPath]:
+    """The paths of a `summary.json`, by name."""
+    return {record["name"]: _path(record, summary["display_units"]) for record in summary.get("paths", [])}
+
+
+_LISTS = [name for name, kind in PointPath.__annotations__.items() if kind == "Array" and name != "play_reach_m"]
+
+
+def _path(record: dict[str, Any], display_units: dict[str, Any]) -> PointPath:
+    lists = {name: numbers(record.get(name, [])) for name in _LISTS}
+    reach = read_only(numbers(record["play_reach_m"]).reshape(-1, 16))
+    return PointPath(name=record["name"], point=record["point"], play_reach_m=reach, _display_units=display_units, **lists)

@@ -1,0 +1,414 @@
+//! The path of a point over the cycle, and about it, magnified, the zone in which play and scatter let it be.
+
+use maud::{Markup, html};
+
+use crate::charts::axes::with_unit;
+use crate::charts::figure::{Picture, csv_number, csv_text, name_of};
+use crate::charts::plane_view::{PlaneView, VISIBLE_SHARE, bars, is_closed, round_factor, size_m};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use loosepin_result::point_path::{ELLIPSE_SHARE, PointPath};
+use loosepin_text::units::SiUnit;
+
+/// Pieces of which the drawn zone consists, at most: the path bends little between two of them.
+const MAX_PIECES: usize = 120;
+/// Angles of the drive between two marks on the path, degrees.
+const TICK_DEG: f64 = 30.0;
+/// Room that the label of a mark needs, in units of the picture.
+const LABEL_ROOM: f64 = 44.0;
+/// From the zone to the middle of a label.
+const LABEL_GAP: f64 = 20.0;
+/// A mark stands at the position that is nearest to its angle, within this share of a step.
+const HALF_STEP: f64 = 0.5;
+
+/// The figure; nothing where the record is not whole, or the point neither moves nor strays.
+pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64], writer: &NumberWriter) -> Markup {
+    let positions = path.positions();
+    let xy_m = [path.x_m.as_slice(), path.y_m.as_slice()];
+    let is_whole = path.is_complete()
+        && positions > 2
+        && drive_angle_rad.len() == positions
+        && xy_m.iter().all(|list| list.iter().all(|value| value.is_finite()));
+    let size_m = size_m(xy_m);
+    let largest_m = largest_reach_m(path);
+    if !is_whole || !largest_m.is_finite() || (size_m == 0.0 && largest_m == 0.0) {
+        return html! {};
+    }
+    let has_zone = path.has_zone();
+    let magnification =
+        if has_zone { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 };
+    let view = PlaneView::new(xy_m, magnification * largest_m);
+    let closing = if is_closed(xy_m, size_m) { "Z" } else { "" };
+    let ideal: Vec<[f64; 2]> = (0..positions).map(|k| [path.x_m[k], path.y_m[k]]).collect();
+    let about = |k: usize, corners_m: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let [x_m, y_m] = ideal[k];
+        corners_m.iter().map(|[x, y]| view.place([x_m + magnification * x, y_m + magnification * y])).collect()
+    };
+    let marks = marks(drive_angle_rad);
+    let zone = if has_zone { swept(positions, &|k| about(k, &path.zone_m(k))) } else { String::new() };
+    let plays: String = marks.iter().map(|(k, _)| outline(&about(*k, &path.play_zone_m(*k)))).collect();
+    let [x0, y0] = view.place([0.0, 0.0]);
+    let length = writer.units.of(&SiUnit::LENGTH);
+    let per_length = view.per_m / length.per_si;
+    let words = Words::new(path, drive, magnification, writer);
+    let drawn = html! {
+        @if has_zone {
+            path.zone d=(zone) {}
+            path.outline d=(plays) {}
+            @if !path.scatter_major_m.is_empty() {
+                @for (k, _) in &marks { (ellipse(path, *k, view.place(ideal[*k]), magnification * view.per_m)) }
+            }
+        }
+        path.ideal d={ (view.line(&ideal)) (closing) } data-x0=(format!("{x0:.3}")) data-y0=(format!("{y0:.3}"))
+            data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
+        path.ticks d=(marks.iter().map(|(k, _)| format!("M{}h0", view.point(ideal[*k]))).collect::<String>()) {}
+        (labels(path, &marks, &ideal, &view, magnification))
+        (bars(&view, magnification, writer))
+    };
+    let caption = html! {
+        strong { "The path of " (path.point) @if has_zone { ", zone magnified " (words.magnification) " times" } "." } " " (words.sentences)
+        " " span.reading {}
+    };
+    let csv = csv(path, drive_angle_rad, writer);
+    let view = [0.0, 0.0, view.width, view.height];
+    Picture {
+        name: name_of("path", &path.name),
+        class: "trace",
+        view,
+        below: 0.0,
+        alternative: words.alternative,
+        drawn,
+    }
+    .figure(caption, Some(&csv))
+}
+
+/// A path of a run: positions with play, and those of the ideal motion at the same times; empty where there is none.
+pub(crate) struct RunCourse<'r> {
+    pub name: &'r str,
+    pub point: &'r str,
+    pub xy_m: [&'r [f64]; 2],
+    pub ideal_m: [&'r [f64]; 2],
+    /// Angles of the drive as in the charts; empty where these are over time.
+    pub drive_angle_rad: Vec<f64>,
+}
+
+/// Points of a drawn line, at most.
+const MAX_POINTS: usize = 4000;
+
+/// The path of a point in a run: where it has an ideal path, its deviation from there is magnified. Nothing where it does not move.
+pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> Markup {
+    let samples = course.xy_m[0].len();
+    let has_ideal = course.ideal_m.iter().all(|list| list.len() == samples);
+    let from_m = if has_ideal { course.ideal_m } else { course.xy_m };
+    let is_finite = |list: &&[f64]| list.iter().all(|value| value.is_finite());
+    let size_m = size_m(from_m);
+    if samples < 3
+        || course.xy_m[1].len() != samples
+        || !from_m.iter().chain(&course.xy_m).all(is_finite)
+        || size_m == 0.0
+    {
+        return html! {};
+    }
+    let strays = (0..samples).map(|k| [0, 1].map(|axis| course.xy_m[axis][k] - from_m[axis][k]));
+    let strays_m: Vec<[f64; 2]> = strays.collect();
+    let largest_m = strays_m.iter().fold(0.0, |most: f64, [x, y]| most.max(x.hypot(*y)));
+    let magnification =
+        if largest_m > 0.0 { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 };
+    let view = PlaneView::new(from_m, magnification * largest_m);
+    let step = samples.div_ceil(MAX_POINTS).max(1);
+    let line = |factor: f64| {
+        let place = |k: usize| [0, 1].map(|axis| from_m[axis][k] + factor * strays_m[k][axis]);
+        view.line(&(0..samples).step_by(step).map(place).collect::<Vec<_>>())
+    };
+    let [x0, y0] = view.place([0.0, 0.0]);
+    let per_length = view.per_m / writer.units.of(&SiUnit::LENGTH).per_si;
+    let tag = |part: &str| Tag::joint(course.name, "path", part);
+    let magnified = writer.with_tag(&tag("magnification")).count(magnification as u64);
+    let largest = writer.with_tag(&tag("deviation")).rounded(largest_m, &SiUnit::LENGTH, 2, Rounding::Up);
+    let is_straying = has_ideal && largest_m > 0.0;
+    let sentence = if is_straying {
+        format!(
+            "Dashed: the ideal path. Line: the path with play, up to {largest} from where it should be at the same time."
+        )
+    } else {
+        "As it was recorded.".to_owned()
+    };
+    let drawn = html! {
+        path.actual d=(line(magnification)) {}
+        path.ideal.dashed[is_straying] d=(line(0.0)) data-x0=(format!("{x0:.3}")) data-y0=(format!("{y0:.3}"))
+            data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
+        (bars(&view, magnification, writer))
+    };
+    let caption = html! {
+        strong { "The path of " (course.point) @if is_straying { ", deviations magnified " (magnified) " times" } "." } " " (sentence)
+        " " span.reading {}
+    };
+    let alternative = format!("The path of {}. {sentence}", course.point);
+    let csv = run_csv(course, has_ideal, writer);
+    let view = [0.0, 0.0, view.width, view.height];
+    Picture { name: name_of("path", course.name), class: "trace", view, below: 0.0, alternative, drawn }
+        .figure(caption, Some(&csv))
+}
+
+/// Positions of the drawn samples.
+fn run_csv(course: &RunCourse<'_>, has_ideal: bool, writer: &NumberWriter) -> String {
+    let symbol = writer.symbol(&SiUnit::LENGTH);
+    let lists = course.xy_m.into_iter().chain(if has_ideal { course.ideal_m.to_vec() } else { Vec::new() });
+    let heads = ["x", "y", "ideal x", "ideal y"].map(|words| with_unit(words, &symbol));
+    let mut columns: Vec<(String, Vec<f64>)> = Vec::new();
+    if course.drive_angle_rad.len() == course.xy_m[0].len() {
+        let degrees = course.drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect();
+        columns.push(("angle [deg]".to_owned(), degrees));
+    }
+    let scaled = |list: &[f64]| list.iter().map(|value| writer.scaled(*value, &SiUnit::LENGTH)).collect();
+    columns.extend(heads.into_iter().zip(lists.map(scaled)));
+    table(&columns, course.xy_m[0].len().div_ceil(MAX_POINTS).max(1))
+}
+
+/// Columns as comma-separated values, every `step`-th row.
+fn table(columns: &[(String, Vec<f64>)], step: usize) -> String {
+    let heads: Vec<String> = columns.iter().map(|(head, _)| csv_text(head)).collect();
+    let mut table = format!("{}\n", heads.join(","));
+    for row in (0..columns[0].1.len()).step_by(step) {
+        let cells: Vec<String> = columns.iter().map(|(_, values)| csv_number(values[row])).collect();
+        table.push_str(&format!("{}\n", cells.join(",")));
+    }
+    table
+}
+
+/// The largest reach of the zone at any angle, m.
+pub(crate) fn largest_reach_m(path: &PointPath) -> f64 {
+    let reaches = (0..path.positions()).flat_map(|k| path.zone_m(k));
+    // Beyond the reaches themselves by a corner of the polygon: what is drawn has room.
+    reaches.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)))
+}
+
+/// A reach, or zero where it is round-off beside the largest one.
+pub(crate) fn without_round_off(reach_m: f64, largest_m: f64) -> f64 {
+    const ROUND_OFF: f64 = 1e-6;
+    if reach_m <= ROUND_OFF * largest_m { 0.0 } else { reach_m }
+}
+
+/// What a figure says of its path.
+struct Words {
+    magnification: String,
+    sentences: String,
+    alternative: String,
+}
+
+impl Words {
+    fn new(path: &PointPath, drive: &str, magnification: f64, writer: &NumberWriter) -> Self {
+        let tag = |part: &str| Tag::joint(&path.name, "path", part);
+        let magnified = writer.with_tag(&tag("magnification")).count(magnification as u64);
+        let tick = writer.with_tag(&Tag::Given("marks of a path")).value_trimmed(TICK_DEG.to_radians(), &SiUnit::ANGLE);
+        let marks = format!("Marks: every {tick} of {drive}.");
+        if !path.has_zone() {
+            return Self {
+                sentences: format!("Neither play nor scatter moves it. {marks}"),
+                alternative: format!("The path of {}.", path.point),
+                magnification: magnified,
+            };
+        }
+        let largest_m = largest_reach_m(path);
+        let [along, across] = [0, 1].map(|part| {
+            let values = (0..path.positions()).map(|k| path.along_and_across_m(k)[part]);
+            let most_m = without_round_off(values.fold(0.0, f64::max), largest_m);
+            let tag = tag(["along", "across"][part]);
+            writer.with_tag(&tag).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)
+        });
+        let share = writer.with_tag(&Tag::Given("share of the ellipse")).percent(ELLIPSE_SHARE, Rounding::Nearest);
+        let has_play = path.play_reach_m.iter().any(|reach| *reach > 0.0);
+        let has_scatter = !path.scatter_major_m.is_empty();
+        let cause = match (has_play, has_scatter) {
+            (true, true) => format!("play and {share} of the scatter let"),
+            (false, true) => format!("{share} of the scatter lets"),
+            _ => "play lets".to_owned(),
+        };
+        let outlines = match (has_play, has_scatter) {
+            (true, true) => format!(" Orange lines: play alone, blue ellipses: {share} of the scatter, at the marks."),
+            (false, true) => format!(" Blue ellipses: {share} of the scatter, at the marks."),
+            _ => String::new(),
+        };
+        Self {
+            sentences: format!(
+                "Orange: where {cause} it be, to first order: up to {along} along its motion and {across} across it, to either side.{outlines} {marks}"
+            ),
+            alternative: format!(
+                "The path of {} and the zone about it, magnified {magnified} times: up to {along} along its motion and {across} across it, \
+                 to either side.",
+                path.point
+            ),
+            magnification: magnified,
+        }
+    }
+}
+
+/// Positions at multiples of an angle, with this angle in degrees. Of both ends of a turn the first.
+fn marks(drive_angle_rad: &[f64]) -> Vec<(usize, f64)> {
+    let degrees: Vec<f64> = drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect();
+    let mut found: Vec<(usize, f64)> = Vec::new();
+    for (k, degree) in degrees.iter().enumerate() {
+        let step = degrees.get(k + 1).map_or_else(|| degree - degrees[k - 1], |next| next - degree).abs();
+        let angle = (degree / TICK_DEG).round() * TICK_DEG;
+        let is_known = |known: &(usize, f64)| known.1 == angle || (known.1 - angle).abs() == 360.0;
+        if (degree - angle).abs() <= HALF_STEP * step && !found.iter().any(is_known) {
+            found.push((k, angle));
+        }
+    }
+    found
+}
+
+/// The zone over all positions: the hulls of neighbouring zones, all turned the same way round, so that they leave no hole.
+fn swept(positions: usize, corners: &dyn Fn(usize) -> Vec<[f64; 2]>) -> String {
+    let step = (positions - 1).div_ceil(MAX_PIECES).max(1);
+    let mut drawn = String::new();
+    let mut last = corners(0);
+    let mut k = 0;
+    while k + 1 < positions {
+        k = (k + step).min(positions - 1);
+        let next = corners(k);
+        drawn.push_str(&outline(&hull(last.iter().chain(&next))));
+        last = next;
+    }
+    drawn
+}
+
+/// A closed line to a tenth of a unit; corners that fall together are one.
+fn outline(corners: &[[f64; 2]]) -> String {
+    let mut texts: Vec<String> = corners.iter().map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
+    texts.dedup();
+    format!("M{}Z", texts.join("L"))
+}
+
+/// The convex hull of places to a tenth of a unit, by Andrew's chain.
+fn hull<'p>(places: impl Iterator<Item = &'p [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut sorted: Vec<[f64; 2]> = places.map(|place| place.map(|value| (10.0 * value).round() / 10.0)).collect();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted.dedup();
+    if sorted.len() < 3 {
+        return sorted;
+    }
+    let half = |places: &mut dyn Iterator<Item = &[f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for place in places {
+            while let [.., a, b] = chain[..]
+                && (b[0] - a[0]) * (place[1] - a[1]) - (b[1] - a[1]) * (place[0] - a[0]) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(*place);
+        }
+        chain.pop();
+        chain
+    };
+    let mut chain = half(&mut sorted.iter());
+    chain.extend(half(&mut sorted.iter().rev()));
+    chain
+}
+
+/// The ellipse of the scatter at a position.
+fn ellipse(path: &PointPath, k: usize, [x, y]: [f64; 2], per_m: f64) -> Markup {
+    let [major, minor] = [path.scatter_major_m[k], path.scatter_minor_m[k]].map(|axis_m| axis_m * per_m);
+    let turn_deg = -path.scatter_angle_rad[k].to_degrees();
+    html! {
+        ellipse.scatter rx=(format!("{major:.1}")) ry=(format!("{minor:.1}"))
+            transform=(format!("translate({x:.1} {y:.1}) rotate({turn_deg:.1})")) {}
+    }
+}
+
+/// Angles of the drive beside the zone, where there is room: outside of the path, or else inside.
+fn labels(
+    path: &PointPath,
+    marks: &[(usize, f64)],
+    ideal_m: &[[f64; 2]],
+    view: &PlaneView,
+    magnification: f64,
+) -> Markup {
+    let places: Vec<[f64; 2]> = ideal_m.iter().map(|place| view.place(*place)).collect();
+    let middle = [0, 1].map(|axis| places.iter().map(|place| place[axis]).sum::<f64>() / places.len() as f64);
+    let mut placed: Vec<[f64; 2]> = Vec::new();
+    let mut texts = Vec::new();
+    for (k, angle_deg) in marks {
+        let [x, y] = places[*k];
+        let normal = match [path.tangent_x[*k], path.tangent_y[*k]] {
+            [0.0, 0.0] => [0.0, -1.0],
+            // Upwards is below zero in a picture.
+            [along_x, along_y] => [-along_y, -along_x],
+        };
+        let [_, across_m] = path.along_and_across_m(*k);
+        let away = across_m * magnification * view.per_m + LABEL_GAP;
+        let outwards = (1.0_f64).copysign((x - middle[0]) * normal[0] + (y - middle[1]) * normal[1]);
+        let sides = [outwards, -outwards].map(|side| [x + side * away * normal[0], y + side * away * normal[1]]);
+        let is_free = |place: &&[f64; 2]| {
+            distance_to(&places, **place) > away - 0.3 * LABEL_GAP
+                && placed.iter().all(|other| distance_to(&[*other], **place) >= LABEL_ROOM)
+        };
+        if let Some(place) = sides.iter().find(is_free) {
+            placed.push(*place);
+            texts.push((*place, angle_deg.rem_euclid(360.0)));
+        }
+    }
+    html! {
+        @for ([x, y], angle_deg) in texts {
+            text x=(format!("{x:.1}")) y=(format!("{:.1}", y + 4.0)) text-anchor="middle" { (format!("{angle_deg:.0}°")) }
+        }
+    }
+}
+
+/// Distance to the nearest of `places`.
+fn distance_to(places: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+    places.iter().fold(f64::INFINITY, |least, place| least.min((place[0] - x).hypot(place[1] - y)))
+}
+
+/// Position, direction and zone at each angle; the script reads the places from it.
+fn csv(path: &PointPath, drive_angle_rad: &[f64], writer: &NumberWriter) -> String {
+    let scaled = |value_m: f64| writer.scaled(value_m, &SiUnit::LENGTH);
+    // What is round-off beside the path, or beside the largest reach, is zero.
+    let size_m = size_m([&path.x_m, &path.y_m]);
+    let place = |value_m: &f64| if value_m.abs() < 1e-12 * size_m { 0.0 } else { scaled(*value_m) };
+    let largest_m = largest_reach_m(path);
+    let reach = |value_m: &f64| scaled(without_round_off(*value_m, largest_m));
+    let list = |values: &[f64], of: &dyn Fn(&f64) -> f64| -> Vec<f64> { values.iter().map(of).collect() };
+    let symbol = writer.symbol(&SiUnit::LENGTH);
+    let tangents = path.tangent_x.iter().zip(&path.tangent_y);
+    let direction = |(x, y): (&f64, &f64)| if *x == 0.0 && *y == 0.0 { f64::NAN } else { y.atan2(*x).to_degrees() };
+    let mut columns = vec![
+        ("angle [deg]".to_owned(), drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect()),
+        (with_unit("x", &symbol), list(&path.x_m, &place)),
+        (with_unit("y", &symbol), list(&path.y_m, &place)),
+        ("direction of motion [deg]".to_owned(), tangents.map(direction).collect()),
+        (with_unit("play along", &symbol), list(&path.play_along_m, &reach)),
+        (with_unit("play across", &symbol), list(&path.play_across_m, &reach)),
+    ];
+    if !path.scatter_major_m.is_empty() {
+        columns.push((with_unit("ellipse major", &symbol), list(&path.scatter_major_m, &reach)));
+        columns.push((with_unit("ellipse minor", &symbol), list(&path.scatter_minor_m, &reach)));
+        let turns = path.scatter_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect::<Vec<f64>>();
+        columns.push(("ellipse angle [deg]".to_owned(), turns));
+    }
+    table(&columns, 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_the_hull_of_two_squares_has_six_corners() {
+        let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0], [x + 0.5, 0.5]];
+        let both: Vec<[f64; 2]> = square(0.0).into_iter().chain(square(3.0).map(|[x, y]| [x, y + 2.0])).collect();
+        let corners = hull(both.iter());
+        assert_eq!(corners, [[0.0, 0.0], [1.0, 0.0], [4.0, 2.0], [4.0, 3.0], [3.0, 3.0], [0.0, 1.0]]);
+        assert_eq!(hull([[1.0, 2.0], [1.0, 2.0]].iter()), [[1.0, 2.0]]);
+    }
+
+    #[test]
+    fn analytic_marks_stand_at_multiples_of_their_angle_and_once_a_turn() {
+        let turn: Vec<f64> = (0..=360).map(|degree| f64::from(degree).to_radians()).collect();
+        let found = marks(&turn);
+        assert_eq!(found.len(), 12);
+        assert_eq!((found[0], found[11]), ((0, 0.0), (330, 330.0)));
+        let late: Vec<f64> = (0..90).map(|step| (f64::from(step) + 44.6).to_radians()).collect();
+        assert_eq!(marks(&late), [(15, 60.0), (45, 90.0), (75, 120.0)]);
+    }
+}

@@ -1,0 +1,49 @@
+//! Paths of points: how far play and scatter take them along and across their motion, and on a page their pictures.
+
+use maud::html;
+
+use crate::charts::path_figure::{largest_reach_m, path_figure, without_round_off};
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{head, named_words};
+use loosepin_result::motion::MotionRecord;
+use loosepin_result::point_path::PointPath;
+use loosepin_text::article::{Cell, Column, Content, Section, Table};
+use loosepin_text::units::SiUnit;
+
+use super::angles::{largest, turn_angle};
+
+/// `None` if there are no paths.
+pub(super) fn paths_section(record: &MotionRecord, writer: &NumberWriter) -> Option<Section> {
+    if record.paths.is_empty() {
+        return None;
+    }
+    let mut section = Section::headed_on_page("paths", "Paths of points");
+    let numbers = ["most along", "at", "most across", "at"].map(|words| Column::numbers(head(words)));
+    let columns = std::iter::once(Column::words(head("path"))).chain(numbers).collect();
+    section.push(Content::Table(Table::new(columns, record.paths.iter().map(|path| row(record, path, writer)))));
+    push_figure(&mut section, writer, || {
+        html! {
+            div.charts {
+                @for path in &record.paths { (path_figure(path, &record.drive, &record.drive_angle_rad, writer)) }
+            }
+        }
+    });
+    Some(section)
+}
+
+/// The largest reach of the zone along and across the motion, with the angles of the drive.
+fn row(record: &MotionRecord, path: &PointPath, writer: &NumberWriter) -> Vec<Cell> {
+    let reaches = (0..path.positions()).map(|k| path.along_and_across_m(k)).collect::<Vec<_>>();
+    let ends = ["along", "across"].iter().enumerate().flat_map(|(part, word)| {
+        let values: Vec<f64> = reaches.iter().map(|reach| reach[part]).collect();
+        let (angle_rad, most_m) = largest(record, &values);
+        let most_m = without_round_off(most_m, largest_reach_m(path));
+        let [most, at] = [Tag::joint(&path.name, "path", word), Tag::joint(&path.name, "path", word).part("at")];
+        let place = (most_m > 0.0).then(|| turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&at)));
+        [Some(writer.with_tag(&most).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)), place]
+    });
+    let name = if path.name == path.point { path.name.clone() } else { named_words(&path.name, &path.point) };
+    std::iter::once(Some(name)).chain(ends).map(Cell::from).collect()
+}

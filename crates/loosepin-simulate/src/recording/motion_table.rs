@@ -1,0 +1,62 @@
+//! The CSV file of an ideal motion, SI.
+
+use crate::recording::tables::{HistoryColumn, table, unit_suffix};
+use loosepin_result::motion::MotionRecord;
+use std::borrow::Cow;
+
+/// The columns of `motion.csv`: the angle of the drive; each output with its rates, then its deviations by play and its standard deviation
+/// by scatter; each path; transmission angles; mechanical advantages. What a record does not have has no column.
+pub fn motion_columns(record: &MotionRecord) -> Vec<HistoryColumn<'_>> {
+    let mut columns = Vec::new();
+    let mut add = |name: &str, what: &str, unit: &'static str, values_si: &'_ [f64]| {
+        if values_si.len() == record.drive_angle_rad.len() {
+            let mut name = format!("{}{what}{}", name.replace(' ', "_"), unit_suffix(unit));
+            while columns.iter().any(|column: &HistoryColumn<'_>| column.name == name) {
+                name.push_str("_output");
+            }
+            columns.push(HistoryColumn { name, unit, values_si: Cow::Owned(values_si.to_vec()) });
+        }
+    };
+    add(&record.drive, "", "rad", &record.drive_angle_rad);
+    for output in &record.outputs {
+        let units = if output.unit.symbol() == "rad" { ["rad", "rad/s", "rad/s^2"] } else { ["m", "m/s", "m/s^2"] };
+        add(&output.name, "", units[0], &output.value_si);
+        add(&output.name, "_velocity", units[1], &output.velocity_si);
+        add(&output.name, "_acceleration", units[2], &output.acceleration_si);
+        add(&output.name, "_play_lowest", units[0], &output.clearance.lowest_si);
+        add(&output.name, "_play_highest", units[0], &output.clearance.highest_si);
+        add(&output.name, "_scatter_standard_deviation", units[0], &output.dimensional_standard_deviation_si);
+    }
+    for path in &record.paths {
+        // The coordinates of an output that is a path are outputs too.
+        if path.output.is_none() {
+            for (axis, position, velocity, acceleration) in [
+                ("x", &path.x_m, &path.velocity_x_m_s, &path.acceleration_x_m_s2),
+                ("y", &path.y_m, &path.velocity_y_m_s, &path.acceleration_y_m_s2),
+            ] {
+                add(&path.name, &format!("_{axis}"), "m", position);
+                add(&path.name, &format!("_{axis}_velocity"), "m/s", velocity);
+                add(&path.name, &format!("_{axis}_acceleration"), "m/s^2", acceleration);
+            }
+        }
+        add(&path.name, "_play_along", "m", &path.play_along_m);
+        add(&path.name, "_play_across", "m", &path.play_across_m);
+        add(&path.name, "_scatter_major", "m", &path.scatter_major_m);
+        add(&path.name, "_scatter_minor", "m", &path.scatter_minor_m);
+        add(&path.name, "_scatter_angle", "rad", &path.scatter_angle_rad);
+    }
+    for angle in &record.kinematics.transmission_angles {
+        let what = if angle.is_pressure_angle { "_pressure_angle" } else { "_transmission_angle" };
+        add(&angle.bodies.join(" "), what, "rad", &angle.value_rad);
+    }
+    for each in &record.kinematics.mechanical_advantages {
+        let unit = if each.unit.symbol() == "1" { "1" } else { "1/m" };
+        add(&each.name, "_mechanical_advantage", unit, &each.value_si);
+    }
+    columns
+}
+
+/// `motion.csv`: the [`motion_columns`], one row for each angle.
+pub fn motion_csv(record: &MotionRecord) -> String {
+    table(&motion_columns(record), record.drive_angle_rad.len())
+}
