@@ -444,7 +444,7 @@ mod tests {
         let text = figure(&orbit());
         assert!(text.contains("<strong>gudgeon, gudgeon radial clearance 0.1 mm</strong>"), "{text}");
         // 80 mm times 1000 / 2360, over 0.1 mm: 339.
-        assert!(text.contains("drawn 340 times its size where the picture is 80\u{a0}mm wide"), "{text}");
+        assert!(text.contains("magnified 340 times at a width of 80\u{a0}mm"), "{text}");
         assert!(text.contains("below 10\u{a0}N") && text.contains("up to 60\u{a0}N"), "{text}");
         assert_eq!(label_words("at e = 2"), "at e = 2", "words stay");
     }
