@@ -54,6 +54,12 @@ CHARTS = """[...document.querySelectorAll('[data-chart]')].map((holder) => {
     };
 })"""
 
+# Of several charts one is shown at a time; hidden ones get their size when they are shown.
+SHOW_ALL = """(() => {
+    document.querySelectorAll('[data-choice]').forEach((choice) => { choice.hidden = false; });
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))));
+})()"""
+
 SIDEWAYS = """(() => {
     const width = document.documentElement.clientWidth;
     if (document.documentElement.scrollWidth <= width) return [];
@@ -226,6 +232,7 @@ def check(browser, path, axe, pictures):
             browser.evaluate(OPEN_ALL)
             found += [f"{where}: {text}" for text in browser.diagnostics()]
             found += [f"{where}: asks for {url}" for url in browser.requests()]
+            browser.evaluate(SHOW_ALL)
             found += [f"{where}: scrolls sideways: {text}" for text in browser.evaluate(SIDEWAYS)]
             charts = browser.evaluate(CHARTS)
             found += [f"{where}: chart {chart['id']} is empty" for chart in charts
