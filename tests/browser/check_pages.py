@@ -236,6 +236,7 @@ def check(browser, path, axe, pictures):
                 browser.screenshot(os.path.join(pictures, f"{name}-{width}-{scheme}.png"))
     browser.view(WIDTHS_PX[0], reduced_motion=True)
     browser.open(path)
+    browser.evaluate(SHOW_ALL)
     # The figures of an identification are drawn whole.
     is_whole = browser.evaluate("document.documentElement.dataset.origin.startsWith('identification')")
     charts = "[data-figure]" if is_whole else "[data-chart]"
