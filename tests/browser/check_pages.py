@@ -247,6 +247,7 @@ def check(browser, path, axe, pictures):
     browser.view(WIDTHS_PX[0], reduced_motion=True)
     browser.open(path)
     browser.evaluate(OPEN_ALL)
+    browser.evaluate(SHOW_ALL)
     # The figures of an identification are drawn whole.
     is_whole = browser.evaluate("document.documentElement.dataset.origin.startsWith('identification')")
     charts = "[data-figure]" if is_whole else "[data-chart]"
