@@ -5,7 +5,7 @@ import time
 import pytest  # noqa: F401
 from check_pages import AXE, seen_by_axe
 from test_studio import PROBLEMS, browser, studio  # noqa: F401
-from test_studio_edit import MOBILITY, PLACE_MM, open_small, press_mm, press_target, take_tool, undo
+from test_studio_edit import HINT, MOBILITY, PLACE_MM, open_small, press_mm, press_target, take_tool, undo
 
 # Where something that can be taken is on the screen: a pin, a point, the line of a guide.
 GRIP = """((key) => {
@@ -55,6 +55,9 @@ def add_dyad(studio):
     press_target(studio, "coupler.tracer")
     press_mm(studio, 250, 230)
     studio.wait(f"({PROBLEMS}).includes(\"'link_1' can move\")")
+    # The chain ends, and another link begins elsewhere.
+    studio.wait(f"{HINT}.includes('click link_1.b again to pin it')")
+    studio.key("Escape")
     press_mm(studio, 380, 40, modifiers=8)
     press_mm(studio, 320, 190)
     studio.wait("[...document.querySelectorAll('.outline button')].some((one) => one.textContent === 'link_2')")

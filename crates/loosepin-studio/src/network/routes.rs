@@ -17,9 +17,9 @@ use crate::messages::Look;
 use crate::network::page;
 use crate::network::refusal::{Refusal, json};
 use crate::network::requests::{
-    ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, Limits, NewAnswer, NewRequest,
-    OpenAnswer, OpenRequest, OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer, SaveRequest,
-    SetUncertaintyAnswer, SetUncertaintyRequest, ViewAnswer, ViewRequest,
+    ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, Limits, NewAnswer, NewRequest, OpenAnswer, OpenRequest,
+    OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer, SaveRequest, SetUncertaintyAnswer,
+    SetUncertaintyRequest, ViewAnswer, ViewRequest,
 };
 use crate::studio::Studio;
 use crate::view::texts::{Texts, model_beside, plain};

@@ -318,14 +318,21 @@ impl<'m> Draft<'m> {
     /// A motor at a joint. A cycle of a mechanism that nothing has moved until now counts its turns.
     fn add_motor(&mut self, joint: &str, start_rad: f64) -> Result<String, Refusal> {
         let name = self.free_named("drive", MOTOR);
-        let entries =
-            [("joint", format!("\"{joint}\"")), ("speed", FIRST_SPEED.to_owned()), ("start_angle", start_angle(start_rad))];
+        let entries = [
+            ("joint", format!("\"{joint}\"")),
+            ("speed", FIRST_SPEED.to_owned()),
+            ("start_angle", start_angle(start_rad)),
+        ];
         self.table("drive", &name, "", &entries)?;
         let duration = ["cycle", "duration"];
         if self.model.controls.is_empty() && self.lines.value_span(&duration)?.is_some() {
             self.lines.remove(&[owned(&duration)])?;
             self.added.insert(duration.join("."));
-            for (key, value) in [("drive", format!("\"{name}\"")), ("transient_turns", "1".to_owned()), ("recorded_turns", "1".to_owned())] {
+            for (key, value) in [
+                ("drive", format!("\"{name}\"")),
+                ("transient_turns", "1".to_owned()),
+                ("recorded_turns", "1".to_owned()),
+            ] {
                 self.lines.add_entry(&["cycle"], key, &value)?;
             }
         }

@@ -184,7 +184,8 @@ fn a_study_that_asks_nothing_asks_about_the_first_output() {
         Watched::Force { joint: named("link_2_a") },
     ] {
         let mut desk = drawn_four_bar();
-        let changes = set_uncertainty(&desk.folder, &desk.texts, "joint.link_2_a.radial_clearance", "0.1..0.2").unwrap();
+        let changes =
+            set_uncertainty(&desk.folder, &desk.texts, "joint.link_2_a.radial_clearance", "0.1..0.2").unwrap();
         desk.texts = applied(&desk.folder, &desk.texts, &changes);
         desk.edit(&Edit::Watch { what: what.clone() });
         let file = desk.texts.read_to_run().unwrap_or_else(|found| panic!("{what:?}\n{found}\n{}", desk.study()));
