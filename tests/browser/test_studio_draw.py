@@ -58,6 +58,7 @@ def test_a_four_bar_with_its_coupler_curve_and_zone_in_ten_clicks(studio):  # no
     for place in [(0, 0), (20, 40), (120, 80)]:
         hand.mm(*place)
     hand.mm(140, 0, SHIFT)
+    studio.wait(f"({OUTLINE}).includes('link_3')")
     studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
     # A point beside the coupler, of which the path is recorded.
     hand.button(".tools.build label", "Record")
@@ -111,6 +112,7 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     for text in ("0, 0", "20 40", "120; 80"):
         place(text)
     place("140, 0", SHIFT)
+    studio.wait(f"({OUTLINE}).includes('link_3')")
     studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
     place("140 0 0")
     studio.wait("document.querySelector('.tool-options .wrong')?.innerText.includes('two numbers')")

@@ -13,7 +13,7 @@ from test_studio_journeys import Keyboard
 BOX = "(() => { const { x, y, width, height } = document.querySelector(%r).getBoundingClientRect(); return [x, y, width, height]; })()"
 SPLITTER = "[...document.querySelectorAll('.splitter')].find((one) => one.getAttribute('aria-controls') === %r)"
 # Of what moves while a study runs, nothing.
-AT_REST = [".drawing .ground", ".play-bar", ".band", ".band svg", ".outline", ".side", ".status-bar"]
+AT_REST = [".drawing .ground", ":is(.play-bar, .tool-options)", ".band", ".band svg", ".outline", ".side", ".status-bar"]
 
 
 def box(studio, selector):  # noqa: F811

@@ -10,7 +10,7 @@ use loosepin_text::units::{SiUnit, extended};
 /// are added over its poses).
 ///
 /// The band is that of the mixed treatment, from the least 2.5 % to the largest 97.5 % quantile over the epistemic inputs.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Contributors {
     /// Name of the output.
     pub output: String,
@@ -42,7 +42,7 @@ pub struct Contributors {
 }
 
 /// A share of the variance, at several values of the epistemic inputs.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct ShareRange {
     /// In the middle of the epistemic inputs.
     #[serde(with = "extended")]
@@ -59,7 +59,7 @@ pub struct ShareRange {
 }
 
 /// A random input, or several that are correlated.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RandomContributor {
     /// Path, or paths of a correlated group.
     pub paths: Vec<String>,
@@ -77,7 +77,7 @@ pub struct RandomContributor {
 }
 
 /// An epistemic input.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct EpistemicContributor {
     /// Path.
     pub path: String,
@@ -91,4 +91,64 @@ pub struct EpistemicContributor {
     /// The share of its joint in the quasi-static worst case of all clearances; `None` for what is no clearance.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
+}
+
+// Shares that no runs have shown are no numbers. Two records in which the same shares are missing are equal.
+
+fn same(one: f64, other: f64) -> bool {
+    one == other || (one.is_nan() && other.is_nan())
+}
+
+impl PartialEq for ShareRange {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |range: &Self| [range.centre, range.error, range.lower, range.upper];
+        numbers(self).into_iter().zip(numbers(other)).all(|(one, other)| same(one, other))
+    }
+}
+
+impl PartialEq for RandomContributor {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.paths, self.first, self.total) == (&other.paths, other.first, other.total)
+            && same(self.band_share, other.band_share)
+            && self.quasi_static_share == other.quasi_static_share
+    }
+}
+
+impl PartialEq for EpistemicContributor {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |input: &Self| [input.band_share[0], input.band_share[1], input.error];
+        (&self.path, self.quasi_static_share) == (&other.path, other.quasi_static_share)
+            && numbers(self).into_iter().zip(numbers(other)).all(|(one, other)| same(one, other))
+    }
+}
+
+impl PartialEq for Contributors {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |own: &Self| [own.band_width_si, own.band_width_error_si, own.confidence];
+        (&self.output, self.of, &self.at, &self.unit) == (&other.output, other.of, &other.at, &other.unit)
+            && numbers(self).into_iter().zip(numbers(other)).all(|(one, other)| same(one, other))
+            && (&self.points, self.pairs, self.left_out) == (&other.points, other.pairs, other.left_out)
+            && (&self.random, &self.epistemic) == (&other.random, &other.epistemic)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_that_are_missing_in_both_are_the_same() {
+        let missing = ShareRange { centre: f64::NAN, error: f64::NAN, lower: f64::NAN, upper: f64::NAN };
+        let own = |band_share| RandomContributor {
+            paths: vec!["parameter.rod_length".to_owned()],
+            first: missing,
+            total: missing,
+            band_share,
+            quasi_static_share: None,
+        };
+        assert_eq!(own(0.25), own(0.25));
+        assert_ne!(own(0.25), own(0.5));
+        assert_ne!(own(0.25), own(f64::NAN));
+        assert_ne!(missing, ShareRange { centre: 0.5, ..missing });
+    }
 }
