@@ -220,7 +220,7 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     undo(studio)
     studio.wait(f"!({OUTLINE}).includes('link_1')")
     studio.wait("!document.querySelector('.notice.warning')")
-    time.sleep(0.6)
+    # At once: what was taken back just now does not come again.
     studio.browser.call("Page.reload")
     studio.wait("document.querySelector('.drawing svg')")
     studio.settle()

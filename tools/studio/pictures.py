@@ -1,4 +1,4 @@
-"""Makes the pictures of docs/studio.md: the gallery, the drawing, the editor and two results compared, as a reader really gets them, light and dark.
+"""Makes the pictures of docs/studio.md and docs/design-with-play.md: the gallery, the drawing, a path with its zone, the editor and two results compared, as a reader really gets them, light and dark.
 
     python3 tools/studio/pictures.py docs/images
 
@@ -16,7 +16,7 @@ sys.path.insert(0, str(REPOSITORY / "tests/browser"))
 from chromium import Chromium  # noqa: E402
 from test_studio import PROGRAM, Studio  # noqa: E402
 from test_studio_draw import wait_for_sheet  # noqa: E402
-from test_studio_edit import PLACE_MM, press_mm  # noqa: E402
+from test_studio_edit import HINT, PLACE_MM, SHIFT, press_mm, undo  # noqa: E402
 
 # The angle of the drive in the pictures: no dead centre.
 PRESSES = 20
@@ -32,6 +32,26 @@ def draw_four_bar(studio):
     x, y = studio.browser.evaluate(PLACE_MM % (140, 0))
     studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
     studio.wait("document.querySelector('.drawing text.rubber')")
+
+
+def finish_with_a_zone(studio):
+    """The rocker on the ground, a recorded point beside the coupler, and play between crank and coupler: the path has its zone."""
+    press_mm(studio, 140, 0, SHIFT)
+    studio.wait("document.querySelector('.outline').innerText.includes('link_3')")
+    studio.click(".tools.build label", "Record")
+    press_mm(studio, 70, 60)
+    studio.wait(f"{HINT}.includes('link_2')")
+    press_mm(studio, 60, 100)
+    studio.wait("document.querySelector('.drawing .trace')")
+    studio.key("Escape")
+    press_mm(studio, 20, 40)
+    studio.wait("document.querySelector('.known input')")
+    studio.browser.evaluate("(document.querySelector('.known input').focus(), true)")
+    studio.browser.call("Input.insertText", text="0.05..0.2 mm")
+    studio.key("Enter")
+    studio.wait("document.querySelector('.drawing .zone-of-path')")
+    studio.settle()
+    time.sleep(0.5)
 
 
 def conducted(work):
@@ -61,14 +81,19 @@ def main(folder):
                 scheme = "dark" if dark else "light"
                 browser.view(1280, 800, dark=dark, reduced_motion=True)
                 studio.open()
+                # The steps of a first visit are closed.
+                browser.evaluate("(localStorage.setItem('loosepin-first-visit', 'seen'), true)")
                 time.sleep(0.5)
                 browser.screenshot(folder / f"studio_gallery_{scheme}.png", whole=False)
                 studio.click("button", "Draw from nothing")
                 draw_four_bar(studio)
                 browser.screenshot(folder / f"studio_draw_{scheme}.png", whole=False)
+                finish_with_a_zone(studio)
+                browser.screenshot(folder / f"studio_path_{scheme}.png", whole=False)
+                # What was drawn is taken back, so that nothing is unsaved.
+                undo(studio, 6)
+                studio.wait("!document.querySelector('.outline').innerText.includes('link_1')")
                 studio.open()
-                # The steps of a first visit are closed.
-                browser.evaluate("(localStorage.setItem('loosepin-first-visit', 'seen'), true)")
                 studio.click("button.card", "rank, coupler and rocker")
                 studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
                 studio.click(".outline button", "rocker_pin")
