@@ -65,8 +65,8 @@ fn analytic_shares_of_a_linear_deviation() {
 
 #[test]
 fn analytic_shares_of_a_linear_deviation_without_runs_for_them() {
-    /// Of the band: 1 - √(1 - share); a share is a sum over 72 positions, here an integral.
-    const TOLERANCE: f64 = 0.005;
+    /// Of the band: 1 - √(1 - share); a share is a sum over 72 positions of a turn, here over 3600.
+    const TOLERANCE: f64 = 1e-4;
     let ask = "[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nposes = { crank = [\"5 deg\"] }\nstatistics = [\"mean\"]\n";
     let result = summary(&format!("{SHORT}{ask}"));
     let found = &result["contributors"][0];

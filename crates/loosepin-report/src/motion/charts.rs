@@ -167,9 +167,12 @@ pub(super) fn transmission(record: &MotionRecord, writer: &NumberWriter) -> Opti
     }
     Some(html! {
         p {
-            "The transmission angle μ lies between coupler and output link. It is best at 90°; the pressure angle of a slider is best at 0°. The \
-             mechanical advantage is the force on an output along its motion, or the torque on a turning one, that balances a unit torque of \
-             " (record.drive) ": A = ω/|v| by virtual power, without losses, weight and inertia. It is infinite in a dead centre."
+            "The transmission angle μ lies between coupler and output link. It is best at 90°; the pressure angle of a slider is best at 0°."
+            @if !advantages.is_empty() {
+                " The mechanical advantage is the force on an output along its motion, or the torque on a turning one, that balances a unit \
+                 torque of " (record.drive) ": A = ω/|v| by virtual power, without losses, weight, inertia, springs and loads. It is \
+                 infinite in a dead centre."
+            }
         }
         div.charts {
             (chooser("loops", angles))

@@ -15,6 +15,8 @@ use loosepin_uncertainty::contributors::{Index, Indices, SHARES_CONFIDENCE};
 
 /// Positions of the quasi-static answer in a turn.
 const POSITIONS: usize = 72;
+/// Angles nearer to each other are one.
+const SAME_ANGLE_RAD: f64 = 1e-9;
 
 /// Columns whose contributors are told together.
 struct Subject<'a> {
@@ -114,8 +116,9 @@ fn of_columns(
                 // Shares of a variance add up to 1 only where the inputs are independent.
                 .filter(|_| deviation != Deviation::Clearance && study.correlation.is_none())
                 .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
-            // Without indices, by the linear share.
-            let share = if total.centre.is_nan() { shares.unwrap_or(f64::NAN) } else { total.centre };
+            // Without indices, by the linear share. What does not enter the ideal motion, such as a mass, has an effect that only runs show.
+            let linear = shares.filter(|share| *share > 0.0).unwrap_or(f64::NAN);
+            let share = if total.centre.is_nan() { linear } else { total.centre };
             RandomContributor {
                 paths,
                 first: range(&indices, |indices| indices.first[group]),
@@ -226,7 +229,7 @@ impl Still<'_> {
     fn sum(&self, values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
         let turn = |angle: f64| (angle / std::f64::consts::TAU).rem_euclid(1.0);
         match self.spot {
-            None => values.iter().map(|&value| of(value)).sum(),
+            None => values.iter().take(self.positions()).map(|&value| of(value)).sum(),
             Some(angle_rad) => {
                 let distance = |at: f64| {
                     let apart = (turn(at) - turn(angle_rad)).abs();
@@ -237,6 +240,14 @@ impl Still<'_> {
                 nearest.and_then(|(position, _)| values.get(position)).map_or(f64::NAN, |&value| of(value))
             }
         }
+    }
+
+    /// Positions that count: the last one of a whole turn is the first one again.
+    fn positions(&self) -> usize {
+        let angles_rad = &self.record.drive_angle_rad;
+        let (Some(first), Some(last)) = (angles_rad.first(), angles_rad.last()) else { return 0 };
+        let is_turn = ((last - first).abs() - std::f64::consts::TAU).abs() < SAME_ANGLE_RAD;
+        angles_rad.len() - usize::from(is_turn)
     }
 
     /// The share of a scattering quantity in the variance.
