@@ -248,3 +248,28 @@ def test_a_sheet_that_was_never_saved_is_there_after_a_reload(studio):  # noqa: 
     wait_for_sheet(studio)
     assert "link_1" not in studio.browser.evaluate(OUTLINE)
     assert studio.browser.diagnostics() == []
+
+
+def test_a_tool_holds_the_mechanism_at_its_start_and_undo_ends_a_chain(studio):  # noqa: F811
+    new_sheet(studio)
+    studio.click("button", "Draw from nothing")
+    wait_for_sheet(studio)
+    for place in [(0, 0), (20, 40), (120, 80)]:
+        press_mm(studio, *place)
+    press_mm(studio, 140, 0, SHIFT)
+    studio.wait(f"({OUTLINE}).includes('link_3')")
+    studio.wait(f"({MOBILITY}).includes('1 degree of freedom, 1 drive')")
+    crank = "[...document.querySelectorAll('.drawing .target')].find((one) => one.getAttribute('aria-label').includes('link_1.b')).getAttribute('transform')"
+    at_rest = studio.browser.evaluate(crank)
+    studio.browser.evaluate("(document.querySelector('.drawing .ground').focus(), true)")
+    studio.key("]")
+    time.sleep(0.3)
+    assert studio.browser.evaluate(crank) == at_rest, "the mechanism stands while a tool is on"
+    # A link with a free end, taken back: the next click begins anew.
+    press_target(studio, "link_2.b")
+    press_mm(studio, 180, 120)
+    studio.wait(f"{HINT}.includes('click link_4.b again to pin it')")
+    undo(studio)
+    studio.wait(f"!({OUTLINE}).includes('link_4')")
+    studio.wait(f"{HINT}.includes('Click where the link begins')")
+    assert studio.browser.diagnostics() == []

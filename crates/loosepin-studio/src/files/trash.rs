@@ -55,6 +55,10 @@ pub fn paths_of(folder: &Folder, path: &str) -> Result<Vec<String>, Refusal> {
     let listing = listing(folder);
     let Some(model) = model_beside(&path, &text).map(|model| plain(&model)) else {
         return match listing.studies_of(&path).first() {
+            None if listing.is_truncated() => {
+                Err(Refusal::new(StatusCode::CONFLICT, format!("it is not known whether a study uses '{path}'"))
+                    .with_hint("this folder has more files than are looked at; delete the file by hand"))
+            }
             None => Ok(vec![path]),
             Some(study) => Err(Refusal::new(StatusCode::CONFLICT, format!("the study '{study}' uses '{path}'"))
                 .with_hint("delete the study: its model goes with it")),

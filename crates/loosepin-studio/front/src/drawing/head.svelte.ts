@@ -7,6 +7,8 @@ export class Head {
   first = $state(0);
   last = $state(360);
   isRunning = $state(false);
+  /** A tool is on: the mechanism stands at its start, where its text says how its loops close. */
+  isLocked = false;
   private isPlaced = false;
   private stopTicks: (() => void) | null = null;
 
@@ -23,7 +25,7 @@ export class Head {
 
   set(angle: number): void {
     const [low, high] = [Math.min(this.first, this.last), Math.max(this.first, this.last)];
-    this.angle = Math.min(Math.max(angle, low), high);
+    this.angle = this.isLocked ? this.first : Math.min(Math.max(angle, low), high);
   }
 
   /** Turns by whole degrees; past the end of a full turn it begins again. */
@@ -38,7 +40,7 @@ export class Head {
   run(isRunning: boolean): void {
     this.stopTicks?.();
     this.stopTicks = null;
-    this.isRunning = isRunning && this.first !== this.last;
+    this.isRunning = isRunning && !this.isLocked && this.first !== this.last;
     if (this.isRunning) {
       this.stopTicks = eachFrame((seconds) => {
         this.angle = advanced(this.angle, this.first, this.last, seconds);

@@ -54,6 +54,7 @@ export class Build {
     this.tool = tool;
     this.start = null;
     // Links are drawn where the mechanism starts: there the text says how its loops close.
+    this.desk.head.isLocked = tool !== 'move';
     if (tool !== 'move') {
       this.desk.head.run(false);
       this.desk.head.set(this.desk.head.first);
@@ -76,8 +77,17 @@ export class Build {
 
   /** What a click does; it may only begin something. */
   take(taken: Taken): Promise<void> {
-    this.last = this.last.then(() => this.use(taken));
+    const { tool } = this;
+    // A click belongs to the tool with which it was made: where another one was taken meanwhile, it is dropped.
+    this.last = this.last.then(() => (this.tool === tool ? this.use(taken) : undefined)).catch((error: unknown) => console.error(error));
     return this.last;
+  }
+
+  /** What has begun at a body that is gone, by Undo, begins nowhere. */
+  keepTo(bodies: string[]): void {
+    const { start } = this;
+    const own = start === null || 'isGround' in start ? [] : 'target' in start ? start.target.points.map(({ body }) => body) : [start.body];
+    if (own.length > 0 && !own.some((body) => bodies.includes(body))) this.start = null;
   }
 
   private async use(taken: Taken): Promise<void> {
@@ -100,7 +110,7 @@ export class Build {
       return;
     }
     const [from, to] = [placeOf(start), placeOf(taken)];
-    if (Math.hypot(from[0] - to[0], from[1] - to[1]) < samePlaceMm) {
+    if (Math.hypot(from[0] - to[0], from[1] - to[1]) < samePlaceMm || isSamePoint(start, taken)) {
       // A second click on the end of the last link pins it to the ground.
       const isEnd = this.isChain && 'target' in start;
       this.start = null;
@@ -109,7 +119,7 @@ export class Build {
     }
     this.start = null;
     if ((await this.desk.restructure(linkOf(start, taken))) !== null) {
-      this.start = start;
+      if (this.tool === 'link' && this.start === null) this.start = start;
       return;
     }
     const link = this.desk.built?.name ?? null;
@@ -233,6 +243,12 @@ export class Build {
 export function nameOf(taken: Taken): string {
   if ('target' in taken) return taken.target.points.map(({ body, point }) => `${body}.${point}`).join(' = ');
   return 'body' in taken ? taken.body : words.build.at(taken.at);
+}
+
+/** Whether both are at the same point of a body. */
+function isSamePoint(one: Taken, other: Taken): boolean {
+  if (!('target' in one) || !('target' in other)) return false;
+  return one.target.points.some(({ body, point }) => other.target.points.some((own) => own.body === body && own.point === point));
 }
 
 export const placeOf = (taken: Taken): Point => ('target' in taken ? taken.target.at : taken.at);

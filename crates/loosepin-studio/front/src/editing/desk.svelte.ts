@@ -2,6 +2,7 @@
 import type { Adoption } from '../results/adoption.ts';
 import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
+import type { Draft } from './drafts.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
 import type { FieldOf } from '../numbers/groups.ts';
@@ -63,6 +64,10 @@ export class Desk {
   readonly build = new Build(this);
   /** What the last edit of links and joints says: degrees of freedom, or why it was not made; and the name of what it brought. */
   built = $state.raw<{ words: string[]; isRefused: boolean; name: string | null } | null>(null);
+  /** Unsaved texts from before, which began from other files than those on the disk. */
+  older = $state.raw<Draft | null>(null);
+  /** Unsaved texts of this desk are stored, or were taken from there. */
+  hasDraft = false;
   /** What is to be taken out, once that is confirmed. */
   removal = $state.raw<Removal | null>(null);
   /** What is dragged. */
@@ -448,6 +453,7 @@ export class Desk {
     if (seen.view) {
       const isFirst = this.view === null;
       this.view = seen.view;
+      if (version === documents.version) this.build.keepTo(seen.view.outline.parts.map(({ name }) => name));
       // On an empty sheet there is nothing to do but to draw.
       if (isFirst && this.build.isEmpty) this.build.choose('link');
       this.viewed = version;
