@@ -69,28 +69,16 @@ fn an_imported_drawing_becomes_a_model_in_a_new_folder() {
 }
 
 #[test]
-fn a_drawn_mechanism_is_written_once() {
+fn an_empty_sheet_is_written_once() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
-    let ground = json!({"kind": "ground"});
-    let mut drawn = json!({
-        "name": "drawn",
-        "pins": [{"x": 0, "y": 0, "hold": ground}, {"x": 30, "y": 40, "hold": {"kind": "free"}},
-            {"x": 180, "y": 0, "hold": {"kind": "slider", "angle_deg": 0}}],
-        "links": [[0, 1], [1, 2]], "motor": 0, "folder": null
-    });
-    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
-    assert_eq!((status, &said["study"]), (200, &json!(null)), "{said}");
-    assert!(said["says"][0].as_str().unwrap().contains("1 degree of freedom"), "{said}");
-    drawn["folder"] = json!("drawn");
-    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
+    let (status, blank) = server.ask("GET", "/api/blank", "");
+    assert_eq!(status, 200, "{blank}");
+    let new = |folder: &str| json!({"folder": folder, "model": blank["model"], "study": blank["study"]}).to_string();
+    let (status, said) = server.ask("POST", "/api/new", &new("drawn"));
     assert_eq!((status, &said["study"]), (200, &json!("drawn/study.toml")));
-    assert_eq!(server.ask("POST", "/api/draw", &drawn.to_string()).0, 409, "nothing is overwritten");
-    drawn["folder"] = json!("../drawn");
-    assert_eq!(server.ask("POST", "/api/draw", &drawn.to_string()).0, 400);
-    // What cannot move is not written.
-    drawn["folder"] = json!("loose");
-    drawn["links"] = json!([[0, 1]]);
-    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
-    assert!(status == 200 && said["refusal"]["message"].is_string() && !desk.path().join("loose").exists(), "{said}");
+    let written = std::fs::read_to_string(desk.path().join("drawn/model.toml")).unwrap();
+    assert_eq!(json!(written), blank["model"]);
+    assert_eq!(server.ask("POST", "/api/new", &new("drawn")).0, 409, "nothing is overwritten");
+    assert_eq!(server.ask("POST", "/api/new", &new("../drawn")).0, 400);
 }
