@@ -89,7 +89,8 @@ def main(folder):
                 draw_four_bar(studio)
                 browser.screenshot(folder / f"studio_draw_{scheme}.png", whole=False)
                 finish_with_a_zone(studio)
-                browser.screenshot(folder / f"studio_path_{scheme}.png", whole=False)
+                if not dark:
+                    browser.screenshot(folder / "studio_path_light.png", whole=False)
                 # What was drawn is taken back, so that nothing is unsaved.
                 undo(studio, 6)
                 studio.wait("!document.querySelector('.outline').innerText.includes('link_1')")
