@@ -201,7 +201,7 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     time.sleep(0.6)
     # A crash: nobody is asked whether to leave.
     studio.browser.evaluate("(addEventListener('beforeunload', (event) => event.stopImmediatePropagation(), true), true)")
-    studio.browser.call("Page.reload")
+    studio.browser.reload()
     studio.wait("document.querySelector('.notice')?.innerText.includes('that were not saved are here again')")
     studio.wait(f"({OUTLINE}).includes('link_1')")
     assert [(studio.folder / "drawn" / name).read_text() for name in ("model.toml", "study.toml")] == before
@@ -212,7 +212,7 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     # The file changes meanwhile: what was not saved is offered, and does not stand over what is new.
     time.sleep(0.6)
     (studio.folder / "drawn/model.toml").write_text(before[0].replace("9.81", "1.62"))
-    studio.browser.call("Page.reload")
+    studio.browser.reload()
     studio.wait("document.querySelector('.notice.warning')?.innerText.includes('of an older text')")
     assert "link_1" not in studio.browser.evaluate(OUTLINE)
     studio.click("button", "Show them")
@@ -221,7 +221,7 @@ def test_what_is_drawn_is_there_after_a_reload(studio):  # noqa: F811
     studio.wait(f"!({OUTLINE}).includes('link_1')")
     studio.wait("!document.querySelector('.notice.warning')")
     # At once: what was taken back just now does not come again.
-    studio.browser.call("Page.reload")
+    studio.browser.reload()
     studio.wait("document.querySelector('.drawing svg')")
     studio.settle()
     assert studio.browser.evaluate("document.querySelector('.notice')") is None
@@ -237,7 +237,7 @@ def test_a_sheet_that_was_never_saved_is_there_after_a_reload(studio):  # noqa: 
     studio.wait(f"({OUTLINE}).includes('link_1')")
     time.sleep(0.6)
     studio.browser.evaluate("(addEventListener('beforeunload', (event) => event.stopImmediatePropagation(), true), true)")
-    studio.browser.call("Page.reload")
+    studio.browser.reload()
     studio.wait("document.querySelector('.notice')?.innerText.includes('that were not saved are here again')")
     studio.wait(f"({OUTLINE}).includes('link_1')")
     assert list(studio.folder.glob("drawn*")) == []

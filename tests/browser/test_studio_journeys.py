@@ -127,7 +127,8 @@ def test_the_first_minute_by_keyboard_alone(studio):
     changed = [(old, new) for old, new in zip(before.split("\n"), study.split("\n"), strict=True) if old != new]
     assert len(changed) == 3, changed
     # Each thing was near: a person would not sit there tabbing.
-    assert keyboard.pressed < 250, keyboard.pressed
+    # Splitters, terms and the numbers on the canvas are stops of Tab, too.
+    assert keyboard.pressed < 280, keyboard.pressed
     assert studio.clicks == 0 and studio.browser.diagnostics() == []
 
 
