@@ -5,22 +5,20 @@
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
-use std::fmt;
-use std::io::{BufReader, Read};
 use std::path::Path;
 use std::time::UNIX_EPOCH;
 
 use loosepin::diagnostics::Source;
 use loosepin::document::parse_toml;
 use loosepin::files::{self, FileInfo, FileKind};
-use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
+use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, REPORT_FILE, ResultKind};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
-use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::files::folder::{Folder, MAX_TEXT, tag};
 use crate::files::listed::{FileVersion, ListedFile, ListedResult, ListingCache, ReadFile, ReadResult, TextState};
+use crate::files::record_head::entry_of;
 use crate::files::verdicts::assign;
 use crate::messages::Document;
 use crate::view::texts::{beside, model_beside, plain};
@@ -235,12 +233,8 @@ impl Reading<'_> {
 
     /// The verdict of a stored study. Its requirements stand at the head of its record, which is read no further.
     fn verdict(&mut self, path: &str) -> Option<Verdict> {
-        let (summary, _) = self.folder.opened().open_file(&Path::new(path).join(SUMMARY_FILE)).ok()?;
-        let head = BufReader::new(summary.take(MAX_HEAD_BYTES));
-        let mut requirements = None;
-        // It ends with an error in any case: the rest is not read.
-        let _ = serde_json::Deserializer::from_reader(head).deserialize_map(UpToRequirements(&mut requirements));
-        self.left_bytes = self.left_bytes.saturating_sub(MAX_HEAD_BYTES);
+        let requirements: Option<Vec<Requirement>> =
+            entry_of(self.folder, path, "requirements", MAX_HEAD_BYTES, &mut self.left_bytes);
         let verdicts = requirements?.into_iter().map(|requirement| requirement.verdict);
         Verdict::of_all(verdicts)
     }
@@ -255,26 +249,4 @@ fn value_of(text: &str, key: &str) -> Option<String> {
 #[derive(Deserialize)]
 struct Requirement {
     verdict: Verdict,
-}
-
-/// Takes the requirements out of a record, and refuses what follows.
-struct UpToRequirements<'r>(&'r mut Option<Vec<Requirement>>);
-
-impl<'de> Visitor<'de> for UpToRequirements<'_> {
-    type Value = ();
-
-    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str("the record of a study")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<(), A::Error> {
-        while let Some(key) = entries.next_key::<String>()? {
-            if key == "requirements" {
-                *self.0 = Some(entries.next_value()?);
-                return Err(A::Error::custom("the rest is not read"));
-            }
-            entries.next_value::<IgnoredAny>()?;
-        }
-        Ok(())
-    }
 }

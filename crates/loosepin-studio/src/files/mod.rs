@@ -8,6 +8,7 @@ pub(crate) mod folder;
 pub(crate) mod gallery;
 pub(crate) mod listed;
 pub(crate) mod listing;
+pub(crate) mod record_head;
 pub(crate) mod stored;
 pub(crate) mod trash;
 pub(crate) mod verdicts;

@@ -90,26 +90,13 @@ fn require_result(folder: &Folder, path: &str) -> Result<(), Refusal> {
 pub fn trash(folder: &Folder, paths: Vec<String>) -> Result<Trashed, Refusal> {
     let entry = free_entry(folder, &paths)?;
     let below = Path::new(TRASH).join(&entry);
-    let mut moved = Vec::new();
-    for path in &paths {
-        // A result that is being written, or is made again, is not moved.
-        let held = match Path::new(path).extension() {
-            Some(extension) if extension == "toml" => None,
-            _ => Some(hold_result(folder, path)?),
-        };
-        let outcome = move_path(folder, Path::new(""), &below, path);
-        drop(held);
-        if let Err(refusal) = outcome {
-            for path in moved {
-                let _ = move_path(folder, &below, Path::new(""), path);
-            }
-            return Err(refusal);
-        }
-        moved.push(path);
-    }
-    for path in &paths {
-        remove_empty(folder, Path::new(path));
-    }
+    // A result that is being written, or is made again, is not moved.
+    let is_result = |path: &&String| Path::new(path).extension().is_none_or(|extension| extension != "toml");
+    let held: Vec<FolderLock> =
+        paths.iter().filter(is_result).map(|path| hold_result(folder, path)).collect::<Result<_, _>>()?;
+    let outcome = move_all(folder, Path::new(""), &below, &paths);
+    drop(held);
+    outcome?;
     Ok(Trashed { entry, paths })
 }
 
@@ -132,18 +119,21 @@ pub fn restore(folder: &Folder, entry: &str, paths: &[String]) -> Result<(), Ref
                 .with_hint(format!("rename it, or take the old one out of {TRASH}/{entry} by hand")));
         }
     }
-    let mut moved = Vec::new();
-    for path in paths {
-        if let Err(refusal) = move_path(folder, &below, Path::new(""), path) {
-            for path in moved {
-                let _ = move_path(folder, Path::new(""), &below, path);
+    move_all(folder, &below, Path::new(""), paths)
+}
+
+/// Renames what is at the paths below one folder to the same paths below another, or nothing of it; folders that are left empty go.
+fn move_all(folder: &Folder, from: &Path, to: &Path, paths: &[String]) -> Result<(), Refusal> {
+    for (moved, path) in paths.iter().enumerate() {
+        if let Err(refusal) = move_path(folder, from, to, path) {
+            for path in &paths[..moved] {
+                let _ = move_path(folder, to, from, path);
             }
             return Err(refusal);
         }
-        moved.push(path);
     }
     for path in paths {
-        remove_empty(folder, &below.join(path));
+        remove_empty(folder, &from.join(path));
     }
     Ok(())
 }

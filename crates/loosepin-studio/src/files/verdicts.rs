@@ -1,16 +1,13 @@
 //! Which finished result belongs to which study of the folder, and whether the texts have changed since. Texts are compared, not times.
 
 use std::collections::HashMap;
-use std::fmt;
-use std::io::{BufReader, Read};
-use std::path::Path;
 
 use loosepin::result::repeat::{InputRole, Repeat};
-use loosepin::results::{ResultKind, SUMMARY_FILE};
-use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
+use loosepin::results::ResultKind;
 
 use crate::files::folder::{Folder, tag};
 use crate::files::listed::{KnownTexts, NewestResult, ReadFile, ReadResult, ResultTexts, TextState};
+use crate::files::record_head::entry_of;
 use crate::messages::Document;
 use crate::view::texts::tables_of;
 
@@ -48,8 +45,8 @@ pub fn assign(folder: &Folder, files: &mut [ReadFile], results: &mut [ReadResult
     for result in results.iter_mut().filter(|result| result.listed.kind == ResultKind::Study) {
         let Some(places) = studies.get(&result.listed.title) else { continue };
         if !known.contains_key(&result.inputs) && left_bytes > 0 {
-            let texts = texts_of(folder, &result.listed.path, &mut left_bytes);
-            known.insert(result.inputs.clone(), texts);
+            let repeat = entry_of(folder, &result.listed.path, "repeat", MAX_RECORD_BYTES, &mut left_bytes);
+            known.insert(result.inputs.clone(), repeat.and_then(|repeat| ResultTexts::of(&repeat)));
         }
         let texts = known.get(&result.inputs).and_then(Option::as_ref);
         let same: Vec<usize> = match texts {
@@ -99,37 +96,4 @@ fn is_of(folder: &Folder, files: &[ReadFile], place: usize, texts: &ResultTexts)
         [&study.listed.path, model_path].into_iter().flat_map(|path| tables_of(folder, path)).collect();
     let tags: Vec<String> = tables.iter().map(|text| tag(text)).collect();
     texts.tables.iter().all(|table| tags.contains(table))
-}
-
-/// The texts in the record of a result, which is read no further.
-fn texts_of(folder: &Folder, path: &str, left_bytes: &mut u64) -> Option<ResultTexts> {
-    let (record, info) = folder.opened().open_file(&Path::new(path).join(SUMMARY_FILE)).ok()?;
-    *left_bytes = left_bytes.saturating_sub(info.size_bytes.min(MAX_RECORD_BYTES));
-    let mut repeat = None;
-    let record = BufReader::new(record.take(MAX_RECORD_BYTES));
-    // It ends with an error in any case: the rest is not read.
-    let _ = serde_json::Deserializer::from_reader(record).deserialize_map(UpToRepeat(&mut repeat));
-    ResultTexts::of(&repeat?)
-}
-
-/// Takes the texts out of a record, and refuses what follows.
-struct UpToRepeat<'r>(&'r mut Option<Repeat>);
-
-impl<'de> Visitor<'de> for UpToRepeat<'_> {
-    type Value = ();
-
-    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str("the record of a study")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<(), A::Error> {
-        while let Some(key) = entries.next_key::<String>()? {
-            if key == "repeat" {
-                *self.0 = Some(entries.next_value()?);
-                return Err(A::Error::custom("the rest is not read"));
-            }
-            entries.next_value::<IgnoredAny>()?;
-        }
-        Ok(())
-    }
 }

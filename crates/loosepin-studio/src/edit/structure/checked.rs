@@ -226,12 +226,13 @@ impl IntendedChange {
 
 /// Findings of the library on the mechanism in some texts after an edit, whose model can be read.
 pub fn said(before: &Texts, texts: &Texts) -> LibraryFindings {
-    // A study that could not run before is not said to have become one.
-    let lost = texts.read_to_run().err().filter(|_| before.read_to_run().is_ok());
-    let asks_nothing = lost.and_then(|found| {
-        found.sorted().into_iter().next().map(|first| format!("The study cannot run: {}", first.message))
+    let mut asks_nothing = None;
+    let file = texts.read_to_run().or_else(|found| {
+        // A study that could not run before is not said to have become one.
+        let first = found.sorted().into_iter().next().filter(|_| before.read_to_run().is_ok());
+        asks_nothing = first.map(|first| format!("The study cannot run: {}", first.message));
+        texts.read().or_else(|_| Texts { model: texts.model.clone(), study: None }.read())
     });
-    let file = texts.read().or_else(|_| Texts { model: texts.model.clone(), study: None }.read());
     let Ok(file) = file else { return LibraryFindings { is_complete: false, words: Vec::new() } };
     let mut said = match file.ideal_motion(POSITIONS, &[]) {
         Ok(record) => {

@@ -180,10 +180,8 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
 
 /// Whether a study has no question and no requirement; of one that cannot be read nothing is said.
 fn asks_nothing(study: &EditedText) -> bool {
-    study.scanned().is_ok_and(|scanned| {
-        let first = |path: &[String]| path.first().map(String::as_str).unwrap_or_default().to_owned();
-        !scanned.statements.iter().any(|one| ["ask", "require"].contains(&first(&one.path).as_str()))
-    })
+    let is_question = |path: &[String]| path.first().is_some_and(|first| first == "ask" || first == "require");
+    study.scanned().is_ok_and(|scanned| !scanned.statements.iter().any(|one| is_question(&one.path)))
 }
 
 #[cfg(test)]
