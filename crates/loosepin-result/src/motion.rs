@@ -311,3 +311,12 @@ pub struct DimensionContributor {
     #[serde(with = "extended")]
     pub standard_deviation_si: Vec<f64>,
 }
+
+/// The outputs that are neither coordinates nor errors of one of the paths: those that move by themselves.
+pub fn outputs_beside_paths<'r>(
+    outputs: &'r [OutputMotion],
+    paths: &'r [PointPath],
+) -> impl Iterator<Item = &'r OutputMotion> {
+    let is_coordinate = |output: &OutputMotion| paths.iter().any(|path| path.has_coordinate(&output.name));
+    outputs.iter().filter(move |output| output.path_error.is_none() && !is_coordinate(output))
+}

@@ -106,7 +106,7 @@ impl PointPath {
     }
 
     /// Whether `output` is the name of one of its coordinates among the outputs.
-    pub fn has_coordinate(&self, output: &str) -> bool {
+    pub(crate) fn has_coordinate(&self, output: &str) -> bool {
         let axis = self.output.as_ref().and_then(|name| output.strip_prefix(name.as_str()));
         matches!(axis, Some(" x" | " y"))
     }

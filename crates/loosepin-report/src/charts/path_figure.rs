@@ -21,7 +21,7 @@ const LABEL_GAP: f64 = 20.0;
 /// A mark stands at the position that is nearest to its angle, within this share of a step.
 const HALF_STEP: f64 = 0.5;
 
-/// The figure; nothing where the record is not whole, or the point neither moves nor strays.
+/// The figure; empty if the record is not whole, or the point neither moves nor strays.
 pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64], writer: &NumberWriter) -> Markup {
     let positions = path.positions();
     let xy_m = [path.x_m.as_slice(), path.y_m.as_slice()];
@@ -95,7 +95,7 @@ pub(crate) struct RunCourse<'r> {
 /// Points of a drawn line, at most.
 const MAX_POINTS: usize = 4000;
 
-/// The path of a point in a run: where it has an ideal path, its deviation from there is magnified. Nothing where it does not move.
+/// The path of a point in a run: where it has an ideal path, its deviation from there is magnified. Empty if it does not move.
 pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> Markup {
     let samples = course.xy_m[0].len();
     let has_ideal = course.ideal_m.iter().all(|list| list.len() == samples);

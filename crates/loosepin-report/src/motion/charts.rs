@@ -8,7 +8,7 @@ use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::words::wording::{capitalised, named_words};
 use loosepin_result::kinematics::{MechanicalAdvantage, TransmissionAngle};
-use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{MotionRecord, OutputMotion, outputs_beside_paths};
 use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
@@ -80,11 +80,9 @@ fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWrite
 
 /// Position, velocity and acceleration of each output and of each path: one chart at a time.
 pub(super) fn ideal_motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
-    let is_coordinate = |output: &&OutputMotion| record.paths.iter().any(|path| path.has_coordinate(&output.name));
-    let outputs = record.outputs.iter().filter(|output| output.path_error.is_none() && !is_coordinate(output));
     html! {
         div.charts {
-            @for output in outputs {
+            @for output in outputs_beside_paths(&record.outputs, &record.paths) {
                 @let name = named_words(&output.name, &output.words);
                 @let lines = [&output.value_si, &output.velocity_si, &output.acceleration_si];
                 (of_derivatives(record, &output.name, &name, &output.unit, &lines.map(|values| vec![("", values.clone())]), writer))

@@ -1,7 +1,7 @@
 //! Mechanical advantage by virtual power.
 
 use loosepin_result::kinematics::MechanicalAdvantage;
-use loosepin_result::motion::OutputMotion;
+use loosepin_result::motion::{OutputMotion, outputs_beside_paths};
 use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
@@ -14,8 +14,7 @@ pub fn mechanical_advantages(
     paths: &[PointPath],
     drive_speed_rad_s: f64,
 ) -> Vec<MechanicalAdvantage> {
-    let is_coordinate = |output: &&OutputMotion| paths.iter().any(|path| path.has_coordinate(&output.name));
-    let of_outputs = outputs.iter().filter(|output| output.path_error.is_none() && !is_coordinate(output));
+    let of_outputs = outputs_beside_paths(outputs, paths);
     let of_outputs = of_outputs.map(|output| (&output.name, &output.unit, output.velocity_si.clone()));
     let of_paths = paths.iter().map(|path| (&path.name, &SiUnit::LENGTH, path.speeds_m_s()));
     let of = |(name, unit, speeds_si): (&String, &SiUnit, Vec<f64>)| {

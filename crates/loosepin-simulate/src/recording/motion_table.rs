@@ -1,25 +1,26 @@
 //! The CSV file of an ideal motion, SI.
 
-use crate::recording::tables::{HistoryColumn, table, unit_suffix};
+use crate::recording::tables::{self, HistoryColumn, table, unit_suffix};
 use loosepin_result::motion::MotionRecord;
-use std::borrow::Cow;
+use loosepin_text::units::SiUnit;
 
 /// The columns of `motion.csv`: the angle of the drive; each output with its rates, then its deviations by play and its standard deviation
 /// by scatter; each path; transmission angles; mechanical advantages. What a record does not have has no column.
-pub fn motion_columns(record: &MotionRecord) -> Vec<HistoryColumn<'_>> {
+pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
     let mut columns = Vec::new();
-    let mut add = |name: &str, what: &str, unit: &'static str, values_si: &'_ [f64]| {
+    let mut add = |name: &str, what: &str, unit: &'static str, values_si: &'r [f64]| {
         if values_si.len() == record.drive_angle_rad.len() {
-            let mut name = format!("{}{what}{}", name.replace(' ', "_"), unit_suffix(unit));
-            while columns.iter().any(|column: &HistoryColumn<'_>| column.name == name) {
-                name.push_str("_output");
-            }
-            columns.push(HistoryColumn { name, unit, values_si: Cow::Owned(values_si.to_vec()) });
+            tables::add(
+                &mut columns,
+                format!("{}{what}{}", name.replace(' ', "_"), unit_suffix(unit)),
+                unit,
+                values_si,
+            );
         }
     };
     add(&record.drive, "", "rad", &record.drive_angle_rad);
     for output in &record.outputs {
-        let units = if output.unit.symbol() == "rad" { ["rad", "rad/s", "rad/s^2"] } else { ["m", "m/s", "m/s^2"] };
+        let units = if output.unit == SiUnit::ANGLE { ["rad", "rad/s", "rad/s^2"] } else { ["m", "m/s", "m/s^2"] };
         add(&output.name, "", units[0], &output.value_si);
         add(&output.name, "_velocity", units[1], &output.velocity_si);
         add(&output.name, "_acceleration", units[2], &output.acceleration_si);
@@ -50,7 +51,7 @@ pub fn motion_columns(record: &MotionRecord) -> Vec<HistoryColumn<'_>> {
         add(&angle.bodies.join(" "), what, "rad", &angle.value_rad);
     }
     for each in &record.kinematics.mechanical_advantages {
-        let unit = if each.unit.symbol() == "1" { "1" } else { "1/m" };
+        let unit = if each.unit == SiUnit::NONE { "1" } else { "1/m" };
         add(&each.name, "_mechanical_advantage", unit, &each.value_si);
     }
     columns

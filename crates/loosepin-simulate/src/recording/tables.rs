@@ -53,7 +53,7 @@ pub fn history_columns<'s>(record: &'s SimulationRecord, states: Option<&'s Body
 }
 
 /// Adds a column of an output or before them; a name that is taken gets a further word.
-fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str, values_si: &'s [f64]) {
+pub(super) fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str, values_si: &'s [f64]) {
     while columns.iter().any(|column| column.name == name) {
         name.push_str("_output");
     }

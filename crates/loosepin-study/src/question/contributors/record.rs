@@ -18,7 +18,7 @@ const POSITIONS: usize = 72;
 /// Angles nearer to each other are one.
 const SAME_ANGLE_RAD: f64 = 1e-9;
 
-/// Columns whose contributors are told together.
+/// Columns whose contributors are stated together.
 struct Subject<'a> {
     deviation: Deviation,
     /// One number of a run, or all poses of a curve.
@@ -33,15 +33,15 @@ pub fn contributors(
     plan: Option<&ContributorPlan>,
 ) -> Vec<Contributors> {
     let asks = &material.response.shared.plan.asks;
-    let mut subjects: Vec<Subject<'_>> = asks.iter().filter(|ask| ask.is_for_contributors()).flat_map(asked).collect();
-    let first = first_numbers(&material.response.shared.plan);
-    if subjects.is_empty() && !(material.study.random.is_empty() && material.study.epistemic.is_empty()) {
-        subjects.extend(first.iter().map(|(deviation, column)| Subject {
-            deviation: *deviation,
-            columns: std::slice::from_ref(column),
-            is_curve: false,
-        }));
-    }
+    let is_asked = asks.iter().any(Ask::is_for_contributors);
+    let first = if is_asked { Vec::new() } else { first_numbers(&material.response.shared.plan) };
+    let of_first = first.iter().map(|(deviation, column)| Subject {
+        deviation: *deviation,
+        columns: std::slice::from_ref(column),
+        is_curve: false,
+    });
+    let subjects: Vec<Subject<'_>> =
+        asks.iter().filter(|ask| ask.is_for_contributors()).flat_map(asked).chain(of_first).collect();
     let quasi_static = if subjects.is_empty() { None } else { quasi_static(material) };
     subjects.iter().map(|subject| of_columns(material, double_loop, plan, subject, quasi_static.as_ref())).collect()
 }
