@@ -1,4 +1,5 @@
 // Zoom and pan of the canvas by wheel, fingers and keys.
+import type { Point } from '../editing/drag.ts';
 import { isKey } from '../shell/keys.ts';
 import type { Viewport } from './viewport.svelte.ts';
 
@@ -6,6 +7,8 @@ const zoomPerPx = 0.0022;
 const wheelLinePx = 16;
 const keyZoom = 1.25;
 const keyPanPx = 40;
+/** The way of each arrow on the canvas: to the right and upwards. */
+export const arrows: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** Fingers on the canvas that zoom and pan; the first one that takes a part of the mechanism is none of them. */
 export class Navigation {
@@ -54,11 +57,11 @@ export class Navigation {
 
   /** Takes the keys + - 0, and the arrows where nothing on the canvas has the focus. */
   key(event: KeyboardEvent, isOnCanvas: boolean): boolean {
-    const way = ({ ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key];
+    const way = arrows[event.key];
     if (isKey(event, 'zoomIn')) this.view.zoom(keyZoom);
     else if (isKey(event, 'zoomOut')) this.view.zoom(1 / keyZoom);
     else if (isKey(event, 'fit')) this.view.fit();
-    else if (way && isOnCanvas) this.view.pan(way[0] * keyPanPx, way[1] * keyPanPx);
+    else if (way && isOnCanvas) this.view.pan(-way[0] * keyPanPx, way[1] * keyPanPx);
     else return false;
     event.preventDefault();
     return true;

@@ -24,6 +24,9 @@ export interface Target extends Place {
 
 const samePlaceMm = 1e-3;
 
+/** Whether two places are one to the thousandth of a millimetre to which drawings are written. */
+export const isSamePlace = (one: Point, other: Point): boolean => Math.hypot(one[0] - other[0], one[1] - other[1]) < samePlaceMm;
+
 /** The places of all points at an angle of the drive. */
 export function targetsOf(parts: BodyView[], motion: Motion, angle: number): Target[] {
   const poses = posesAt(motion, angle);
@@ -33,7 +36,7 @@ export function targetsOf(parts: BodyView[], motion: Motion, angle: number): Tar
     if (!pose) return;
     for (const { name, x, y } of part.points) {
       const at = worldOf(pose, x, y);
-      const known = targets.find((one) => Math.hypot(one.at[0] - at[0], one.at[1] - at[1]) < samePlaceMm);
+      const known = targets.find((one) => isSamePlace(one.at, at));
       if (known) known.points.push({ body: part.name, point: name });
       else targets.push({ points: [{ body: part.name, point: name }], body, own: [x, y], at });
     }

@@ -3,7 +3,7 @@ import type { Edit, End, Joined, Named, View, Watched } from '../messages.ts';
 import type { Point } from './drag.ts';
 import type { Head } from '../drawing/head.svelte.ts';
 import type { Snapped } from '../drawing/snap.ts';
-import { endAt, endsAt, type Place } from '../drawing/targets.ts';
+import { endAt, endsAt, isSamePlace, type Place } from '../drawing/targets.ts';
 import type { EditTool, ToolOptions } from './toolset.ts';
 import { words } from '../words.ts';
 
@@ -23,7 +23,6 @@ interface Bench {
   choose(what: Named | null): void;
 }
 
-const samePlaceMm = 1e-3;
 const ground = 'ground';
 
 export class Build {
@@ -109,8 +108,7 @@ export class Build {
       this.start = this.isEmpty && 'isGround' in taken ? { ...taken, isGround: true } : taken;
       return;
     }
-    const [from, to] = [placeOf(start), placeOf(taken)];
-    if (Math.hypot(from[0] - to[0], from[1] - to[1]) < samePlaceMm || isSamePoint(start, taken)) {
+    if (isSamePlace(placeOf(start), placeOf(taken)) || isSamePoint(start, taken)) {
       // A second click on the end of the last link pins it to the ground.
       const isEnd = this.isChain && 'target' in start;
       this.start = null;
