@@ -188,6 +188,33 @@ def test_a_study_is_deleted_and_comes_back(studio):  # noqa: F811
     assert studio.browser.diagnostics() == []
 
 
+def test_a_listing_from_before_a_deletion_brings_nothing_back(studio):  # noqa: F811
+    new(studio, "mine")
+    new(studio, "other", "four-bar")
+    # The first listing is held up: the one after it fills the shelf.
+    held = studio.browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
+        const straight = window.fetch;
+        window.fetch = async (address, options) => {
+            const answer = await straight(address, options);
+            if (String(address).endsWith('/api/folder') && window.isHeld === undefined) {
+                window.isHeld = true;
+                await new Promise((next) => { window.goOn = next; });
+                setTimeout(() => { window.isHeld = false; }, 200);
+            }
+            return answer;
+        };""")["identifier"]
+    try:
+        studio.open()
+        studio.wait("window.isHeld === true && window.goOn")
+        studio.click("button[aria-label='Delete " + TITLE + "']")
+        studio.wait(f"!({CARDS}).includes('mine/study.toml')")
+        studio.browser.evaluate("(window.goOn(), true)")
+        studio.wait("window.isHeld === false")
+        assert studio.browser.evaluate(CARDS) == ["other/study.toml"]
+    finally:
+        studio.browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=held)
+
+
 def test_a_result_is_deleted_and_what_cannot_be_moved_back_says_why(studio):  # noqa: F811
     new(studio, "mine")
     run(studio, "mine")
