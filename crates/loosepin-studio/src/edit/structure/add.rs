@@ -328,12 +328,12 @@ impl<'m> Draft<'m> {
         if self.model.controls.is_empty() && self.lines.value_span(&duration)?.is_some() {
             self.lines.remove(&[owned(&duration)])?;
             self.added.insert(duration.join("."));
-            for (key, value) in [
-                ("drive", format!("\"{name}\"")),
-                ("transient_turns", "1".to_owned()),
-                ("recorded_turns", "1".to_owned()),
-            ] {
-                self.lines.add_entry(&["cycle"], key, &value)?;
+            for (key, value) in [("drive", &*format!("\"{name}\"")), ("transient_turns", "1"), ("recorded_turns", "1")]
+            {
+                // The cycle of a motor that was taken out may still say how many turns.
+                if self.lines.value_span(&["cycle", key])?.is_none() {
+                    self.lines.add_entry(&["cycle"], key, value)?;
+                }
             }
         }
         Ok(name)

@@ -31,7 +31,7 @@ use serde::Serialize;
 use add::Draft;
 use checked::{IntendedChange, check, said, unreadable};
 use edit::{Joined, Named};
-use remove::removed;
+use remove::{Removed, removed};
 use rename::renamed;
 
 use super::set_uncertainty::known_texts;
@@ -156,9 +156,9 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
             new
         }
         Edit::Remove { what } => {
-            let removed = removed(&lines, study.as_ref(), what)?;
-            let due = IntendedChange { gone: removed.gone, of_study: removed.of_study, ..IntendedChange::default() };
-            plain(removed.model, removed.study, due, removed.words)
+            let Removed { model, study, gone, words, of_study, added } = removed(&lines, study.as_ref(), what)?;
+            let due = IntendedChange { gone, of_study, added, ..IntendedChange::default() };
+            plain(model, study, due, words)
         }
         Edit::Rename { what, to } => {
             let (model, study) = renamed(&lines, study.as_ref(), what, to)?;

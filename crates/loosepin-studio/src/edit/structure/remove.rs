@@ -15,6 +15,8 @@ use crate::network::refusal::Refusal;
 /// What can be taken out here.
 const TABLES: [&str; 9] = ["body", "joint", "coupling", "cam", "spring", "load", "drive", "control", "output"];
 const GROUND: &str = "ground";
+/// The time that counts as a turn once nothing turns: that of an empty sheet.
+const DURATION: &str = "\"1 s\"";
 /// Parameters that describe others, which describe others again: each round reads the model. Those behind so many stay, and a warning
 /// says that nothing uses them.
 const MAX_ROUNDS: usize = 20;
@@ -31,12 +33,14 @@ pub struct Removed {
     pub words: Vec<String>,
     /// Paths of the entries of the study that went.
     pub of_study: Vec<Vec<String>>,
+    /// Paths of the model that come in place of what went.
+    pub added: BTreeSet<String>,
 }
 
 /// Takes something out of both texts.
 ///
 /// # Errors
-/// It is not there, or the cycle counts the turns of what would go.
+/// It is not there, or the cycle counts the turns of what would go, and another drive stays.
 pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> Result<Removed, Refusal> {
     if !TABLES.contains(&what.table.as_str()) {
         return Err(Refusal::bad(format!("remove a {} in the text", what.table)));
@@ -54,7 +58,6 @@ pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> 
         let before = gone.len();
         for mention in named.iter().filter(|mention| !mention.is_own) {
             match holder(mention).filter(|_| is_gone(&gone, &mention.of)) {
-                Some(holder) if holder.table == "cycle" => return Err(counted(mention)),
                 Some(holder) => {
                     gone.insert(holder);
                 }
@@ -65,10 +68,20 @@ pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> 
             break;
         }
     }
+    let counted = named.iter().find(|mention| is_counted(mention) && is_gone(&gone, &mention.of));
+    if let Some(counted) = counted
+        && named.iter().any(|mention| mention.is_own && mention.of.table == "drive" && !is_gone(&gone, &mention.of))
+    {
+        return Err(counted_elsewhere(counted));
+    }
+    let added = counted.map(|_| "cycle.duration".to_owned()).into_iter().collect();
     let known = unused_parameters(model);
     let mut rounds = 0;
     loop {
-        let new_model = without(model, &gone_paths(Document::Model, model, &gone)?)?;
+        let mut new_model = without(model, &gone_paths(Document::Model, model, &gone)?)?;
+        if counted.is_some() {
+            new_model.add_entry(&["cycle"], "duration", DURATION)?;
+        }
         // Parameters that described what goes describe nothing any more.
         let fresh: Vec<Named> = unused_parameters(&new_model).difference(&known).cloned().collect();
         rounds += 1;
@@ -81,13 +94,18 @@ pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> 
             let others = gone.iter().filter(|one| *one != what);
             let mut words: Vec<String> = std::iter::once(what).chain(others).map(Named::words).collect();
             words.extend(of_study.iter().map(|path| in_study(path)));
-            return Ok(Removed { model: new_model, study, gone, words, of_study });
+            return Ok(Removed { model: new_model, study, gone, words, of_study, added });
         }
         gone.extend(fresh);
     }
 }
 
-fn counted(mention: &NameReference) -> Refusal {
+/// Whether this is the drive whose turns the cycle counts.
+fn is_counted(mention: &NameReference) -> bool {
+    mention.path.iter().map(String::as_str).eq(["cycle", "drive"])
+}
+
+fn counted_elsewhere(mention: &NameReference) -> Refusal {
     Refusal::bad(format!("the cycle counts the turns of {}, which would also be removed", mention.of.words()))
         .with_hint("let the motor turn another joint first")
 }
@@ -99,7 +117,7 @@ fn is_gone(gone: &BTreeSet<Named>, of: &Named) -> bool {
 /// The entry of the model that goes with what a place names; `None` if the place alone does.
 fn holder(mention: &NameReference) -> Option<Named> {
     match mention.path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["assembly" | "initial" | "wear", ..] => None,
+        ["assembly" | "initial" | "wear" | "cycle", ..] => None,
         [table, name, ..] => Some(Named::new(table, name)),
         _ => None,
     }
