@@ -96,6 +96,31 @@ def test_a_four_bar_with_its_coupler_curve_and_zone_in_ten_clicks(studio):  # no
     assert studio.browser.diagnostics() == []
 
 
+def test_a_typed_place_is_the_point_that_lies_there(studio):  # noqa: F811
+    new_sheet(studio)
+    studio.click("button", "Draw from nothing")
+    wait_for_sheet(studio)
+
+    def place(text, modifiers=0):
+        studio.browser.evaluate("(document.querySelector('.tool-options .place').focus(), true)")
+        studio.browser.call("Input.insertText", text=text)
+        studio.key("Enter", modifiers)
+
+    place("0, 0")
+    place("20, 40")
+    studio.wait(f"({OUTLINE}).includes('link_1')")
+    studio.wait(f"{HINT}.includes('click link_1.b again')")
+    studio.browser.evaluate("(document.querySelector('.drawing .ground').focus(), true)")
+    studio.key("Escape")
+    studio.wait(f"!{HINT}.includes('click link_1.b again')")
+    place("60, 0", SHIFT)
+    place("20, 40")
+    studio.wait(f"({OUTLINE}).includes('link_2')")
+    # Both links have one pin there: a triangle that cannot move.
+    studio.wait(f"({PROBLEMS}).includes('block one another')")
+    assert studio.browser.diagnostics() == []
+
+
 def test_the_same_by_keys_alone(studio):  # noqa: F811
     new_sheet(studio)
     began = time.monotonic()

@@ -3,7 +3,7 @@ import type { Edit, End, Joined, Named, View, Watched } from '../messages.ts';
 import type { Point } from './drag.ts';
 import type { Head } from '../drawing/head.svelte.ts';
 import type { Snapped } from '../drawing/snap.ts';
-import { endAt, endsAt, isSamePlace, type Place } from '../drawing/targets.ts';
+import { endAt, endsAt, isSamePlace, targetsOf, type Place } from '../drawing/targets.ts';
 import type { EditTool, ToolOptions } from './toolset.ts';
 import { words } from '../words.ts';
 
@@ -80,6 +80,14 @@ export class Build {
     // A click belongs to the tool with which it was made: where another one was taken meanwhile, it is dropped.
     this.last = this.last.then(() => (this.tool === tool ? this.use(taken) : undefined)).catch((error: unknown) => console.error(error));
     return this.last;
+  }
+
+  /** What stands at a typed place: the points that lie there, else the place itself. */
+  typedAt(at: Point, isGround: boolean): Taken {
+    const { view, head } = this.desk;
+    const targets = view?.drawing ? targetsOf(view.outline.parts, view.drawing.motion, head.angle) : [];
+    const target = targets.find((one) => isSamePlace(one.at, at));
+    return target ? { target } : { at, isGround };
   }
 
   /** What has begun at a body that is gone, by Undo, begins nowhere. */
