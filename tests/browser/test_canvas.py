@@ -73,6 +73,11 @@ def box(studio):  # noqa: F811
     return studio.browser.evaluate(BOX)
 
 
+def canvas_width(studio):  # noqa: F811
+    """In pixels: the width of the view box in millimetres lies along it, or the height along the height."""
+    return studio.browser.evaluate("(() => { const svg = document.querySelector('.drawing svg'); return svg.viewBox.baseVal.width * svg.getScreenCTM().a; })()")
+
+
 def mm_at(studio, place):  # noqa: F811
     """What lies in the drawing at a place of the screen."""
     return studio.browser.evaluate(f"(() => {{ const at = new DOMPoint({place[0]}, {place[1]}).matrixTransform(document.querySelector('.drawing svg').getScreenCTM().inverse()); return [at.x, at.y]; }})()")
@@ -114,6 +119,50 @@ def test_a_press_beside_all_parts_moves_the_canvas(studio):  # noqa: F811
     after = studio.pin("rocker_pin")
     assert [b - a for a, b in zip(before, after, strict=True)] == pytest.approx([40, 30], abs=0.6)
     assert studio.browser.evaluate("document.querySelector('.bar').innerText.includes('· saved')"), "no text has changed"
+
+
+def touch(studio, kind, *places):  # noqa: F811
+    points = [{"x": x, "y": y, "id": index} for index, (x, y) in enumerate(places)]
+    studio.browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+
+def test_two_fingers_zoom_about_their_middle_and_move_the_canvas(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
+    open_small(studio, "four-bar")
+    settle(studio)
+    before = box(studio)
+    x, y = (round(at) for at in studio.pin("rocker_pin"))
+    held = mm_at(studio, (x, y))
+    # The first finger comes down on the pin: a second one makes it a zoom, and no length changes.
+    touch(studio, "touchStart", (x, y))
+    touch(studio, "touchStart", (x, y), (x - 80, y))
+    for step in range(1, 11):
+        touch(studio, "touchMove", (x + 4 * step, y), (x - 80 - 4 * step, y))
+    # From 80 to 160 pixels: twice as large.
+    studio.wait(f"Math.abs({BOX}[2] - {before[2]} / 2) < 0.02 * {before[2]}")
+    middle = mm_at(studio, (x - 40, y))
+    assert middle[0] == pytest.approx(held[0] - 40 * before[2] / canvas_width(studio), abs=before[2] / canvas_width(studio)), "to a pixel"
+    scale = box(studio)[2] / canvas_width(studio)
+    at = mm_at(studio, (x, y))
+    for step in range(1, 11):
+        touch(studio, "touchMove", (x + 40 + 3 * step, y + 2 * step), (x - 120 + 3 * step, y + 2 * step))
+    # Moves of fingers reach the page once a frame.
+    time.sleep(0.2)
+    moved = mm_at(studio, (x + 30, y + 20))
+    assert moved == pytest.approx(at, abs=scale), "both fingers together: what was under them stays there, to a pixel"
+    touch(studio, "touchEnd")
+    settle(studio)
+    assert studio.browser.evaluate("document.querySelector('.bar').innerText.includes('· saved')"), "no text has changed"
+    # One finger on a pin drags it.
+    x, y = studio.pin("rocker_pin")
+    touch(studio, "touchStart", (x, y))
+    for step in range(1, 11):
+        touch(studio, "touchMove", (x + 3 * step, y + step))
+        time.sleep(0.02)
+    touch(studio, "touchEnd")
+    studio.wait("document.querySelector('.bar').innerText.includes('unsaved')")
+    studio.settle()
+    assert studio.pin("rocker_pin") == pytest.approx([x + 30, y + 10], abs=4.0), "to the step of its rounding"
 
 
 def test_a_dragged_pin_is_under_the_pointer_after_its_release_and_the_view_holds_still(studio):  # noqa: F811
