@@ -36,7 +36,7 @@ function sign(force: ForceView, size: number): SVGElement[] {
 }
 
 /** Adds the signs; the player of the drawing moves them with their bodies. `size` is that of letters, mm. */
-export function addForces(svg: SVGSVGElement, forces: ForceView[], nameOf: (force: ForceView) => string, size: number): void {
+export function addForces(layers: DocumentFragment, forces: ForceView[], nameOf: (force: ForceView) => string, size: number): void {
   // y points up in the drawing.
   const upright = element('g', { transform: 'scale(1 -1)', class: 'forces' });
   for (const force of forces) {
@@ -47,5 +47,5 @@ export function addForces(svg: SVGSVGElement, forces: ForceView[], nameOf: (forc
     button.append(...signs);
     upright.append(button);
   }
-  svg.append(upright);
+  layers.append(upright);
 }

@@ -55,7 +55,7 @@ export function placeOfGrip({ body, own }: Grippable, motion: Motion, angle: num
 }
 
 /** Adds a button for each; the player of the drawing moves them with their bodies. */
-export function addGrips(svg: SVGSVGElement, grips: Grippable[], nameOf: (grip: Grippable) => string): void {
+export function addGrips(layers: DocumentFragment, grips: Grippable[], nameOf: (grip: Grippable) => string): void {
   // y points up in the drawing.
   const upright = element('g', { transform: 'scale(1 -1)', class: 'pins' });
   for (const grip of grips) {
@@ -68,7 +68,7 @@ export function addGrips(svg: SVGSVGElement, grips: Grippable[], nameOf: (grip: 
     if (grip.held.take === 'guide') button.append(element('path', { d: 'M0 0h0', class: 'knob' }));
     upright.append(button);
   }
-  svg.append(upright);
+  layers.append(upright);
 }
 
 /** The place of other points that is nearest to `place`, and no farther than `reachMm`; those that go along are no others. */

@@ -45,7 +45,7 @@ export function targetsOf(parts: BodyView[], motion: Motion, angle: number): Tar
 }
 
 /** Adds a button for each of them; the player of the drawing moves them with their bodies. */
-export function addTargets(svg: SVGSVGElement, targets: Target[], nameOf: (target: Target) => string): void {
+export function addTargets(layers: DocumentFragment, targets: Target[], nameOf: (target: Target) => string): void {
   const upright = element('g', { transform: 'scale(1 -1)', class: 'targets' });
   targets.forEach((target, index) => {
     const [x, y] = target.own;
@@ -57,7 +57,7 @@ export function addTargets(svg: SVGSVGElement, targets: Target[], nameOf: (targe
     button.append(element('path', { d: 'M0 0h0', class: 'disc' }), element('path', { d: 'M0 0h0', class: 'dot' }));
     upright.append(button);
   });
-  svg.append(upright);
+  layers.append(upright);
 }
 
 /** An end at a target: of a body other than `not`, where there is one. */
