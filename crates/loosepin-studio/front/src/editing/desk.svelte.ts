@@ -1,7 +1,8 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, CurveKey, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
+import { chosenCurve } from '../charts/chosen_curve.svelte.ts';
 import type { Draft } from './drafts.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
@@ -55,6 +56,8 @@ export class Desk {
   /** The view is of the texts as they are, at the most positions. */
   isSettled = $state(false);
   output = $state<string | null>(null);
+  /** Points whose paths are drawn although no output is their path: `coupler.tip`. */
+  traced = $state.raw<string[]>([]);
   reveal = $state.raw<Reveal | null>(null);
   changedOnDisk = $state.raw<Document[]>([]);
   /** The joint that is looked at. */
@@ -145,6 +148,29 @@ export class Desk {
 
   redo(): void {
     this.documents.redo();
+    this.looker.now();
+  }
+
+  /** Shows a curve over the angle of the drive, or the band of the deviation. */
+  chooseCurve(key: CurveKey | null): void {
+    chosenCurve.set(key);
+    this.lookAgain();
+  }
+
+  /** Draws the path of a point, or does so no more. */
+  trace(point: string): void {
+    this.traced = this.traced.includes(point) ? this.traced.filter((one) => one !== point) : [...this.traced, point];
+    this.lookAgain();
+  }
+
+  /** Whether an output is the path of a point. */
+  isRecorded(point: string): boolean {
+    return this.view?.paths.some((path) => path.output !== null && path.point === point) ?? false;
+  }
+
+  /** The texts are the same, and something else of them is wanted. */
+  private lookAgain(): void {
+    this.isSettled = false;
     this.looker.now();
   }
 
@@ -418,10 +444,11 @@ export class Desk {
   private look() {
     const { drag } = this;
     const { version } = this.documents;
-    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: this.posesOf(drag.base.model.text) }, version };
+    const wanted = { curve: chosenCurve.key, traced: this.traced };
+    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: this.posesOf(drag.base.model.text), ...wanted }, version };
     const model = this.documents.textOf('model');
     if (!model) return null;
-    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text) }, version };
+    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text), ...wanted }, version };
   }
 
   private hear(seen: LookAnswer, version: number, isFinest: boolean): void {
