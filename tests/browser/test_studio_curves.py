@@ -23,11 +23,11 @@ ANGLE = "Number(document.querySelector('.band .ground').getAttribute('aria-value
 # Turn of the crank, the first body that moves, in degrees.
 CRANK = "Number(/rotate\\(([^)]*)\\)/.exec(document.querySelector('.drawing .body[data-body]').getAttribute('transform'))[1])"
 CURVE = "document.querySelector('.band svg.chart .line.first')?.getAttribute('d') ?? ''"
-# Corners of the zone, and the place of its point, mm in the picture, in which y points up.
+# Corners of the zone and of that of the play alone, mm, with y up, and the larger semi-axis of the ellipse.
 ZONE = """(() => {
     const pairs = (d) => [...d.matchAll(/[ML]\\s*(\\S+)\\s+([^\\sLMZh]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
     const read = (name) => pairs(document.querySelector('.drawing .zones-now .' + name).getAttribute('d'));
-    return { corners: read('zone'), play: read('play'), spot: read('spot')[0], ellipse: document.querySelector('.drawing .zones-now .scatter').getAttribute('rx') };
+    return { corners: read('zone'), play: read('play'), ellipse: document.querySelector('.drawing .zones-now .scatter').getAttribute('rx') };
 })()"""
 TRACES = "[...document.querySelectorAll('.drawing .trace')].map((one) => one.getAttribute('class'))"
 # Directions in which a zone is recorded.
@@ -47,13 +47,14 @@ def choose(studio, name, value):  # noqa: F811
 
 
 def turn_to(studio, degrees):  # noqa: F811
-    """By the slider of the player, to whole degrees."""
+    """By the slider of the player, whose steps of a degree are those of `loosepin motion`; gives the angle."""
     studio.browser.evaluate(f"""(() => {{
         const slider = document.querySelector('.play-bar input[type=range]');
         slider.value = {degrees};
         slider.dispatchEvent(new Event('input', {{ bubbles: true }}));
     }})()""")
-    studio.wait(f"{ANGLE} === {degrees}" if studio.browser.evaluate("document.querySelector('.readings') !== null") else "true")
+    studio.wait(f"Math.abs({ANGLE} - {degrees}) <= 0.5")
+    return studio.browser.evaluate(ANGLE)
 
 
 def moved(studio, *more):  # noqa: F811
@@ -70,7 +71,7 @@ def moved(studio, *more):  # noqa: F811
 def row_at(columns, degrees):
     angles = [math.degrees(angle) for angle in columns["crank_rad"]]
     found = min(range(len(angles)), key=lambda row: abs(angles[row] - degrees))
-    assert abs(angles[found] - degrees) < 1e-6, f"no row at {degrees}°"
+    assert abs(angles[found] - degrees) < 1e-4, f"no row at {degrees}°"
     return found
 
 
@@ -94,18 +95,17 @@ def test_the_velocity_is_chosen_and_read_at_each_angle(studio):  # noqa: F811
     columns, _ = moved(studio)
     seen = set()
     for degrees in (40, 100, 217, 300, 360):
-        turn_to(studio, degrees)
+        degrees = turn_to(studio, degrees)
         at, reading = studio.browser.evaluate(READINGS)
-        assert at == f"at {degrees % 360}°" and reading.endswith("rpm")
+        assert at == f"at {degrees % 360:.1f}°" and reading.endswith("rpm")
         shown, half = number(reading)
         due = columns["rocker_velocity_rad_s"][row_at(columns, degrees)] * 60 / math.tau
         assert abs(shown - due) <= 1.001 * half, f"{degrees}°: {reading} {due}"
         seen.add(reading)
     assert len(seen) == 5
     choose(studio, "of", "tracer")
-    turn_to(studio, 100)
+    row = row_at(columns, turn_to(studio, 100))
     _, x, y, magnitude = studio.browser.evaluate(READINGS)
-    row = row_at(columns, 100)
     dues = [columns[f"tracer_{axis}_velocity_m_s"][row] for axis in "xy"]
     for reading, due in zip((x, y, magnitude), (*dues, math.hypot(*dues)), strict=True):
         shown, half = number(reading)
@@ -127,7 +127,6 @@ def test_the_cursor_of_the_chart_and_the_mechanism_are_one(studio):  # noqa: F81
     studio.browser.view(1280, 800, reduced_motion=True)
     open_small(studio, "four-bar")
     choose(studio, "quantity", "position")
-    left, top, width, height = box(studio, ".band svg.chart .curves, .band svg.chart clipPath rect")
     plot = studio.browser.evaluate("""(() => {
         const svg = document.querySelector('.band svg.chart');
         const [left, top, width, height] = svg.dataset.plot.split(' ').map(Number);
@@ -151,6 +150,7 @@ def test_the_cursor_of_the_chart_and_the_mechanism_are_one(studio):  # noqa: F81
     before = studio.browser.evaluate(ANGLE)
     studio.click("button", "+1°")
     studio.wait(f"{ANGLE} === {round(before) + 1}")
+    assert studio.browser.evaluate(READINGS)[0] == f"at {(round(before) + 1) % 360}°"
     studio.click(".play-bar button", "Play")
     studio.wait(f"Math.abs({ANGLE} - {round(before) + 1}) > 2")
     studio.click(".play-bar button", "Pause")
@@ -174,9 +174,9 @@ def test_a_curve_is_chosen_and_read_by_keys_alone_and_stays_over_a_reload(studio
     first = studio.browser.evaluate(ANGLE)
     for _ in range(3):
         keyboard.press("ArrowRight")
-    assert studio.browser.evaluate(ANGLE) == first + 3
+    assert studio.browser.evaluate(ANGLE) == pytest.approx(first + 3)
     keyboard.press("ArrowLeft", 8)
-    assert studio.browser.evaluate(ANGLE) == first - 7
+    assert studio.browser.evaluate(ANGLE) == pytest.approx(first - 7)
     # A screen reader says where the drive stands, and every value with its unit.
     said = studio.browser.evaluate("document.activeElement.getAttribute('aria-valuetext')")
     assert re.fullmatch(r"at [0-9.]+°: x −?[0-9.]+ m/s, y −?[0-9.]+ m/s, magnitude [0-9.]+ m/s", said), said
@@ -224,16 +224,14 @@ def test_the_zone_at_the_cursor_reaches_as_far_as_motion_says(studio):  # noqa: 
     choose(studio, "quantity", "position")
     columns, summary = moved(studio)
     path = summary["paths"][0]
+    # Reaches come to five digits of the largest, which corners of a thin zone enlarge five times.
+    within_mm = 5e-4 * 1e3 * max(path["play_reach_m"])
     words = studio.browser.evaluate("document.querySelector('.drawing .scale-bar').innerText")
     factor = float(re.search(r"zone of the path × (\d+)", words)[1])
-    page = (studio.folder / "moved/report.html").read_text()
-    assert factor == float(re.search(r'data-magnification="([^"]+)"', page)[1]), "as in the picture of the page"
     for degrees in (100, 217):
-        turn_to(studio, degrees)
-        row = row_at(columns, degrees)
+        row = row_at(columns, turn_to(studio, degrees))
         found = studio.browser.evaluate(ZONE)
-        spot = found["spot"]
-        assert spot == pytest.approx([1e3 * path["x_m"][row], 1e3 * path["y_m"][row]], abs=2e-3)
+        spot = [1e3 * path["x_m"][row], 1e3 * path["y_m"][row]]
         major, minor, angle = (path[name][row] for name in ("scatter_major_m", "scatter_minor_m", "scatter_angle_rad"))
         for direction in range(DIRECTIONS):
             turned = math.pi * direction / DIRECTIONS
@@ -241,10 +239,13 @@ def test_the_zone_at_the_cursor_reaches_as_far_as_motion_says(studio):  # noqa: 
             reach = lambda corners: max((x - spot[0]) * math.cos(turned) + (y - spot[1]) * math.sin(turned) for x, y in corners) / factor  # noqa: B023, E731
             play_mm = 1e3 * path["play_reach_m"][DIRECTIONS * row + direction]
             scatter_mm = 1e3 * math.hypot(major * math.cos(turned - angle), minor * math.sin(turned - angle))
-            assert reach(found["play"]) == pytest.approx(play_mm, rel=1e-3, abs=1e-5)
-            assert reach(found["corners"]) == pytest.approx(play_mm + scatter_mm, rel=1e-3)
+            assert reach(found["play"]) == pytest.approx(play_mm, abs=within_mm)
+            assert reach(found["corners"]) == pytest.approx(play_mm + scatter_mm, abs=within_mm)
         assert float(found["ellipse"]) / factor == pytest.approx(1e3 * major, rel=1e-3)
-    # The zone over the whole path holds each of them.
+    assert re.fullmatch("[125]0*", str(int(factor))), factor
+    # The zone over the whole path is one of pieces that overlap.
+    drawn = studio.browser.evaluate("document.querySelector('.drawing .zone-of-path').getAttribute('d')")
+    assert drawn.count("M") == drawn.count("Z") == 120
     is_inside = """(() => {
         const whole = document.querySelector('.drawing .zone-of-path');
         const [x, y] = %s;
@@ -276,9 +277,8 @@ def test_any_point_is_traced_by_a_click_and_by_keys(studio):  # noqa: F811
     studio.wait(f"({TRACES}).includes('trace traced')")
     studio.settle()
     choose(studio, "of", point)
-    turn_to(studio, 100)
     columns, _ = moved(studio, "--path", point)
-    row = row_at(columns, 100)
+    row = row_at(columns, turn_to(studio, 100))
     _, x, y, _ = studio.browser.evaluate(READINGS)
     for reading, axis in ((x, "x"), (y, "y")):
         shown, half = number(reading)

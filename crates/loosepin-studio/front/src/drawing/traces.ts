@@ -63,7 +63,7 @@ export function drawZonesNow(layer: SVGElement, motion: Motion, traces: Trace[],
         if (ellipse && path.play_reach_mm.length > 0) drawn.push(around(playReach(path, pose), 'play'));
         if (ellipse) drawn.push(element('ellipse', { rx: (factor * ellipse[0]).toFixed(4), ry: (factor * ellipse[1]).toFixed(4), transform: `translate(${x} ${y}) rotate(${ellipse[2]})`, class: 'scatter' }));
       }
-      if (drawn.length > 0 || kind === 'traced') drawn.push(element('path', { d: `M${x} ${y}h0`, class: 'spot' }));
+      if (drawn.length === 0 && kind === 'traced') drawn.push(element('path', { d: `M${x} ${y}h0`, class: 'spot' }));
       drawn.forEach((one) => path && (one.dataset.point = path.point));
       return drawn;
     }),

@@ -6,7 +6,7 @@ import { roundBelow } from '../numbers/rounds.ts';
 /** Directions of the recorded reaches, in half a turn: a zone by play reaches as far in the opposite direction. */
 const directions = 16;
 const corner = Array.from({ length: 2 * directions + 1 }, (_, side) => (Math.PI * side) / directions).map((angle): Point => [Math.cos(angle), Math.sin(angle)]);
-/** As in the pictures of `loosepin motion`: the widest zone is about this share of the size of its path. */
+/** As in the pictures of `loosepin motion`: the widest zone is about this share of the size of what fills the picture, which is the mechanism here, and the path there. */
 const visibleShare = 0.08;
 /** Pieces of which a drawn zone consists, at most. */
 const mostPieces = 120;
@@ -60,14 +60,13 @@ export function cornersOf(reach: number[]): Point[] {
   });
 }
 
-/** How many times as large as they are zones are drawn: as in the pictures of `loosepin motion`; of several paths the least. */
-export function magnificationOf(zones: Zoned[]): number {
-  const factors = zones.map(({ path, places }) => {
-    const size = Math.hypot(...[0, 1].map((axis) => Math.max(...places.map((place) => place[axis] ?? 0)) - Math.min(...places.map((place) => place[axis] ?? 0))));
-    const largest = Math.max(...places.flatMap((_, pose) => cornersOf(zoneReach(path, pose)).map(([x, y]) => Math.hypot(x, y))), 1e-9 * size);
-    return size > 0 && largest > 0 ? roundBelow((visibleShare * size) / largest) : 1;
-  });
-  return Math.max(Math.min(...factors), 1);
+/** How many times as large as they are zones are drawn in a picture of a size, mm. */
+export function magnificationOf(zones: Zoned[], sizeMm: number): number {
+  let largest = 1e-9 * sizeMm;
+  for (const { path, places } of zones) {
+    places.forEach((_, pose) => cornersOf(zoneReach(path, pose)).forEach(([x, y]) => (largest = Math.max(largest, Math.hypot(x, y)))));
+  }
+  return zones.length > 0 && largest > 0 ? Math.max(roundBelow((visibleShare * sizeMm) / largest), 1) : 1;
 }
 
 /** A closed line through corners about a place, each `factor` times as far from it. */
