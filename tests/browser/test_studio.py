@@ -413,7 +413,7 @@ def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
     studio.wait(f"({kept}).includes('stays within ±0.2°')")
     assert studio.saved("four-bar") == before, "one drag is one step to undo"
     studio.browser.evaluate("""(() => {
-        const output = document.querySelector('.band select');
+        const output = document.querySelector('.band select.of');
         output.value = 'tracer x';
         output.dispatchEvent(new Event('change', { bubbles: true }));
     })()""")

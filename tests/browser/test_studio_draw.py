@@ -79,6 +79,9 @@ def test_a_four_bar_with_its_coupler_curve_and_zone_in_ten_clicks(studio):  # no
     studio.browser.call("Input.insertText", text="0,05..0,2 mm")
     studio.key("Enter")
     studio.wait(f"({ZONE} ?? '').length > 100")
+    # The zone at the crank angle, about the point itself, magnified as said.
+    studio.wait("document.querySelector('.drawing .zones-now .zone[data-point=\"link_2.p1\"]')?.getAttribute('d').length > 100")
+    assert "zone of the path × " in studio.browser.evaluate("document.querySelector('.drawing .scale-bar').innerText")
     assert hand.clicks <= 10, hand.clicks
     assert time.monotonic() - began < 60
     studio.wait("document.querySelector('svg.chart')")

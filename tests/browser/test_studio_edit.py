@@ -206,7 +206,7 @@ def test_an_output_is_added_and_shows_its_band(studio):  # noqa: F811
     press_target(studio, "coupler.tracer")
     studio.wait("document.querySelector('.outline').innerText.includes('coupler_angle')")
     studio.settle()
-    studio.wait("[...document.querySelectorAll('.band select option')].some((one) => one.textContent.includes('coupler_angle'))")
+    studio.wait("[...document.querySelectorAll('.band select.of option')].some((one) => one.textContent.includes('coupler_angle'))")
     after = studio.saved("four-bar")
     assert '[output.coupler_angle]\nangle_of = "coupler"\n' in after[0] and lost(before[0], after[0]) == [] and after[1] == before[1]
     undo(studio)

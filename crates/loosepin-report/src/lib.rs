@@ -11,7 +11,7 @@
 //! | a study: its bounds, treatments, sensitivity, surrogates, promises, required accuracy; tables and sentences at once | `study_sections`, shown by `study_page` and `study_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
-//! | the band without dynamics while a mechanism is edited | `live_band.rs` |
+//! | the band without dynamics while a mechanism is edited; a curve over the cycle; zones of paths | `live_band.rs`; `live_curve.rs`; `live_path.rs` |
 //! | a run; an ideal motion; a sweep | `simulation`; `motion`; `sweep` |
 //! | what readings of a rig, or a motion, say of the plays; what that gains | `identification` |
 //! | how a result is made again | `repeat_section.rs` |
@@ -54,7 +54,9 @@ pub use medium::article_text::article_text;
 pub use medium::page::{Frame, widget_script};
 pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
-pub use motion::{motion_page, motion_text};
+pub use motion::{
+    CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_page, motion_text,
+};
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
 pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
 pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};

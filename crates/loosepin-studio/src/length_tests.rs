@@ -315,32 +315,18 @@ fn looked(folder: &Folder, model: &str, study: &str, held: Option<Held>) {
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
     let poses = Some(NamedPoses::from([("crank".to_owned(), [0.0, 0.0, 30.0])]));
     let stop = AtomicBool::new(false);
-    let seen = answer_look(folder, &Look { seq: 1, model, study, positions: 12, grip, poses }, &stop);
+    let seen = answer_look(folder, &Look { grip, poses, ..Look::of(model, study, 12) }, &stop);
     assert!(!serde_json::to_string(&seen).unwrap().is_empty());
 }
 
 fn edited(folder: &Folder, model: &str, study: &str, edit: serde_json::Value) {
     let edit: Edit = serde_json::from_value(edit).unwrap();
-    let look = Look {
-        seq: 0,
-        model: sent("model.toml", model),
-        study: Some(sent("study.toml", study)),
-        positions: 12,
-        grip: None,
-        poses: None,
-    };
+    let look = Look::of(sent("model.toml", model), Some(sent("study.toml", study)), 12);
     let _ = restructured(folder, &Texts::sent(folder, &look), &edit, &NamedPoses::new());
 }
 
 fn known(folder: &Folder, model: &str, study: &str, path: &str, text: &str) {
-    let look = Look {
-        seq: 0,
-        model: sent("model.toml", model),
-        study: Some(sent("study.toml", study)),
-        positions: 12,
-        grip: None,
-        poses: None,
-    };
+    let look = Look::of(sent("model.toml", model), Some(sent("study.toml", study)), 12);
     let _ = set_uncertainty(folder, &Texts::sent(folder, &look), path, text);
 }
 

@@ -82,58 +82,125 @@ fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWrite
 pub(super) fn ideal_motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         div.charts {
-            @for output in outputs_beside_paths(&record.outputs, &record.paths) {
-                @let name = named_words(&output.name, &output.words);
-                @let lines = [&output.value_si, &output.velocity_si, &output.acceleration_si];
-                (of_derivatives(record, &output.name, &name, &output.unit, &lines.map(|values| vec![("", values.clone())]), writer))
-            }
-            @for path in &record.paths {
-                (of_derivatives(record, &path.name, &path.point, &SiUnit::LENGTH, &path_lines(path), writer))
+            @for mover in movers(record) {
+                @let charts = Derivative::ALL.into_iter().filter_map(|which| {
+                    Some((which.words().to_owned(), motion_chart(record, mover, which, writer)?.figure()))
+                });
+                (chooser(&mover.words(), charts.collect()))
             }
         }
     }
 }
 
-/// Curves of a path: coordinates, and of its rates the magnitude too.
-fn path_lines(path: &PointPath) -> [Vec<(&'static str, Vec<f64>)>; 3] {
-    [
-        vec![("x", path.x_m.clone()), ("y", path.y_m.clone())],
-        vec![("x", path.velocity_x_m_s.clone()), ("y", path.velocity_y_m_s.clone()), ("magnitude", path.speeds_m_s())],
-        vec![
-            ("x", path.acceleration_x_m_s2.clone()),
-            ("y", path.acceleration_y_m_s2.clone()),
-            ("magnitude", path.acceleration_magnitudes_m_s2()),
-        ],
-    ]
+/// A position or one of its first two derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Derivative {
+    Position,
+    Velocity,
+    Acceleration,
 }
 
-/// A value and its first two derivatives, of which one chart is shown at a time.
-fn of_derivatives(
-    record: &MotionRecord,
-    name: &str,
-    words: &str,
-    unit: &SiUnit,
-    lines: &[Vec<(&str, Vec<f64>)>; 3],
-    writer: &NumberWriter,
-) -> Markup {
-    let rate = unit.per_second();
-    let second = rate.as_ref().and_then(SiUnit::per_second);
-    let units = [Some(unit.clone()), rate, second].map(|unit| unit.unwrap_or(SiUnit::NONE));
-    let choices = ["position", "velocity", "acceleration"].into_iter().zip(units).zip(lines).filter_map(
-        |((what, unit), lines)| Some((what.to_owned(), motion_chart(record, name, words, what, &unit, lines, writer)?)),
-    );
-    chooser(words, choices.collect())
+impl Derivative {
+    pub const ALL: [Derivative; 3] = [Derivative::Position, Derivative::Velocity, Derivative::Acceleration];
+
+    pub fn words(self) -> &'static str {
+        match self {
+            Derivative::Position => "position",
+            Derivative::Velocity => "velocity",
+            Derivative::Acceleration => "acceleration",
+        }
+    }
+
+    /// Its unit, if a position has `unit`.
+    fn unit(self, unit: &SiUnit) -> SiUnit {
+        let found = match self {
+            Derivative::Position => Some(unit.clone()),
+            Derivative::Velocity => unit.per_second(),
+            Derivative::Acceleration => unit.per_second().as_ref().and_then(SiUnit::per_second),
+        };
+        found.unwrap_or(SiUnit::NONE)
+    }
 }
 
-fn motion_chart(
+/// An output that moves by itself, or a path.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Mover<'r> {
+    Output(&'r OutputMotion),
+    Path(&'r PointPath),
+}
+
+/// All of them, outputs first.
+pub(super) fn movers(record: &MotionRecord) -> impl Iterator<Item = Mover<'_>> {
+    let outputs = outputs_beside_paths(&record.outputs, &record.paths).map(Mover::Output);
+    outputs.chain(record.paths.iter().map(Mover::Path))
+}
+
+impl<'r> Mover<'r> {
+    pub fn name(self) -> &'r str {
+        match self {
+            Mover::Output(output) => &output.name,
+            Mover::Path(path) => &path.name,
+        }
+    }
+
+    pub fn words(self) -> String {
+        match self {
+            Mover::Output(output) => named_words(&output.name, &output.words),
+            Mover::Path(path) => path.point.clone(),
+        }
+    }
+
+    /// Whether the record has this derivative of it.
+    pub fn has(self, which: Derivative) -> bool {
+        let values_si = match (self, which) {
+            (Mover::Output(output), Derivative::Position) => &output.value_si,
+            (Mover::Output(output), Derivative::Velocity) => &output.velocity_si,
+            (Mover::Output(output), Derivative::Acceleration) => &output.acceleration_si,
+            (Mover::Path(path), Derivative::Position) => &path.x_m,
+            (Mover::Path(path), Derivative::Velocity) => &path.velocity_x_m_s,
+            (Mover::Path(path), Derivative::Acceleration) => &path.acceleration_x_m_s2,
+        };
+        !values_si.is_empty()
+    }
+
+    fn unit(self) -> SiUnit {
+        match self {
+            Mover::Output(output) => output.unit.clone(),
+            Mover::Path(_) => SiUnit::LENGTH,
+        }
+    }
+
+    /// Its curves with their names: of a path the coordinates, and of its rates the magnitude too.
+    fn lines(self, which: Derivative) -> Vec<(&'static str, Vec<f64>)> {
+        match (self, which) {
+            (Mover::Output(output), Derivative::Position) => vec![("", output.value_si.clone())],
+            (Mover::Output(output), Derivative::Velocity) => vec![("", output.velocity_si.clone())],
+            (Mover::Output(output), Derivative::Acceleration) => vec![("", output.acceleration_si.clone())],
+            (Mover::Path(path), Derivative::Position) => vec![("x", path.x_m.clone()), ("y", path.y_m.clone())],
+            (Mover::Path(path), Derivative::Velocity) => vec![
+                ("x", path.velocity_x_m_s.clone()),
+                ("y", path.velocity_y_m_s.clone()),
+                ("magnitude", path.speeds_m_s()),
+            ],
+            (Mover::Path(path), Derivative::Acceleration) => vec![
+                ("x", path.acceleration_x_m_s2.clone()),
+                ("y", path.acceleration_y_m_s2.clone()),
+                ("magnitude", path.acceleration_magnitudes_m_s2()),
+            ],
+        }
+    }
+}
+
+/// A derivative of what moves; `None` if the record does not have it.
+pub(super) fn motion_chart(
     record: &MotionRecord,
-    name: &str,
-    words: &str,
-    what: &str,
-    unit: &SiUnit,
-    lines: &[(&str, Vec<f64>)],
+    mover: Mover<'_>,
+    which: Derivative,
     writer: &NumberWriter,
-) -> Option<Markup> {
+) -> Option<Chart> {
+    let (name, words, what) = (mover.name(), mover.words(), which.words());
+    let unit = &which.unit(&mover.unit());
+    let lines = mover.lines(which);
     let all = || lines.iter().flat_map(|(_, values)| values);
     let tag = |part: &str| Tag::joint(name, &format!("ideal {what}"), part);
     let number = |part: &str, value_si: f64| writer.with_tag(&tag(part)).value(value_si, unit);
@@ -149,16 +216,16 @@ fn motion_chart(
     let range = format!("between {lowest} and {highest}");
     chart.caption = html! { strong { "Ideal " (what) " of " (words) }  ": " (range) "." };
     chart.alternative = format!("Chart of the ideal {what} of {words} over one cycle: {range}.");
-    Some(chart.figure())
+    Some(chart)
 }
 
 /// Transmission angles of the loops, and mechanical advantages of outputs and paths; `None` if neither is known.
 pub(super) fn transmission(record: &MotionRecord, writer: &NumberWriter) -> Option<Markup> {
-    let angles = record.kinematics.transmission_angles.iter().filter(|angle| !angle.value_rad.is_empty());
-    let angles = angles.map(|angle| (transmission_name(angle), transmission_chart(record, angle, writer)));
-    let advantages = record.kinematics.mechanical_advantages.iter().filter(|each| has_advantage(each));
+    let angles = transmission_angles(record);
+    let angles = angles.map(|angle| (transmission_name(angle), transmission_chart(record, angle, writer).figure()));
+    let advantages = mechanical_advantages(record);
     let advantages: Vec<_> =
-        advantages.map(|each| (each.name.clone(), advantage_chart(record, each, writer))).collect();
+        advantages.map(|each| (each.name.clone(), advantage_chart(record, each, writer).figure())).collect();
     let angles: Vec<_> = angles.collect();
     if angles.is_empty() && advantages.is_empty() {
         return None;
@@ -179,12 +246,22 @@ pub(super) fn transmission(record: &MotionRecord, writer: &NumberWriter) -> Opti
     })
 }
 
-fn transmission_name(angle: &TransmissionAngle) -> String {
+/// Those whose course is known.
+pub(super) fn transmission_angles(record: &MotionRecord) -> impl Iterator<Item = &TransmissionAngle> {
+    record.kinematics.transmission_angles.iter().filter(|angle| !angle.value_rad.is_empty())
+}
+
+/// Those of outputs that ever move, and are not the drive itself.
+pub(super) fn mechanical_advantages(record: &MotionRecord) -> impl Iterator<Item = &MechanicalAdvantage> {
+    record.kinematics.mechanical_advantages.iter().filter(|each| has_advantage(each))
+}
+
+pub(super) fn transmission_name(angle: &TransmissionAngle) -> String {
     let [coupler, output] = &angle.bodies;
     format!("{coupler} and {output}")
 }
 
-fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngle, writer: &NumberWriter) -> Markup {
+pub(super) fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngle, writer: &NumberWriter) -> Chart {
     let kind = if angle.is_pressure_angle { "pressure angle" } else { "transmission angle" };
     let name = transmission_name(angle);
     let mut chart = angle_chart(record, name_of(&kind.replace(' ', "-"), &angle.bodies.join(" ")), writer);
@@ -198,10 +275,9 @@ fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngle, writer: 
     let range = format!("between {} and {}", number(0), number(1));
     chart.caption = html! { strong { (capitalised(kind)) " of " (name) } ": " (range) "." };
     chart.alternative = format!("Chart of the {kind} of {name} over one cycle: {range}.");
-    chart.figure()
+    chart
 }
 
-/// Whether an output ever moves, and is not the drive itself.
 fn has_advantage(each: &MechanicalAdvantage) -> bool {
     each.value_si.iter().any(|value| value.is_finite() && (value - 1.0).abs() > 1e-9)
 }
@@ -209,7 +285,7 @@ fn has_advantage(each: &MechanicalAdvantage) -> bool {
 /// Charts show mechanical advantages up to this many times the least one: they grow beyond all limits towards dead centres.
 const SHOWN_ADVANTAGE: f64 = 6.0;
 
-fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &NumberWriter) -> Markup {
+pub(super) fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &NumberWriter) -> Chart {
     let MechanicalAdvantage { name, unit, value_si } = each;
     let mut chart = angle_chart(record, name_of("mechanical-advantage", name), writer);
     chart.set_vertical_axis("mechanical advantage", unit, writer);
@@ -229,7 +305,7 @@ fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &N
     };
     chart.caption = html! { strong { "Mechanical advantage at " (name) } ": at least " (least_words) "." (cut) };
     chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: at least {least_words}.");
-    chart.figure()
+    chart
 }
 
 /// Figures of which one is shown at a time: those of a page without its script are all there.

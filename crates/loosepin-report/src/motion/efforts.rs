@@ -29,8 +29,7 @@ pub(super) fn efforts_section(record: &MotionRecord, writer: &NumberWriter) -> O
     let columns = vec![Column::words(head("output")), smallest, at(), largest, at()];
     section.push(Content::Table(Table::new(columns, record.efforts.iter().map(|effort| row(record, effort, writer)))));
     push_figure(&mut section, writer, || {
-        let drawn = record.efforts.iter().filter(|effort| !effort.value_si.is_empty());
-        html! { div.charts { @for effort in drawn { (effort_chart(record, effort, writer).figure()) } } }
+        html! { div.charts { @for effort in drawn_efforts(record) { (effort_chart(record, effort, writer).figure()) } } }
     });
     Some(section)
 }
@@ -47,7 +46,12 @@ fn row(record: &MotionRecord, effort: &EffortMotion, writer: &NumberWriter) -> V
     std::iter::once(named_words(&effort.name, &effort.words)).chain(ends.into_iter().flatten()).collect()
 }
 
-fn effort_chart(record: &MotionRecord, effort: &EffortMotion, writer: &NumberWriter) -> Chart {
+/// Those whose course is known.
+pub(super) fn drawn_efforts(record: &MotionRecord) -> impl Iterator<Item = &EffortMotion> {
+    record.efforts.iter().filter(|effort| !effort.value_si.is_empty())
+}
+
+pub(super) fn effort_chart(record: &MotionRecord, effort: &EffortMotion, writer: &NumberWriter) -> Chart {
     let EffortMotion { name, words, unit, value_si } = effort;
     let mut chart = angle_chart(record, name_of("effort", name), writer);
     chart.set_vertical_axis(name, unit, writer);

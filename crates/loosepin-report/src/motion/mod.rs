@@ -10,6 +10,7 @@
 //! | paths of points with their zones | `paths.rs` |
 //! | what the drives must do | `efforts.rs` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
+//! | one of these charts while a mechanism is edited | `live_curve.rs` |
 //!
 //! `page.rs` and `text.rs` put these together.
 
@@ -19,6 +20,7 @@ mod charts;
 mod contributors;
 mod efforts;
 mod kinematic_sentences;
+mod live_curve;
 mod page;
 mod paths;
 mod play_effect;
@@ -29,5 +31,6 @@ mod verdicts;
 
 pub(crate) use angles::{angle_chart, largest, turn_angle};
 pub(crate) use answer::{headline_sentences, moved_words};
+pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
 pub use page::motion_page;
 pub use text::motion_text;

@@ -573,7 +573,34 @@ export interface Look {
   grip?: Grip | null;
   /** Previous poses of the bodies: a mechanism that does not move yet is drawn there. */
   poses?: NamedPoses | null;
+  /** The curve that is shown, if any. */
+  curve?: CurveKey | null;
+  /** Points that are traced although no output is their path: `coupler.tip`. Those that the model does not have are left out. */
+  traced?: string[];
 }
+
+/** Identity of a curve. */
+export interface CurveKey {
+  /** Its quantity. */
+  quantity: CurveQuantity;
+  /** Name of the output or the point, or both bodies of a transmission angle: `coupler and rocker`. */
+  of: string;
+}
+
+/** The quantity of a curve. */
+export type CurveQuantity =
+  /** Position of an output or a point. */
+  | 'position'
+  /** Its velocity, at the speed of the drive. */
+  | 'velocity'
+  /** Its acceleration. */
+  | 'acceleration'
+  /** Force, torque or power of a drive. */
+  | 'effort'
+  /** Transmission or pressure angle of a loop. */
+  | 'transmission_angle'
+  /** Mechanical advantage of an output. */
+  | 'mechanical_advantage';
 
 /** A drag. */
 export interface Grip {
@@ -720,14 +747,26 @@ export interface View {
   drawing: MovingDrawing | null;
   /** The band of each output that has one. */
   bands: LiveBand[];
-  /** The zones about the paths of output points. */
+  /** The paths of output points and of traced points, with their zones. */
   paths: LivePath[];
+  /** Curves that there are. */
+  curves: CurveChoice[];
+  /** The wanted one, or the first of its quantity. */
+  curve: LiveCurve | null;
   /** The limits among them. */
   limits: LimitView[];
   /** Its parts. */
   outline: Outline;
   /** Its numbers. */
   quantities: QuantityView[];
+}
+
+/** A curve that there is. */
+export interface CurveChoice {
+  /** Its identity. */
+  key: CurveKey;
+  /** Whose it is, in words. */
+  words: string;
 }
 
 /** A limit of the study that is a line in the chart of a band. */
@@ -785,14 +824,38 @@ export type PartKind =
   /** The scatter of a dimension. */
   | 'part';
 
-/** The tolerance zone about the path of an output point. */
+/** A curve with its numbers. */
+export interface LiveCurve {
+  /** Its identity. */
+  key: CurveKey;
+  /** The chart as an SVG document, with `data-plot`, `data-x` and `data-y` as those of a band. */
+  figure: string;
+  /** Unit of the values, as it is shown. */
+  unit: string;
+  /** The lines of the chart, in their order. */
+  lines: CurveLine[];
+}
+
+/** A line of a chart. */
+export interface CurveLine {
+  /** Its name: `x`, `magnitude`, `ideal velocity`. */
+  words: string;
+  /** Class of its colour. */
+  role: string;
+  /** Its values in the unit of the chart, to six digits; one for each pose of the drawing, `None` if it is not finite. */
+  values: (number | null)[];
+}
+
+/** The path of a point and the zone about it. */
 export interface LivePath {
-  /** Name of the output. */
-  output: string;
+  /** The output that is this path, if any. */
+  output: string | null;
   /** The point: `coupler.tip`. */
   point: string;
-  /** Reach across the motion to either side, by play and by the 95 % ellipse of the scatter, mm; one for each pose of the drawing, 0 where the point stands still. */
-  across_mm: (number | null)[];
+  /** Reach of the play, mm: 16 numbers for each pose of the drawing, for the directions 0°, 11.25°, ... 168.75° from the x axis. Empty if play does not move the point. */
+  play_reach_mm: number[];
+  /** The 95 % ellipse of the scatter at each pose: larger and smaller semi-axis, mm, and the angle of the larger one from the x axis, degrees. Empty if nothing scatters. */
+  scatter: [number, number, number][];
 }
 
 /** Parts of the mechanism. */

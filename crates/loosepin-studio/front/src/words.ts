@@ -2,7 +2,7 @@
 import type { EditTool, JoinKind, RecordKind } from './editing/toolset.ts';
 import type { KeyGroup, KeyName } from './shell/keys.ts';
 import type { PaneName } from './shell/panes.svelte.ts';
-import type { Document, Job, ResultKind, ForceView, JointView, TextState, Verdict } from './messages.ts';
+import type { CurveQuantity, Document, Job, ResultKind, ForceView, JointView, TextState, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -58,6 +58,7 @@ export const words = {
       drag: ['Space + drag', 'moves the canvas; so does a drag beside all parts, or the middle button'],
       nudge: ['Arrows', 'on a pin: move it by one step, with Shift by ten'],
       choose: ['Enter', 'selects it, or applies the tool'],
+      trace: ['t', 'on a pin or a point: draws its path, or hides it'],
       remove: ['Delete', 'deletes it'],
       free: ['Alt', 'while dragging: values are not rounded'],
       cancel: ['Escape', 'cancels a drag; deselects the tool'],
@@ -72,7 +73,7 @@ export const words = {
       help: ['?', 'shows these keys'],
       find: ['/', 'finds a mechanism in the gallery'],
     } as Record<KeyName, [string, string]>,
-    single: 'Use the keys Space, [, ], /, ?, +, −, 0 and the letters of tools',
+    single: 'Use the keys Space, [, ], /, ?, +, −, 0, t and the letters of tools',
   },
 
   gallery: {
@@ -188,7 +189,7 @@ export const words = {
     fitShort: 'Fit',
     scale: (mm: number): string => (mm >= 1000 ? `${mm / 1000} m` : mm < 0.001 ? `${Number((mm * 1e6).toPrecision(3))} nm` : mm < 0.1 ? `${Number((mm * 1000).toPrecision(3))} µm` : `${Number(mm.toPrecision(3))} mm`),
     zone: (factor: number): string => (factor === 1 ? 'zone true to scale' : `zone of the path × ${factor}`),
-    zoneMeans: 'How far the point strays across its path: the largest effect of the play, plus the 95 % ellipse of the tolerances, without dynamics.',
+    zoneMeans: 'Where the point can be, without dynamics: the largest effect of the play plus the 95 % ellipse of the tolerances. Its outline shows it at the angle of the drive; inside it are the play alone and, in blue, the ellipse alone.',
     play: (factor: number): string => (factor === 1 ? 'play true to scale' : `play × ${factor}`),
   },
 
@@ -205,6 +206,32 @@ export const words = {
     sentences: 'All outputs, in sentences',
     play: 'play',
     part: 'tolerance',
+  },
+
+  curves: {
+    quantity: 'Quantity of the chart',
+    of: 'Output, point or loop of the chart',
+    quantities: {
+      position: 'Position',
+      velocity: 'Velocity',
+      acceleration: 'Acceleration',
+      effort: 'Drive effort',
+      transmission_angle: 'Transmission angle',
+      mechanical_advantage: 'Mechanical advantage',
+    } satisfies Record<CurveQuantity, string>,
+    named: (quantity: CurveQuantity, of: string): string => `${words.curves.quantities[quantity]} of ${of}`,
+    chart: (name: string): string => `${name}. Arrow keys turn the drive.`,
+    at: (angle: number): string => `at ${Number.isInteger(angle) ? words.degrees(angle) : (((angle % 360) + 360) % 360).toFixed(1) + '°'}`,
+    value: (value: string, unit: string): string => (unit === '' ? value : unit === '°' ? value + unit : `${value} ${unit}`),
+    none: 'no finite value',
+    spoken: (angle: number, readings: { words: string; text: string }[]): string =>
+      `${words.curves.at(angle)}: ${readings.map((one) => (readings.length > 1 ? one.words + ' ' : '') + one.text).join(', ')}`,
+  },
+
+  trace: {
+    short: 'Trace',
+    of: (point: string): string => `Trace ${point}: draw its path`,
+    recorded: 'path recorded',
   },
 
   numbers: {

@@ -63,7 +63,7 @@ pub fn kept_closure(
         set(guess.angle_rad, drag.angle_rad(guess.body.0)?)?;
     }
     let begun = new.with(folder, begun.text().as_deref(), None);
-    let turned = begun.read().ok()?.ideal_motion_until(POSITIONS, &[], stop).ok()?.drawing;
+    let turned = begun.read().ok()?.ideal_motion_until(POSITIONS, &[], &[], stop).ok()?.drawing;
     if nearest(drag, &turned)?.far_m > KEPT_SHARE * found.far_m {
         return None;
     }

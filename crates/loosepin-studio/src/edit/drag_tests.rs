@@ -17,7 +17,8 @@ const POSITIONS: usize = 361;
 fn looked(folder: &Folder, of: &Texts, grip: Option<Grip>, poses: Option<NamedPoses>) -> LookAnswer {
     let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
     let study = of.study.as_ref().map(|study| sent("study.toml", study.text()));
-    look(folder, &Look { seq: 1, model: sent("model.toml", of.model.text()), study, positions: POSITIONS, grip, poses })
+    let of_texts = Look::of(sent("model.toml", of.model.text()), study, POSITIONS);
+    look(folder, &Look { grip, poses, ..of_texts })
 }
 
 /// The motion as the page reads it.

@@ -25,7 +25,7 @@ pub fn served() -> (tempfile::TempDir, Folder) {
 pub fn texts(folder: &Folder, model: &str, study: &str) -> Texts {
     let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
-    Texts::sent(folder, &Look { seq: 0, model, study, positions: POSITIONS, grip: None, poses: None })
+    Texts::sent(folder, &Look::of(model, study, POSITIONS))
 }
 
 fn record(texts: &Texts) -> Option<MotionRecord> {
@@ -490,12 +490,8 @@ fn a_link_that_an_actuator_turns_keeps_its_angle() {
     let view = crate::view::look::look(
         &folder,
         &Look {
-            seq: 1,
-            model: SentText { path: "model.toml".into(), text: template.model.into() },
-            study: None,
-            positions: 37,
             grip: Some(grip),
-            poses: None,
+            ..Look::of(SentText { path: "model.toml".into(), text: template.model.into() }, None, 37)
         },
     );
     assert!(view.view.is_some_and(|view| view.drawing.is_some()) && view.diagnostics.is_empty());

@@ -36,8 +36,7 @@ pub fn cards(folder: &Folder) -> Vec<TemplateCard> {
 
 fn card(folder: &Folder, template: &Template) -> TemplateCard {
     let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
-    let texts =
-        Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS, grip: None, poses: None });
+    let texts = Texts::sent(folder, &Look::of(model, None, POSITIONS));
     let file = texts.read().ok();
     let record = file.as_ref().and_then(|file| file.ideal_motion(POSITIONS, &[]).ok());
     let driven = record.and_then(|record| moving_drawing(&record.drawing, &record.drive));
@@ -74,7 +73,7 @@ pub fn own_card(folder: &Folder, path: &str, stop: &AtomicBool) -> Result<OwnCar
         },
     };
     let poses = Some(Default::default());
-    let seen = answer_look(folder, &Look { seq: 0, model, study, positions: POSITIONS, grip: None, poses }, stop);
+    let seen = answer_look(folder, &Look { poses, ..Look::of(model, study, POSITIONS) }, stop);
     let error = seen.diagnostics.into_iter().find(|one| one.severity == Severity::Error).map(|one| {
         let name = one.path.as_deref().and_then(|path| path.rsplit('/').next().map(str::to_owned));
         match (name, one.stretch) {

@@ -1,5 +1,6 @@
 //! Messages of the live connection.
 
+use loosepin::report::CurveKey;
 use serde::{Deserialize, Serialize};
 
 use super::diagnostics::{Change, DiagnosticView};
@@ -42,6 +43,19 @@ pub struct Look {
     /// Previous poses of the bodies: a mechanism that does not move yet is drawn there.
     #[serde(default)]
     pub poses: Option<NamedPoses>,
+    /// The curve that is shown, if any.
+    #[serde(default)]
+    pub curve: Option<CurveKey>,
+    /// Points that are traced although no output is their path: `coupler.tip`. Those that the model does not have are left out.
+    #[serde(default)]
+    pub traced: Vec<String>,
+}
+
+impl Look {
+    /// Of these texts, without anything else.
+    pub fn of(model: SentText, study: Option<SentText>, positions: usize) -> Self {
+        Self { seq: 0, model, study, positions, grip: None, poses: None, curve: None, traced: Vec::new() }
+    }
 }
 
 /// The dragged object.

@@ -1,6 +1,6 @@
 //! The mechanism as the page shows it.
 
-use loosepin::report::{LiveBand, LivePath, MovingDrawing};
+use loosepin::report::{CurveChoice, LiveBand, LiveCurve, LivePath, MovingDrawing};
 use serde::Serialize;
 
 use super::diagnostics::Document;
@@ -198,8 +198,12 @@ pub struct View {
     pub drawing: Option<MovingDrawing>,
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
-    /// The zones about the paths of output points.
+    /// The paths of output points and of traced points, with their zones.
     pub paths: Vec<LivePath>,
+    /// Curves that there are.
+    pub curves: Vec<CurveChoice>,
+    /// The wanted one, or the first of its quantity.
+    pub curve: Option<LiveCurve>,
     /// The limits among them.
     pub limits: Vec<LimitView>,
     /// Its parts.

@@ -41,7 +41,7 @@ pub async fn adopt(State(studio): State<Studio>, body: Bytes) -> RouteResult {
     let AdoptRequest { model, study, path, place } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
-        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        let texts = Texts::sent(&folder, &Look::of(model, study, 0));
         Ok(match adopted(&folder, &texts, &path, place) {
             Ok(adopted) => AdoptAnswer { adopted: Some(adopted), refusal: None },
             Err(refusal) => AdoptAnswer { adopted: None, refusal: Some(refusal.into()) },

@@ -80,7 +80,7 @@ pub async fn set_uncertainty(State(studio): State<Studio>, body: Bytes) -> Route
     let SetUncertaintyRequest { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
-        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        let texts = Texts::sent(&folder, &Look::of(model, study, 0));
         Ok(match edit::set_uncertainty(&folder, &texts, &path, &text) {
             Ok(changes) => SetUncertaintyAnswer { changes, refusal: None },
             Err(refusal) => SetUncertaintyAnswer { changes: Vec::new(), refusal: Some(refusal.into()) },
@@ -94,7 +94,7 @@ pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> RouteResu
     let RestructureRequest { model, study, edit, poses } = parsed(&body)?;
     let folder = studio.folder.clone();
     let done = in_background(move || {
-        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        let texts = Texts::sent(&folder, &Look::of(model, study, 0));
         Ok(match edit::restructured(&folder, &texts, &edit, &poses) {
             Ok(done) => RestructureAnswer { done: Some(done), refusal: None },
             Err(refusal) => RestructureAnswer { done: None, refusal: Some(refusal.into()) },

@@ -6,7 +6,9 @@ use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
-use loosepin::report::{LiveLimit, live_bands, live_paths, motion_sentences, moving_drawing};
+use loosepin::report::{
+    CurveKey, LiveLimit, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing,
+};
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
@@ -30,6 +32,8 @@ const MM_PER_M: f64 = 1e3;
 const CONTROLLED_POSITIONS: usize = 121;
 /// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
 const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";
+/// Points that are traced, at most.
+const MAX_TRACED: usize = 16;
 /// Fewest and most positions in a turn.
 const POSITIONS: [usize; 2] = [12, 720];
 
@@ -83,12 +87,12 @@ fn seen_after(
         };
         warnings.iter().for_each(|warning: &Diagnostic| diagnostics.push(warning.clone()));
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
-        match file.ideal_motion_until(positions, &[], stop) {
+        match file.ideal_motion_until(positions, &[], &known_points(file.model(), &look.traced), stop) {
             Ok(record) => {
                 if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
                     reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
                 }
-                let view = view(&file, &record, &texts);
+                let view = view(&file, &record, look.curve.as_ref(), &texts);
                 drawing = Some(record.drawing);
                 Some(view)
             }
@@ -123,7 +127,13 @@ pub fn cut(look: &Look, limit: Duration) -> LookAnswer {
     LookAnswer { seq: look.seq, diagnostics: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
 }
 
-fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
+/// The points among `names` that the model has.
+fn known_points(model: &Model, names: &[String]) -> Vec<String> {
+    let known = names.iter().filter(|name| model.points_of_paths(std::slice::from_ref(name)).is_ok());
+    known.take(MAX_TRACED).cloned().collect()
+}
+
+fn view(file: &InputFile, record: &MotionRecord, curve: Option<&CurveKey>, texts: &Texts) -> View {
     let limits = match (file, &texts.study) {
         (InputFile::Study(study), Some(source)) => limits(study, source),
         _ => Vec::new(),
@@ -137,6 +147,8 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
         drawing: moving_drawing(&record.drawing, &record.drive),
         bands: live_bands(record, &lines),
         paths: live_paths(record),
+        curves: live_curves(record),
+        curve: curve.and_then(|wanted| live_curve(record, wanted)),
         limits: limits.into_iter().flatten().collect(),
         outline: outline(file.model(), &record.drawing, outputs(record)),
         quantities: quantities(file.model(), texts),
@@ -157,6 +169,8 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
         drawing: moving_drawing(drawing, "the cycle"),
         bands: Vec::new(),
         paths: Vec::new(),
+        curves: Vec::new(),
+        curve: None,
         limits: Vec::new(),
         outline: outline(model, drawing, named_outputs(model)),
         quantities: quantities(model, texts),
@@ -176,6 +190,8 @@ fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: 
         drawing: moving_drawing(&drawing, "the cycle"),
         bands: Vec::new(),
         paths: Vec::new(),
+        curves: Vec::new(),
+        curve: None,
         limits: Vec::new(),
         outline: outline(model, &drawing, named_outputs(model)),
         quantities: quantities(model, texts),

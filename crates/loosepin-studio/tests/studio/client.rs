@@ -181,10 +181,19 @@ impl Live {
 
     /// What is seen of a model and a study.
     pub fn look(&mut self, seq: u64, model: (&str, &str), study: Option<(&str, &str)>) -> Value {
+        self.look_for(seq, model, study, json!({}))
+    }
+
+    /// As [`Self::look`], with further entries of the message.
+    pub fn look_for(&mut self, seq: u64, model: (&str, &str), study: Option<(&str, &str)>, further: Value) -> Value {
         let text = |(path, text): (&str, &str)| json!({"path": path, "text": text});
-        self.send(&json!({
+        let mut message = json!({
             "kind": "look", "seq": seq, "model": text(model), "study": study.map(text), "positions": 72
-        }));
+        });
+        if let (Some(message), Value::Object(further)) = (message.as_object_mut(), further) {
+            message.extend(further);
+        }
+        self.send(&message);
         self.next_of("look_answer")
     }
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
 
 mod client;
+mod curves;
 mod disk;
 mod files;
 mod hostile;

@@ -19,20 +19,21 @@ impl InputFile {
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
     pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
-        self.ideal_motion_until(positions, set, &AtomicBool::new(false))
+        self.ideal_motion_until(positions, set, &[], &AtomicBool::new(false))
     }
 
-    /// As [`Self::ideal_motion`], until `stop` is set.
+    /// As [`Self::ideal_motion`], with the paths of the points called `paths`, until `stop` is set.
     ///
     /// # Errors
-    /// As for [`Self::ideal_motion`]; that it was stopped.
+    /// As for [`Self::ideal_motion`]; a path of a point that the model does not have; that it was stopped.
     pub fn ideal_motion_until(
         &self,
         positions: usize,
         set: &[String],
+        paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        self.moved(positions, set, &[], &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+        self.moved(positions, set, paths, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
     }
 
     /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, with the requirements of a study

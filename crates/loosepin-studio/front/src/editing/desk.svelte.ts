@@ -1,7 +1,8 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, CurveKey, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
+import { chosenCurve } from '../charts/chosen_curve.svelte.ts';
 import type { Draft } from './drafts.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
@@ -43,6 +44,9 @@ export class Desk {
   readonly viewport = new Viewport();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
+  /** The view in the panels about the canvas: during a drag they follow it a frame later, since both together would make a frame late. */
+  panels = $state.raw<View | null>(null);
+  private panelsDue = 0;
   diagnostics = $state.raw<DiagnosticView[]>([]);
   /** Counts the answers: diagnostics come anew with each. */
   answers = $state(0);
@@ -55,6 +59,8 @@ export class Desk {
   /** The view is of the texts as they are, at the most positions. */
   isSettled = $state(false);
   output = $state<string | null>(null);
+  /** Points whose paths are drawn although no output is their path: `coupler.tip`. */
+  traced = $state.raw<string[]>([]);
   reveal = $state.raw<Reveal | null>(null);
   changedOnDisk = $state.raw<Document[]>([]);
   /** The joint that is looked at. */
@@ -74,7 +80,7 @@ export class Desk {
   drag = $state.raw<Drag | null>(null);
   /** What the last drag says: new values, or why there are none. */
   dragged = $state.raw<{ words: string[]; refusal: string | null } | null>(null);
-  band = $derived(this.view?.bands.find((band) => band.output === this.output) ?? this.view?.bands[0] ?? null);
+  band = $derived(this.panels?.bands.find((band) => band.output === this.output) ?? this.panels?.bands[0] ?? null);
   private readonly looker: Looker;
   /** Version of the texts that the view is of. */
   private viewed = -1;
@@ -145,6 +151,29 @@ export class Desk {
 
   redo(): void {
     this.documents.redo();
+    this.looker.now();
+  }
+
+  /** Shows a curve over the angle of the drive, or the band of the deviation. */
+  chooseCurve(key: CurveKey | null): void {
+    chosenCurve.set(key);
+    this.lookAgain();
+  }
+
+  /** Draws the path of a point, or does so no more. */
+  trace(point: string): void {
+    this.traced = this.traced.includes(point) ? this.traced.filter((one) => one !== point) : [...this.traced, point];
+    this.lookAgain();
+  }
+
+  /** Whether an output is the path of a point. */
+  isRecorded(point: string): boolean {
+    return this.view?.paths.some((path) => path.output !== null && path.point === point) ?? false;
+  }
+
+  /** The texts are the same, and something else of them is wanted. */
+  private lookAgain(): void {
+    this.isSettled = false;
     this.looker.now();
   }
 
@@ -418,10 +447,11 @@ export class Desk {
   private look() {
     const { drag } = this;
     const { version } = this.documents;
-    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: this.posesOf(drag.base.model.text) }, version };
+    const wanted = { curve: chosenCurve.key, traced: this.traced };
+    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: this.posesOf(drag.base.model.text), ...wanted }, version };
     const model = this.documents.textOf('model');
     if (!model) return null;
-    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text) }, version };
+    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text), ...wanted }, version };
   }
 
   private hear(seen: LookAnswer, version: number, isFinest: boolean): void {
@@ -457,8 +487,10 @@ export class Desk {
       // On an empty sheet there is nothing to do but to draw.
       if (isFirst && this.build.isEmpty) this.build.choose('link');
       this.viewed = version;
-      this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
-      this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
+      const { view } = seen;
+      cancelAnimationFrame(this.panelsDue);
+      if (this.drag) this.panelsDue = requestAnimationFrame(() => this.fillPanels(view, version));
+      else this.fillPanels(view, version);
       if (version === documents.version) this.keepPoses(seen.view);
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
       if (this.build.isOn) {
@@ -468,6 +500,13 @@ export class Desk {
       if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);
     }
     this.answers += 1;
+  }
+
+  private fillPanels(view: View, version: number): void {
+    const { documents } = this;
+    this.panels = view;
+    this.limits = view.limits.map((limit) => documents.moved('study', limit, version));
+    this.quantities = view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
   }
 
   private async changed(path: string): Promise<void> {

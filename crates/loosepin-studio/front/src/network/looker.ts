@@ -3,9 +3,9 @@ import type { FromPage, Look, LookAnswer } from '../messages.ts';
 
 const patienceMs = 500;
 const settledMs = 250;
-/** Positions in a turn: the last ones while nothing is moved. */
-const choices = [37, 73, 121, 361] as const;
-const most = 361;
+/** Positions in a turn, whole degrees apart: the last ones, those of `loosepin motion`, while nothing is moved. */
+const choices = [36, 72, 120, 360] as const;
+const most = 360;
 /** What a look may cost on the server while something is dragged. */
 const budgetMs = 12;
 
@@ -25,7 +25,7 @@ export class Looker {
   /** What a look in rest asks for: less where the analysis took too long. */
   private finest: number = most;
   private cost = 4;
-  private positions: number = 121;
+  private positions: number = 120;
   private giveUp = 0;
   private delay = 0;
   private settle = 0;

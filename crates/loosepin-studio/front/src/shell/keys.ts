@@ -20,6 +20,7 @@ export const bindings = {
   drag: { group: 'canvas', keys: [] },
   nudge: { group: 'parts', keys: [] },
   choose: { group: 'parts', keys: [] },
+  trace: { group: 'parts', keys: ['t'] },
   remove: { group: 'parts', keys: [] },
   free: { group: 'parts', keys: [] },
   cancel: { group: 'tools', keys: ['Escape'] },

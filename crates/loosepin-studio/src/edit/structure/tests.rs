@@ -697,14 +697,8 @@ fn an_output_is_added_under_a_name_that_is_free_and_taken_out_again() {
 fn an_open_mechanism_is_drawn_where_it_was_put_together() {
     let mut desk = Desk::template(find_template("slider-crank").unwrap());
     desk.edit(&Edit::AddLink { from: point("rod", "big_end"), to: End::Free { x: 90.0, y: 80.0 } });
-    let look = crate::messages::Look {
-        seq: 1,
-        model: crate::messages::SentText { path: "model.toml".into(), text: desk.texts.model.text().into() },
-        study: None,
-        positions: 37,
-        grip: None,
-        poses: Some(desk.poses.clone()),
-    };
+    let model = crate::messages::SentText { path: "model.toml".into(), text: desk.texts.model.text().into() };
+    let look = crate::messages::Look { poses: Some(desk.poses.clone()), ..crate::messages::Look::of(model, None, 37) };
     let view = crate::view::look::look(&desk.folder, &look).view.expect("a picture");
     assert!(view.incomplete.is_some_and(|words| words.starts_with("1 degree of freedom too many: 'link_1'")));
     assert!(view.drawing.is_some() && view.bands.is_empty());
