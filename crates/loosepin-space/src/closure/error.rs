@@ -1,0 +1,98 @@
+//! Why loops are not closed.
+
+use core::fmt;
+
+/// Where on the way of a drive something happens.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrivePlace {
+    /// The input of the cycle.
+    pub input: f64,
+    /// The joint of the first drive that moves; empty if none does.
+    pub driven_joint: String,
+    /// Its coordinate there, rad or m.
+    pub value: f64,
+}
+
+/// Why a position is not found.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ClosureError {
+    /// Not one finite value for each drive.
+    BadDrives {
+        /// Number of drives of the mechanism.
+        drives: usize,
+        /// Number of finite values that were given.
+        values: usize,
+    },
+    /// The loops cannot be closed from the start poses.
+    DoesNotClose {
+        /// The joint that is farthest from closing.
+        joint: String,
+        /// What is left in the row that is farthest from closing, lengths over the characteristic length, cosines and rad.
+        residual: f64,
+    },
+    /// The drive cannot go on: another joint has come to its dead position.
+    Locked {
+        /// Where.
+        place: DrivePlace,
+        /// The joint whose bodies could move there with the drive held.
+        joint: String,
+    },
+    /// Two ways of assembly meet, so that what follows is not determined.
+    ChangePoint {
+        /// Where.
+        place: DrivePlace,
+        /// The joint whose bodies could move there with the drive held.
+        joint: String,
+    },
+    /// The rank of the loop equations changes, so that what follows is not determined.
+    RankChanges {
+        /// Where.
+        place: DrivePlace,
+        /// The rank before.
+        before: usize,
+        /// The rank here.
+        here: usize,
+    },
+    /// The motion could not be followed with the shortest step.
+    NotFollowed {
+        /// Where.
+        place: DrivePlace,
+    },
+}
+
+impl fmt::Display for DrivePlace {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "input {}", self.input)?;
+        if self.driven_joint.is_empty() {
+            return Ok(());
+        }
+        write!(out, ", '{}' at {}", self.driven_joint, self.value)
+    }
+}
+
+impl fmt::Display for ClosureError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BadDrives { drives, values } => {
+                write!(out, "the mechanism has {drives} drives and takes as many finite values, not {values}")
+            }
+            Self::DoesNotClose { joint, residual } => write!(
+                out,
+                "the loops do not close from the start poses: joint '{joint}' is {residual:e} apart, in units of the \
+                 characteristic length or rad"
+            ),
+            Self::Locked { place, joint } => {
+                write!(out, "the drive locks at {place}: joint '{joint}' is in its dead position")
+            }
+            Self::ChangePoint { place, joint } => {
+                write!(out, "change point at {place}: joint '{joint}' can move either way, so that what follows is not determined")
+            }
+            Self::RankChanges { place, before, here } => {
+                write!(out, "at {place} the loop equations have rank {here}, and {before} before: what follows is not determined")
+            }
+            Self::NotFollowed { place } => write!(out, "the motion cannot be followed beyond {place}"),
+        }
+    }
+}
+
+impl std::error::Error for ClosureError {}

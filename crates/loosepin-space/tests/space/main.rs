@@ -1,0 +1,6 @@
+//! Mechanisms in space against closed forms, independent programs and identities. A test's name says where its numbers come from.
+
+mod build;
+mod closed_forms;
+mod known;
+mod stops;
