@@ -52,7 +52,6 @@ pub(crate) fn close(
         if is_last {
             // The system is one step old, a round-off away.
             let poses = loops.moved(&poses, &step);
-            let apart = apart.iter().map(|value| -value).collect();
             return Ok(Closed { frames: loops.frames(&poses, shifts), poses, system, apart, way });
         }
         way += size;

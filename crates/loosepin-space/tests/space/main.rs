@@ -3,4 +3,5 @@
 mod build;
 mod closed_forms;
 mod known;
+mod quasi_static;
 mod stops;
