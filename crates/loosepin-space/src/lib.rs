@@ -4,7 +4,7 @@
 //! A [`SpatialMechanism`] is made of bodies, joints between markers on them, and drives. [`assemble`] closes its loops at given values of the
 //! drives, [`cycle`] along a turn of them; [`mobility`] counts freedoms, redundant rows and idle parts; [`motion`] gives velocities and
 //! accelerations. [`PoseAccuracy`] then says what play does in such a position: gains, worst cases of first order and exact ones with the places of
-//! the journals that make them, standard deviations.
+//! the journals that make them, standard deviations. [`OpenChain`] evaluates arms without loops for very many samples.
 //!
 //! Lengths in m, angles in rad. Bodies, joints and drives are numbered from 0 in the order in which they were given; body 0 is the ground.
 
@@ -23,6 +23,7 @@ pub use accuracy::{
     AccuracyError, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm, MarkerGain, MarkerGains,
     MarkerScatter, PlacedBlock, PlayDistribution, PlaySet, PoseAccuracy, SearchOptions, WorstCase,
 };
+pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace};
 pub use closure::position::Position;
 pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle};

@@ -1,1 +1,11 @@
-//! Open chains.
+//! Arms without loops: the pose of their end in closed form, for very many samples.
+
+mod error;
+mod joint_turn;
+mod open_chain;
+mod path;
+mod sample;
+
+pub use error::ChainError;
+pub use open_chain::{ChainPose, OpenChain};
+pub use sample::{ChainSample, EndPose};

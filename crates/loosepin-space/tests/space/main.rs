@@ -1,6 +1,7 @@
 //! Mechanisms in space against closed forms, independent programs and identities. A test's name says where its numbers come from.
 
 mod build;
+mod chains;
 mod closed_forms;
 mod known;
 mod quasi_static;
