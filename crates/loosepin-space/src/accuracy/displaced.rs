@@ -2,6 +2,7 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
+use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, close, largest};
 use crate::geometry::pose::Pose;
 use crate::output::SpatialOutput;
@@ -27,7 +28,7 @@ impl PoseAccuracy<'_> {
     ///
     /// [`AccuracyError::NoPlace`] if the loops do not close.
     pub fn displaced(&self, variables_m: &[f64]) -> Result<DisplacedPosition, AccuracyError> {
-        let closed = self.close_at(&self.position.poses, variables_m)?;
+        let closed = self.close_at(&self.position.poses, variables_m, None)?;
         Ok(DisplacedPosition { apart: largest(&closed.apart), poses: closed.poses })
     }
 
@@ -50,13 +51,19 @@ impl PoseAccuracy<'_> {
         output.deviation(&self.ideal_state(), &OutputState { mechanism: self.loops.mechanism, poses })
     }
 
-    /// Closes the loops from poses close by; in parts from the ideal position if that fails.
-    pub(crate) fn close_at(&self, from: &[Pose], variables_m: &[f64]) -> Result<Closed, AccuracyError> {
+    /// Closes the loops from poses close by with their system, or from the ideal position with its own; in parts from the ideal position if that fails.
+    pub(crate) fn close_at(
+        &self,
+        from: &[Pose],
+        variables_m: &[f64],
+        system: Option<&Bordered>,
+    ) -> Result<Closed, AccuracyError> {
         let drives = self.position.drive_values();
+        let known = Some(system.unwrap_or(&self.system));
         let attempt = |from: &[Pose], share: f64| {
             let variables: Vec<f64> = variables_m.iter().map(|value| value * share).collect();
             let shifts = self.set.shifts(self.loops.mechanism, &variables);
-            close(&self.loops, from, &shifts, &drives, &self.position.borders).ok().filter(|closed| {
+            close(&self.loops, from, &shifts, &drives, &self.position.borders, known).ok().filter(|closed| {
                 // A long way from a place close by is a way to another branch.
                 closed.way < 1.0
             })

@@ -8,6 +8,7 @@ use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{close, largest};
 use crate::closure::position::Position;
+use crate::closure::singular::RANK_THRESHOLD;
 use crate::kind::frames::{JointFrames, MarkerShift};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
@@ -46,13 +47,11 @@ impl<'a> PoseAccuracy<'a> {
         }
         let loops = Loops::new(mechanism);
         // To round-off: deviations are differences.
-        let closed = close(&loops, &position.poses, &[], &position.drive_values(), &position.borders)
+        let closed = close(&loops, &position.poses, &[], &position.drive_values(), &position.borders, None)
             .map_err(|_| AccuracyError::NotAPosition)?;
         let position = Position { poses: closed.poses, ..position.clone() };
-        let frames = closed.frames;
-        let jacobian = loops.jacobian(&frames);
-        let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &position.borders);
-        if !system.is_regular() {
+        let (frames, system) = (closed.frames, closed.system);
+        if !(system.singular_ratio() > RANK_THRESHOLD) {
             return Err(AccuracyError::Singular);
         }
         let set = PlaySet::new(mechanism);

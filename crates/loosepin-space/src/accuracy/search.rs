@@ -4,6 +4,7 @@ use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
 use crate::accuracy::slice::{Near, Planes, dot, largest};
+use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::geometry::pose::Pose;
 use crate::output::SpatialOutput;
@@ -62,7 +63,7 @@ impl Climb<'_, '_> {
 
     fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
         let ideal = &self.accuracy.position.poses;
-        let mut at = self.feasible(start, ideal)?;
+        let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
         let mut weight = 0.0;
         for _ in 0..MAX_STEPS {
             let linear = self.linear(&at);
@@ -82,7 +83,7 @@ impl Climb<'_, '_> {
                 let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
                 let expected = dot(&linear.gains, &change);
                 let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
-                self.feasible(place, &at.closed.poses).map(|next| (next, is_over))
+                self.feasible(place, &at.closed.poses, &at.closed.system).map(|next| (next, is_over))
             });
             match next {
                 Some((next, is_over)) if next.value > at.value => {
@@ -132,12 +133,12 @@ impl Climb<'_, '_> {
 
     /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
     /// borders there, cut back to the balls.
-    fn feasible(&self, mut scaled: Vec<f64>, from: &[Pose]) -> Option<Feasible> {
+    fn feasible(&self, mut scaled: Vec<f64>, from: &[Pose], known: &Bordered) -> Option<Feasible> {
         let accuracy = self.accuracy;
         let mut poses = from.to_vec();
         for _ in 0..MAX_CORRECTIONS {
             let variables_m = accuracy.set.in_metres(&scaled);
-            let closed = accuracy.close_at(&poses, &variables_m).ok()?;
+            let closed = accuracy.close_at(&poses, &variables_m, Some(known)).ok()?;
             if largest_entry(&closed.apart) <= MET {
                 let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
                 return Some(Feasible { scaled, closed, value });

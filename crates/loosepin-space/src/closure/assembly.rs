@@ -4,7 +4,8 @@ use crate::closure::bordered::Borders;
 use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
-use crate::closure::position::{Position, RANK_THRESHOLD, singular_values};
+use crate::closure::position::Position;
+use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::{CLOSED, Place, follow, nearest_values};
 use crate::geometry::pose::Pose;
 use crate::mechanism::drive::DriveValue;
@@ -32,22 +33,28 @@ const LARGEST_THRESHOLD: f64 = 1e-3;
 /// [`ClosureError::DoesNotClose`] if the steps do not come to an end or redundant rows contradict each other, and those of [`crate::cycle`].
 pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<Position, ClosureError> {
     let loops = Loops::new(mechanism);
+    Ok(Position::new(&loops, drives, &assembled(&loops, drives)?))
+}
+
+/// The place of [`assemble`], at the input 0.
+pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue]) -> Result<Place, ClosureError> {
+    let mechanism = loops.mechanism;
     check_drives(mechanism, drives)?;
     let start = mechanism.start_poses();
     let measured = loops.driven_coordinates(&loops.frames(&start, &[]));
-    let poses = close_from_afar(&loops, start, &measured)?;
+    let poses = close_from_afar(loops, start, &measured)?;
     let values: Vec<f64> = drives.iter().map(|drive| drive.value).collect();
-    let target = nearest_values(&loops, &measured, &values);
-    let singular = singular_values(&loops, &loops.frames(&poses, &[]));
+    let target = nearest_values(loops, &measured, &values);
+    let singular = singular_values(loops, &loops.frames(&poses, &[]));
     let borders = Borders::new(&singular, singular.rank(RANK_THRESHOLD));
-    let place = Place::new(&loops, 0.0, poses, borders);
+    let place = Place::new(loops, 0.0, poses, borders);
     let between = |share: f64| -> Vec<f64> {
         // Both ends exactly.
         let pairs = measured.iter().zip(&target);
         pairs.map(|(from, to)| if share >= 1.0 { *to } else { from + share * (to - from) }).collect()
     };
-    let poses = if measured == target { place.poses } else { follow(&loops, &place, 1.0, &between)?.poses };
-    Ok(Position::new(&loops, 0.0, drives, poses))
+    let place = if measured == target { place } else { follow(loops, &place, 1.0, &between)? };
+    Ok(Place { input: 0.0, ..place })
 }
 
 /// One finite value for each drive.

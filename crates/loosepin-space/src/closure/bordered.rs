@@ -2,6 +2,9 @@
 
 use loosepin_math::{RealLu, SingularValues};
 
+/// What is left of null vectors, lengths over L and rad, where the rank is as it was.
+const RANK_DEFECT: f64 = 1e-6;
+
 /// Bases of the left and right null spaces of a Jacobian of rank r: m - r vectors of m entries, n - r vectors of n entries.
 #[derive(Debug, Clone)]
 pub(crate) struct Borders {
@@ -20,6 +23,7 @@ impl Borders {
 pub(crate) struct Bordered {
     rows: usize,
     columns: usize,
+    matrix: Vec<f64>,
     lu: RealLu,
 }
 
@@ -36,8 +40,9 @@ impl Bordered {
         for (k, null) in borders.right.iter().enumerate() {
             lu.matrix[(rows + k) * size..(rows + k) * size + columns].copy_from_slice(null);
         }
+        let matrix = lu.matrix.clone();
         lu.factor();
-        Self { rows, columns, lu }
+        Self { rows, columns, matrix, lu }
     }
 
     /// x and ν with J x + N ν = b, Vᵀx = 0: ν is the part of b that no motion can make.
@@ -59,18 +64,20 @@ impl Bordered {
         (vector, along)
     }
 
-    /// The null spaces of this J itself, with the orientation of those that border it.
-    pub(crate) fn null_spaces(&self) -> Borders {
+    /// The null spaces of this J itself, with the orientation of those that border it. `None` if they have fewer dimensions.
+    pub(crate) fn null_spaces(&self) -> Option<Borders> {
         let size = self.lu.order();
         let unit = |place: usize| {
             let mut vector = vec![0.0; size];
             vector[place] = 1.0;
             vector
         };
+        let mut defect = 0.0;
         let mut left: Vec<Vec<f64>> = Vec::new();
         for place in self.columns..size {
             let mut vector = unit(place);
             self.lu.solve_transposed(&mut vector);
+            defect = vector[self.rows..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
             vector.truncate(self.rows);
             push_orthonormal(&mut left, vector);
         }
@@ -78,10 +85,11 @@ impl Bordered {
         for place in self.rows..size {
             let mut vector = unit(place);
             self.lu.solve(&mut vector);
+            defect = vector[self.columns..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
             vector.truncate(self.columns);
             push_orthonormal(&mut right, vector);
         }
-        Borders { left, right }
+        (defect <= RANK_DEFECT).then_some(Borders { left, right })
     }
 
     /// The vectors y with Jᵀy + V ρ = 0 and Nᵀy = e_k, one for each redundant row: the parts of ν that rows make.
@@ -103,9 +111,26 @@ impl Bordered {
         self.lu.determinant_sign()
     }
 
-    /// Whether it can be solved at all.
-    pub(crate) fn is_regular(&self) -> bool {
-        self.lu.pivot_ratio() > f64::EPSILON
+    /// Smallest singular value over the largest, each by steps of the power method, to about 1 %. With borders that are the null spaces these
+    /// are the singular values of J that count, and ones. 0 where it is singular.
+    pub(crate) fn singular_ratio(&self) -> f64 {
+        if !(self.lu.pivot_ratio() > f64::EPSILON) {
+            return 0.0;
+        }
+        let size = self.lu.order();
+        let inverse_square = power_method(size, |vector| {
+            self.lu.solve_transposed(vector);
+            self.lu.solve(vector);
+        });
+        let square = power_method(size, |vector| {
+            let product = |row: &[f64]| row.iter().zip(&*vector).map(|(a, b)| a * b).sum::<f64>();
+            let image: Vec<f64> = self.matrix.chunks(size).map(product).collect();
+            vector.fill(0.0);
+            for (row, value) in self.matrix.chunks(size).zip(image) {
+                vector.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * value);
+            }
+        });
+        1.0 / (inverse_square * square).sqrt()
     }
 }
 
@@ -118,4 +143,23 @@ fn push_orthonormal(basis: &mut Vec<Vec<f64>>, mut vector: Vec<f64>) {
     let length = product(&vector, &vector).sqrt();
     vector.iter_mut().for_each(|entry| *entry /= length);
     basis.push(vector);
+}
+
+/// The largest eigenvalue of a symmetric positive operator, to about 1 %.
+fn power_method(size: usize, apply: impl Fn(&mut [f64])) -> f64 {
+    const MAX_STEPS: usize = 60;
+    // No direction of its own.
+    let mut vector: Vec<f64> = (0..size).map(|k| 1.0 + 0.37 * ((3 * k + 1) % 7) as f64).collect();
+    let mut found = 0.0;
+    for _ in 0..MAX_STEPS {
+        let length = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        vector.iter_mut().for_each(|entry| *entry /= length);
+        apply(&mut vector);
+        let next = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        if !(next.is_finite() && (next - found).abs() > 1e-3 * next) {
+            return next;
+        }
+        found = next;
+    }
+    found
 }

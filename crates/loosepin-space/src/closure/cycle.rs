@@ -1,10 +1,10 @@
 //! Positions along a cycle of the drives.
 
-use crate::closure::assembly::{assemble, check_drives};
+use crate::closure::assembly::{assembled, check_drives};
 use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::closure::step::{Place, follow, place_of};
+use crate::closure::step::{Place, follow};
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 
@@ -39,22 +39,13 @@ fn collect(
     for input in inputs {
         check_drives(mechanism, &drives(*input))?;
     }
-    let mut start = assemble(mechanism, &drives(*first))?;
-    start.input = *first;
-    let mut place = Place::new(&loops, *first, start.poses.clone(), start.borders.clone());
-    let rank = start.rank;
-    positions.push(start);
     let values = |input: f64| drives(input).iter().map(|drive| drive.value).collect::<Vec<f64>>();
+    let start = assembled(&loops, &drives(*first))?;
+    let mut place = Place { input: *first, ..start };
+    positions.push(Position::new(&loops, &drives(*first), &place));
     for input in inputs.iter().skip(1) {
         place = follow(&loops, &place, *input, &values)?;
-        let mut position = Position::new(&loops, *input, &drives(*input), place.poses.clone());
-        if position.rank != rank {
-            let here = values(*input);
-            let place = place_of(&loops, *input, &here, &values(*first));
-            return Err(ClosureError::RankChanges { place, before: rank, here: position.rank });
-        }
-        position.borders = place.borders.clone();
-        positions.push(position);
+        positions.push(Position::new(&loops, &drives(*input), &place));
     }
     Ok(())
 }

@@ -10,8 +10,9 @@ pub(crate) mod error;
 pub(crate) mod loops;
 pub(crate) mod newton;
 pub(crate) mod position;
+pub(crate) mod singular;
 mod step;
 
 pub use assembly::assemble;
 pub use cycle::{Cycle, cycle};
-pub use position::RANK_THRESHOLD;
+pub use singular::RANK_THRESHOLD;

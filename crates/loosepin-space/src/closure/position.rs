@@ -2,13 +2,9 @@
 
 use crate::closure::bordered::Borders;
 use crate::closure::loops::Loops;
+use crate::closure::step::Place;
 use crate::geometry::pose::Pose;
-use crate::kind::frames::JointFrames;
 use crate::mechanism::drive::DriveValue;
-use loosepin_math::SingularValues;
-
-/// Singular values below this, relative to the largest, count as zero.
-pub const RANK_THRESHOLD: f64 = 1e-9;
 
 /// A closed position of the ideal mechanism, with what the loop equations are there.
 #[derive(Debug, Clone)]
@@ -21,18 +17,22 @@ pub struct Position {
     pub poses: Vec<Pose>,
     /// Rank of the loop equations, drives included.
     pub rank: usize,
-    /// Smallest singular value that counts over the largest; small near change points and dead positions.
+    /// Smallest singular value that counts over the largest, to about 1 %; small near change points and dead positions.
     pub singular_ratio: f64,
     pub(crate) borders: Borders,
 }
 
 impl Position {
-    /// The position at closed poses, with null spaces from singular values.
-    pub(crate) fn new(loops: &Loops, input: f64, drives: &[DriveValue], poses: Vec<Pose>) -> Self {
-        let values = singular_values(loops, &loops.frames(&poses, &[]));
-        let rank = values.rank(RANK_THRESHOLD);
-        let borders = Borders::new(&values, rank);
-        Self { input, drives: drives.to_vec(), poses, rank, singular_ratio: ratio(&values, rank), borders }
+    /// The position of a place on the way.
+    pub(crate) fn new(loops: &Loops, drives: &[DriveValue], place: &Place) -> Self {
+        Self {
+            input: place.input,
+            drives: drives.to_vec(),
+            poses: place.poses.clone(),
+            rank: loops.unknowns() - place.borders.right.len(),
+            singular_ratio: place.singular_ratio,
+            borders: place.borders.clone(),
+        }
     }
 
     /// Number of rows that repeat others here.
@@ -49,15 +49,4 @@ impl Position {
     pub fn drive_values(&self) -> Vec<f64> {
         self.drives.iter().map(|drive| drive.value).collect()
     }
-}
-
-/// Singular values of the loop equations, drives included.
-pub(crate) fn singular_values(loops: &Loops, frames: &[JointFrames]) -> SingularValues {
-    SingularValues::new(&loops.jacobian(frames), loops.rows.len(), loops.unknowns())
-}
-
-/// The smallest singular value that counts over the largest.
-pub(crate) fn ratio(values: &SingularValues, rank: usize) -> f64 {
-    let smallest = rank.checked_sub(1).and_then(|k| values.values().get(k));
-    smallest.zip(values.values().first()).map_or(1.0, |(smallest, largest)| smallest / largest)
 }

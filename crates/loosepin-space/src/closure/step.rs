@@ -4,7 +4,7 @@ use crate::closure::bordered::{Bordered, Borders};
 use crate::closure::error::{ClosureError, DrivePlace};
 use crate::closure::loops::Loops;
 use crate::closure::newton::{close, largest};
-use crate::closure::position::{RANK_THRESHOLD, ratio, singular_values};
+use crate::closure::singular::{RANK_THRESHOLD, ratio, singular_values};
 use crate::geometry::pose::Pose;
 use crate::kind::frames::within_half_a_turn;
 use crate::mechanism::drive::JointCoordinate;
@@ -19,6 +19,8 @@ const SMALL_CORRECTION: f64 = 1e-10;
 const SHORTEST_SHARE: f64 = 1.5e-8;
 /// Largest part of the drive's own rows in a self-stress that does not stop the drive, relative to its rate.
 const SILENT_DRIVE: f64 = 1e-3;
+/// A singular position: positions beside it cannot be told from those of another branch.
+const SINGULAR: f64 = 1e-7;
 /// Singular values below this relative to the largest are those of a singular position close by.
 const NEARLY_SINGULAR: f64 = 1e-3;
 
@@ -30,13 +32,15 @@ pub(crate) struct Place {
     pub borders: Borders,
     /// Sign of the bordered determinant, the same along a branch.
     pub sign: f64,
+    /// Smallest singular value of the bordered equations over the largest.
+    pub singular_ratio: f64,
 }
 
 impl Place {
     pub(crate) fn new(loops: &Loops, input: f64, poses: Vec<Pose>, borders: Borders) -> Self {
         let jacobian = loops.jacobian(&loops.frames(&poses, &[]));
-        let sign = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &borders).sign();
-        Self { input, poses, borders, sign }
+        let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &borders);
+        Self { input, poses, borders, sign: system.sign(), singular_ratio: system.singular_ratio() }
     }
 }
 
@@ -78,14 +82,15 @@ fn attempt(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Optio
     if !(length <= LONGEST_PREDICTION) {
         return None;
     }
-    let closed = close(loops, &loops.moved(&at.poses, &prediction), &[], &after, &at.borders).ok()?;
+    let closed = close(loops, &loops.moved(&at.poses, &prediction), &[], &after, &at.borders, None).ok()?;
     let is_near = closed.way <= LARGEST_CORRECTION * length + SMALL_CORRECTION;
     let is_closed = largest(&closed.apart) <= CLOSED;
-    if !is_near || !is_closed || closed.system.sign() != at.sign || !closed.system.is_regular() {
+    if !is_near || !is_closed || closed.system.sign() != at.sign {
         return None;
     }
-    let borders = closed.system.null_spaces();
-    Some(Place { input: next, poses: closed.poses, borders, sign: at.sign })
+    let singular_ratio = closed.system.singular_ratio();
+    let borders = closed.system.null_spaces()?;
+    (singular_ratio > SINGULAR).then_some(Place { input: next, poses: closed.poses, borders, sign: at.sign, singular_ratio })
 }
 
 /// What redundant rows may be apart: round-off of the numbers of a model with nine digits.
@@ -107,7 +112,10 @@ fn diagnose(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Clos
     let place = place_of(loops, at.input, &drives(at.input), &drives(next));
     let values = singular_values(loops, &frames);
     let (counted, rank) = (values.rank(RANK_THRESHOLD), loops.unknowns() - at.borders.right.len());
-    if counted > rank || rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR {
+    if counted > rank {
+        return ClosureError::RankChanges { place, before: rank, here: counted };
+    }
+    if rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR {
         return ClosureError::NotFollowed { place };
     }
     // A self-stress of the nearly singular position: where the drive does work in it, the drive stops.
@@ -124,7 +132,7 @@ fn diagnose(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Clos
 }
 
 /// A place in words' ingredients: the first drive that moves, and its value.
-pub(crate) fn place_of(loops: &Loops, input: f64, here: &[f64], next: &[f64]) -> DrivePlace {
+fn place_of(loops: &Loops, input: f64, here: &[f64], next: &[f64]) -> DrivePlace {
     let moving = here.iter().zip(next).position(|(a, b)| a != b).or_else(|| (!here.is_empty()).then_some(0));
     let drive = moving.and_then(|number| loops.mechanism.drives().get(number).zip(here.get(number)));
     let driven_joint = drive.map_or(String::new(), |(drive, _)| loops.mechanism.joints()[drive.joint].name.clone());

@@ -1,7 +1,7 @@
 //! Bodies that may turn or slide alone.
 
 use crate::closure::loops::{Loops, first_column};
-use crate::closure::position::RANK_THRESHOLD;
+use crate::closure::singular::RANK_THRESHOLD;
 use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use loosepin_math::SingularValues;

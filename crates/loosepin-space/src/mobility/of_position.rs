@@ -1,7 +1,8 @@
 //! The mobility of a mechanism in a position.
 
 use crate::closure::loops::Loops;
-use crate::closure::position::{Position, RANK_THRESHOLD};
+use crate::closure::position::Position;
+use crate::closure::singular::RANK_THRESHOLD;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::mobility::idle::{IdleMotion, idle_motions};
 use loosepin_math::SingularValues;

@@ -5,4 +5,5 @@ mod chains;
 mod closed_forms;
 mod known;
 mod quasi_static;
+mod searches;
 mod stops;
