@@ -82,9 +82,9 @@ impl RealLu {
         let n = self.order;
         let exchanges = (0..n).filter(|&j| self.rows[j] != j).count();
         let start = if exchanges % 2 == 0 { 1.0 } else { -1.0 };
-        (0..n).map(|j| self.matrix[j * n + j]).fold(start, |sign, pivot| {
-            if pivot == 0.0 || !pivot.is_finite() { 0.0 } else { sign * pivot.signum() }
-        })
+        (0..n)
+            .map(|j| self.matrix[j * n + j])
+            .fold(start, |sign, pivot| if pivot == 0.0 || !pivot.is_finite() { 0.0 } else { sign * pivot.signum() })
     }
 
     /// Size of the smallest pivot over that of the largest; 0 where the matrix is singular, or not of numbers.
@@ -112,10 +112,8 @@ mod tests {
         lu.factor();
         assert_eq!(lu.determinant_sign(), -1.0);
         let solution = [0.7, -1.3, 2.9];
-        let mut straight: Vec<f64> =
-            (0..3).map(|i| (0..3).map(|j| matrix[3 * i + j] * solution[j]).sum()).collect();
-        let mut transposed: Vec<f64> =
-            (0..3).map(|j| (0..3).map(|i| matrix[3 * i + j] * solution[i]).sum()).collect();
+        let mut straight: Vec<f64> = (0..3).map(|i| (0..3).map(|j| matrix[3 * i + j] * solution[j]).sum()).collect();
+        let mut transposed: Vec<f64> = (0..3).map(|j| (0..3).map(|i| matrix[3 * i + j] * solution[i]).sum()).collect();
         lu.solve(&mut straight);
         lu.solve_transposed(&mut transposed);
         for found in [straight, transposed] {

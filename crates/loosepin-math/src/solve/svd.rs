@@ -167,9 +167,8 @@ mod tests {
             assert_eq!((found.left.len(), found.right.len()), (rows, columns));
             for i in 0..rows {
                 for j in 0..columns {
-                    let sum: f64 = (0..found.values.len())
-                        .map(|k| found.left(k)[i] * found.values[k] * found.right(k)[j])
-                        .sum();
+                    let sum: f64 =
+                        (0..found.values.len()).map(|k| found.left(k)[i] * found.values[k] * found.right(k)[j]).sum();
                     assert!((sum - matrix[i * columns + j]).abs() < ROUND_OFF);
                 }
             }

@@ -43,8 +43,7 @@ impl PoseAccuracy<'_> {
                 for (own, share) in scaled.iter().zip(&direction) {
                     gains.iter_mut().zip(own).for_each(|(sum, gain)| *sum += share * gain);
                 }
-                let found =
-                    largest(&self.set, &gains, None, &self.planes, &zero).ok_or(AccuracyError::NoPlace)?;
+                let found = largest(&self.set, &gains, None, &self.planes, &zero).ok_or(AccuracyError::NoPlace)?;
                 let vector: Vec<f64> = scaled.iter().map(|own| dot(own, &found.place)).collect();
                 let next = dot(&vector, &vector).sqrt();
                 let is_done = !(next > length * (1.0 + 1e-15));

@@ -136,12 +136,7 @@ fn play_column(loops: &Loops, frames: &[JointFrames], joint: usize, shift: &Mark
 }
 
 /// Derivatives of all rows by each variable of play in units of its radius.
-pub(crate) fn play_columns(
-    loops: &Loops,
-    frames: &[JointFrames],
-    set: &PlaySet,
-    variables: &[f64],
-) -> Vec<Vec<f64>> {
+pub(crate) fn play_columns(loops: &Loops, frames: &[JointFrames], set: &PlaySet, variables: &[f64]) -> Vec<Vec<f64>> {
     let derivatives = set.derivatives(loops.mechanism, variables);
     derivatives
         .iter()

@@ -50,12 +50,12 @@ struct Linear {
 
 impl Climb<'_, '_> {
     /// From journals in the middle.
-    pub(crate) fn from_middle(&self) -> Option<Extreme> {
+    pub(crate) fn climb_from_middle(&self) -> Option<Extreme> {
         self.climb(vec![0.0; self.accuracy.play_set().variables()])
     }
 
     /// From the worst case of first order of some gains, of variables in units of their radii.
-    pub(crate) fn from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
+    pub(crate) fn climb_from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
         let accuracy = self.accuracy;
         let zero = vec![0.0; accuracy.redundant.len()];
         self.climb(largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &zero)?.place)

@@ -97,13 +97,7 @@ pub(crate) struct Largest {
 }
 
 /// Solves the problem of the head of this file; `rows` is the number of rows of H. `None` if no inner place of the planes was found.
-pub(crate) fn largest(
-    set: &PlaySet,
-    gains: &[f64],
-    near: Option<Near>,
-    planes: &Planes,
-    b: &[f64],
-) -> Option<Largest> {
+pub(crate) fn largest(set: &PlaySet, gains: &[f64], near: Option<Near>, planes: &Planes, b: &[f64]) -> Option<Largest> {
     let scale = set.support(gains).iter().sum::<f64>();
     let scale = if scale > 0.0 { scale } else { 1.0 };
     let gains: Vec<f64> = gains.iter().map(|gain| gain / scale).collect();
@@ -158,8 +152,7 @@ fn inner_point(
     let weight = near.map_or(0.0, |near| near.weight);
     let count = blocks.len() as f64;
     for _ in 0..MAX_STEPS {
-        let slacks: Vec<f64> =
-            blocks.iter().map(|block| 0.5 * (1.0 - PlaySet::length(block, &at.v).powi(2))).collect();
+        let slacks: Vec<f64> = blocks.iter().map(|block| 0.5 * (1.0 - PlaySet::length(block, &at.v).powi(2))).collect();
         let gap: f64 = at.z.iter().zip(&slacks).map(|(z, s)| z * s).sum();
         let mut dual = planes.less(gains, &at.multipliers);
         for (block, z) in blocks.iter().zip(&at.z) {

@@ -41,11 +41,11 @@ impl PoseAccuracy<'_> {
         let find = |sign: f64| {
             let climb = Climb { accuracy: self, output, sign };
             let mut ends: Vec<Extreme> = Vec::new();
-            ends.extend(climb.from_middle());
+            ends.extend(climb.climb_from_middle());
             for (number, objective) in objectives.iter().enumerate() {
                 let direction = if number == 0 { sign } else { 1.0 };
                 let objective: Vec<f64> = objective.iter().map(|gain| gain * direction).collect();
-                ends.extend(climb.from_objective(&objective));
+                ends.extend(climb.climb_from_objective(&objective));
             }
             let best = ends.iter().max_by(|a, b| (sign * a.deviation).total_cmp(&(sign * b.deviation))).cloned();
             let best = best.ok_or(AccuracyError::NoPlace)?;

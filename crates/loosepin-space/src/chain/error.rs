@@ -30,8 +30,11 @@ impl fmt::Display for ChainError {
                 write!(out, "body '{body}' does not hang on the ground by a chain of joints without a loop")
             }
             Self::NotDriven { joint } => {
-                write!(out, "joint '{joint}' is not held by drives: a chain has driven revolute, prismatic and cylindrical joints, driven \
-                     screws and rigid ones")
+                write!(
+                    out,
+                    "joint '{joint}' is not held by drives: a chain has driven revolute, prismatic and cylindrical joints, driven \
+                     screws and rigid ones"
+                )
             }
         }
     }

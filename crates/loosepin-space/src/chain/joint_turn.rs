@@ -30,11 +30,7 @@ impl Transform {
     #[inline(always)]
     pub(crate) fn inverse(&self) -> Self {
         let Rotation { x, y, z } = self.axes;
-        let axes = Rotation {
-            x: Vec3::new(x.x, y.x, z.x),
-            y: Vec3::new(x.y, y.y, z.y),
-            z: Vec3::new(x.z, y.z, z.z),
-        };
+        let axes = Rotation { x: Vec3::new(x.x, y.x, z.x), y: Vec3::new(x.y, y.y, z.y), z: Vec3::new(x.z, y.z, z.z) };
         Self { origin_m: -axes.apply(self.origin_m), axes }
     }
 }

@@ -85,10 +85,16 @@ impl fmt::Display for ClosureError {
                 write!(out, "the drive locks at {place}: joint '{joint}' is in its dead position")
             }
             Self::ChangePoint { place, joint } => {
-                write!(out, "change point at {place}: joint '{joint}' can move either way, so that what follows is not determined")
+                write!(
+                    out,
+                    "change point at {place}: joint '{joint}' can move either way, so that what follows is not determined"
+                )
             }
             Self::RankChanges { place, before, here } => {
-                write!(out, "at {place} the loop equations have rank {here}, and {before} before: what follows is not determined")
+                write!(
+                    out,
+                    "at {place} the loop equations have rank {here}, and {before} before: what follows is not determined"
+                )
             }
             Self::NotFollowed { place } => write!(out, "the motion cannot be followed beyond {place}"),
         }

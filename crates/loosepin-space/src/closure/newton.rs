@@ -45,9 +45,8 @@ pub(crate) fn close(
     borders: &Borders,
     known: Option<&Bordered>,
 ) -> Result<Closed, NotClosed> {
-    let system_at = |frames: &[JointFrames]| {
-        Bordered::new(&loops.jacobian(frames), loops.rows.len(), loops.unknowns(), borders)
-    };
+    let system_at =
+        |frames: &[JointFrames]| Bordered::new(&loops.jacobian(frames), loops.rows.len(), loops.unknowns(), borders);
     let mut poses = poses.to_vec();
     let mut own: Option<Bordered> = None;
     let (mut way, mut before) = (0.0, f64::INFINITY);

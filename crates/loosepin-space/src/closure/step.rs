@@ -20,7 +20,7 @@ const SHORTEST_SHARE: f64 = 1.5e-8;
 /// Largest part of the drive's own rows in a self-stress that does not stop the drive, relative to its rate.
 const SILENT_DRIVE: f64 = 1e-3;
 /// A singular position: positions beside it cannot be told from those of another branch.
-const SINGULAR: f64 = 1e-7;
+const SINGULAR: f64 = 1e-8;
 /// Singular values below this relative to the largest are those of a singular position close by.
 const NEARLY_SINGULAR: f64 = 1e-3;
 
@@ -48,12 +48,7 @@ impl Place {
 pub(crate) type DriveFunction<'a> = &'a dyn Fn(f64) -> Vec<f64>;
 
 /// Follows the motion from `from` to the input `target`.
-pub(crate) fn follow(
-    loops: &Loops,
-    from: &Place,
-    target: f64,
-    drives: DriveFunction,
-) -> Result<Place, ClosureError> {
+pub(crate) fn follow(loops: &Loops, from: &Place, target: f64, drives: DriveFunction) -> Result<Place, ClosureError> {
     let whole = target - from.input;
     let (mut at, mut step) = (from.clone(), whole);
     while at.input != target {
@@ -90,7 +85,13 @@ fn attempt(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Optio
     }
     let singular_ratio = closed.system.singular_ratio();
     let borders = closed.system.null_spaces()?;
-    (singular_ratio > SINGULAR).then_some(Place { input: next, poses: closed.poses, borders, sign: at.sign, singular_ratio })
+    (singular_ratio > SINGULAR).then_some(Place {
+        input: next,
+        poses: closed.poses,
+        borders,
+        sign: at.sign,
+        singular_ratio,
+    })
 }
 
 /// What redundant rows may be apart: round-off of the numbers of a model with nine digits.

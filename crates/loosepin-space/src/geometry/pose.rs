@@ -26,10 +26,7 @@ impl Pose {
     /// r + Δr, exp(θ/2) ∘ q, made a unit quaternion again.
     pub fn moved(&self, displacement_m: Vec3, rotation_rad: Vec3) -> Self {
         let turn = Quaternion::from_rotation_vector(rotation_rad);
-        Self {
-            position_m: self.position_m + displacement_m,
-            orientation: turn.compose(&self.orientation).normalised(),
-        }
+        Self { position_m: self.position_m + displacement_m, orientation: turn.compose(&self.orientation).normalised() }
     }
 
     /// A point of the body in the ground's frame, m.

@@ -73,7 +73,8 @@ mod tests {
     #[test]
     fn identity_rotation_vectors_and_back() {
         let pi = std::f64::consts::PI;
-        for (axis, tolerance) in [(Vec3::new(0.6, 0.0, 0.8), 1e-14), (Vec3::new(-2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0), 1e-14)]
+        for (axis, tolerance) in
+            [(Vec3::new(0.6, 0.0, 0.8), 1e-14), (Vec3::new(-2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0), 1e-14)]
         {
             for angle in [0.0, 1e-9, 1e-5, 0.3, 1.7, 3.1, pi - 1e-7] {
                 let rotation = Quaternion::from_rotation_vector(axis * angle).rotation();

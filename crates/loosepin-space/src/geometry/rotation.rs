@@ -37,11 +37,7 @@ impl Rotation {
 
     /// Rᵀ S.
     pub fn transposed_times(&self, other: &Self) -> Self {
-        Self {
-            x: self.apply_transposed(other.x),
-            y: self.apply_transposed(other.y),
-            z: self.apply_transposed(other.z),
-        }
+        Self { x: self.apply_transposed(other.x), y: self.apply_transposed(other.y), z: self.apply_transposed(other.z) }
     }
 
     /// The axial vector of (R - Rᵀ)/2: sin θ times the axis of the turn.

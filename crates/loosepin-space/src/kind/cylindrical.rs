@@ -13,7 +13,12 @@ impl KindOfJoint for Cylindrical {
         "cylindrical"
     }
     fn rows(&self) -> Vec<Row> {
-        vec![Row::Perpendicular(Axis::X, Axis::Z), Row::Perpendicular(Axis::Y, Axis::Z), Row::Across(Axis::X), Row::Across(Axis::Y)]
+        vec![
+            Row::Perpendicular(Axis::X, Axis::Z),
+            Row::Perpendicular(Axis::Y, Axis::Z),
+            Row::Across(Axis::X),
+            Row::Across(Axis::Y),
+        ]
     }
     fn turns(&self) -> bool {
         true

@@ -13,7 +13,13 @@ impl KindOfJoint for Prismatic {
         "prismatic"
     }
     fn rows(&self) -> Vec<Row> {
-        vec![Row::Perpendicular(Axis::X, Axis::Z), Row::Perpendicular(Axis::Y, Axis::Z), Row::Across(Axis::X), Row::Across(Axis::Y), Row::Perpendicular(Axis::X, Axis::Y)]
+        vec![
+            Row::Perpendicular(Axis::X, Axis::Z),
+            Row::Perpendicular(Axis::Y, Axis::Z),
+            Row::Across(Axis::X),
+            Row::Across(Axis::Y),
+            Row::Perpendicular(Axis::X, Axis::Y),
+        ]
     }
     fn turns(&self) -> bool {
         false

@@ -13,7 +13,12 @@ impl KindOfJoint for Rigid {
         "rigid"
     }
     fn rows(&self) -> Vec<Row> {
-        vec![Row::Coincident, Row::Perpendicular(Axis::X, Axis::Z), Row::Perpendicular(Axis::Y, Axis::Z), Row::Perpendicular(Axis::X, Axis::Y)]
+        vec![
+            Row::Coincident,
+            Row::Perpendicular(Axis::X, Axis::Z),
+            Row::Perpendicular(Axis::Y, Axis::Z),
+            Row::Perpendicular(Axis::X, Axis::Y),
+        ]
     }
     fn turns(&self) -> bool {
         false

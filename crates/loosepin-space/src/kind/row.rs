@@ -102,9 +102,7 @@ impl ScalarRow {
     /// The columns of the table above.
     pub(crate) fn columns(self, at: &JointFrames) -> RowColumns {
         match self {
-            Self::Coincident(e) => {
-                RowColumns { v_i: -e, w_i: -at.arm_i.cross(e), v_j: e, w_j: at.arm_j.cross(e) }
-            }
+            Self::Coincident(e) => RowColumns { v_i: -e, w_i: -at.arm_i.cross(e), v_j: e, w_j: at.arm_j.cross(e) },
             Self::Perpendicular(a, b) => {
                 let across = a.of(&at.constrained).cross(b.of(&at.journal));
                 RowColumns { v_i: Vec3::ZERO, w_i: across, v_j: Vec3::ZERO, w_j: -across }
@@ -155,10 +153,9 @@ impl ScalarRow {
         match self {
             Self::Coincident(e) => (-at.bearing.apply_transposed(e), [0.0; 2]),
             Self::Perpendicular(a, b) => (Vec3::ZERO, slope(a, at.bearing.z.dot(b.of(&at.journal)))),
-            Self::Across(a) => (
-                -at.bearing.apply_transposed(a.of(&at.constrained)),
-                slope(a, at.bearing.z.dot(at.separation)),
-            ),
+            Self::Across(a) => {
+                (-at.bearing.apply_transposed(a.of(&at.constrained)), slope(a, at.bearing.z.dot(at.separation)))
+            }
             Self::Helix { .. } | Self::DrivenSlide => (-Vec3::Z, [0.0; 2]),
             Self::DrivenAngle => (Vec3::ZERO, [0.0; 2]),
         }

@@ -124,9 +124,8 @@ fn check_joint(joint: &Joint, bodies: &[Body]) -> Result<(), MechanismError> {
         let (kind, play, play_of) = (joint.kind.word(), play.word(), play.joint_word());
         return Err(MechanismError::PlayOfAnotherJoint { joint: name(), kind, play, play_of });
     }
-    play.mistake().map_or(Ok(()), |(quantity, value, rule)| {
-        Err(MechanismError::BadPlay { joint: name(), quantity, value, rule })
-    })
+    play.mistake()
+        .map_or(Ok(()), |(quantity, value, rule)| Err(MechanismError::BadPlay { joint: name(), quantity, value, rule }))
 }
 
 fn check_drive(number: usize, drive: &Drive, drives: &[Drive], joints: &[Joint]) -> Result<(), MechanismError> {

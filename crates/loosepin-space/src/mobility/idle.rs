@@ -40,15 +40,16 @@ pub struct IdleMotion {
 pub(crate) fn idle_motions(loops: &Loops, jacobian: &[f64], poses: &[Pose]) -> Vec<IdleMotion> {
     let columns = loops.unknowns();
     let bodies = 1..poses.len();
-    bodies.flat_map(|body| {
-        let first = first_column(body).unwrap_or(0);
-        let block: Vec<f64> =
-            jacobian.chunks(columns.max(1)).flat_map(|row| row[first..first + 6].iter().copied()).collect();
-        let values = SingularValues::new(&block, loops.rows.len(), 6);
-        let free = values.right_null_space(values.rank(RANK_THRESHOLD));
-        free.into_iter().map(|motion| idle_motion(loops, body, &poses[body], &motion)).collect::<Vec<_>>()
-    })
-    .collect()
+    bodies
+        .flat_map(|body| {
+            let first = first_column(body).unwrap_or(0);
+            let block: Vec<f64> =
+                jacobian.chunks(columns.max(1)).flat_map(|row| row[first..first + 6].iter().copied()).collect();
+            let values = SingularValues::new(&block, loops.rows.len(), 6);
+            let free = values.right_null_space(values.rank(RANK_THRESHOLD));
+            free.into_iter().map(|motion| idle_motion(loops, body, &poses[body], &motion)).collect::<Vec<_>>()
+        })
+        .collect()
 }
 
 /// What a motion (v/L, ω) of a body is.

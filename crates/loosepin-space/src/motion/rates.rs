@@ -54,11 +54,8 @@ pub fn motion(mechanism: &SpatialMechanism, position: &Position) -> Motion {
     let idle = idle_motions(&loops, &jacobian, &position.poses);
     let drive = |number: Option<usize>| number.and_then(|number| position.drives.get(number)).copied();
 
-    let rates: Vec<f64> = loops
-        .rows
-        .iter()
-        .map(|row| drive(row.drive).map_or(0.0, |drive| drive.rate) / loops.scale(row))
-        .collect();
+    let rates: Vec<f64> =
+        loops.rows.iter().map(|row| drive(row.drive).map_or(0.0, |drive| drive.rate) / loops.scale(row)).collect();
     let (velocities, _) = system.solve(&rates);
     let mut bodies: Vec<(Vec3, Vec3)> =
         (0..position.poses.len()).map(|body| loops.velocities(&velocities, body)).collect();
@@ -83,18 +80,15 @@ pub fn motion(mechanism: &SpatialMechanism, position: &Position) -> Motion {
     without_idle_turns(&mut second, &idle, &position.poses);
 
     let bodies = bodies.into_iter().zip(second);
-    let bodies = bodies.map(|((velocity_m_s, angular_velocity_rad_s), (acceleration_m_s2, angular_acceleration_rad_s2))| {
-        BodyRates { velocity_m_s, angular_velocity_rad_s, acceleration_m_s2, angular_acceleration_rad_s2 }
-    });
+    let bodies =
+        bodies.map(|((velocity_m_s, angular_velocity_rad_s), (acceleration_m_s2, angular_acceleration_rad_s2))| {
+            BodyRates { velocity_m_s, angular_velocity_rad_s, acceleration_m_s2, angular_acceleration_rad_s2 }
+        });
     Motion { bodies: bodies.collect() }
 }
 
 /// Takes out of the rates what single bodies turn about their idle axes.
-fn without_idle_turns(
-    rates: &mut [(Vec3, Vec3)],
-    idle: &[IdleMotion],
-    poses: &[crate::geometry::pose::Pose],
-) {
+fn without_idle_turns(rates: &mut [(Vec3, Vec3)], idle: &[IdleMotion], poses: &[crate::geometry::pose::Pose]) {
     for motion in idle {
         if let IdleKind::Turn { point_m } = motion.kind {
             let (velocity, turning) = &mut rates[motion.body];

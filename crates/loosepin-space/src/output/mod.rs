@@ -48,12 +48,7 @@ macro_rules! spatial_outputs {
     };
 }
 
-spatial_outputs!(
-    Point(PointOutput),
-    Rotation(RotationOutput),
-    RotationSine(RotationSineOutput),
-    Joint(JointOutput),
-);
+spatial_outputs!(Point(PointOutput), Rotation(RotationOutput), RotationSine(RotationSineOutput), Joint(JointOutput),);
 
 impl SpatialOutput {
     /// The displacement of a point along x, y and z of the ground.

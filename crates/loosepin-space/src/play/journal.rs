@@ -17,16 +17,13 @@ pub(crate) struct EndPlanes {
 
 impl EndPlanes {
     pub(crate) fn blocks(&self) -> Vec<Block> {
-        [PlayPart::FirstEnd, PlayPart::SecondEnd]
-            .map(|part| Block { part, radius_m: self.radial_clearance_m })
-            .to_vec()
+        [PlayPart::FirstEnd, PlayPart::SecondEnd].map(|part| Block { part, radius_m: self.radial_clearance_m }).to_vec()
     }
 
     /// The shift for u1, u2 and the axial displacement α: (e + α w, α), with the slope w.
     pub(crate) fn marker_shift(&self, [x1, y1, x2, y2]: [f64; 4], axial_m: f64) -> MarkerShift {
         let slope = [(x2 - x1) / self.length_m, (y2 - y1) / self.length_m];
-        let shift_m =
-            Vec3::new(0.5 * (x1 + x2) + axial_m * slope[0], 0.5 * (y1 + y2) + axial_m * slope[1], axial_m);
+        let shift_m = Vec3::new(0.5 * (x1 + x2) + axial_m * slope[0], 0.5 * (y1 + y2) + axial_m * slope[1], axial_m);
         MarkerShift { shift_m, slope }
     }
 

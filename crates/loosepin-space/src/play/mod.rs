@@ -53,9 +53,4 @@ macro_rules! spatial_plays {
     };
 }
 
-spatial_plays!(
-    Spherical(SphericalPlay),
-    Revolute(RevolutePlay),
-    Upright(UprightPlay),
-    Cylindrical(CylindricalPlay),
-);
+spatial_plays!(Spherical(SphericalPlay), Revolute(RevolutePlay), Upright(UprightPlay), Cylindrical(CylindricalPlay),);

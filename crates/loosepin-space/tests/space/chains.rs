@@ -34,9 +34,10 @@ fn arm() -> SpatialMechanism {
     let angle = |joint| Drive { joint, coordinate: JointCoordinate::Angle };
     let slide = |joint| Drive { joint, coordinate: JointCoordinate::Slide };
     let drives = vec![angle(0), slide(1), angle(2), angle(3), slide(3), angle(4)];
-    let bodies = poses.iter().enumerate().map(|(k, pose)| {
-        if k == 0 { Body::ground() } else { Body::new(format!("link {k}"), *pose) }
-    });
+    let bodies = poses
+        .iter()
+        .enumerate()
+        .map(|(k, pose)| if k == 0 { Body::ground() } else { Body::new(format!("link {k}"), *pose) });
     SpatialMechanism::new(bodies.collect(), joints, drives).unwrap()
 }
 

@@ -3,8 +3,8 @@
 use crate::build::{Build, turn, turning, v, wrapped};
 use crate::known;
 use loosepin_space::{
-    IdleKind, JointCoordinate, JointOutput, KindOfOutput, Marker, OutputState, Pose, Position, Quaternion,
-    SpatialKind, SpatialMechanism, Vec3, assemble, cycle, mobility, motion,
+    IdleKind, JointCoordinate, JointOutput, KindOfOutput, Marker, OutputState, Pose, Position, Quaternion, SpatialKind,
+    SpatialMechanism, Vec3, assemble, cycle, mobility, motion,
 };
 
 /// Round-off of positions and angles of order one along a cycle.
@@ -19,10 +19,8 @@ fn positions(mechanism: &SpatialMechanism, inputs: &[f64]) -> Vec<Position> {
 /// Coordinate of a joint, as its deviation from the start poses.
 fn coordinate(mechanism: &SpatialMechanism, position: &Position, joint: usize, coordinate: JointCoordinate) -> f64 {
     let start = mechanism.start_poses();
-    JointOutput { joint, coordinate }.deviation(
-        &OutputState { mechanism, poses: &start },
-        &OutputState { mechanism, poses: &position.poses },
-    )
+    JointOutput { joint, coordinate }
+        .deviation(&OutputState { mechanism, poses: &start }, &OutputState { mechanism, poses: &position.poses })
 }
 
 /// Two shafts at the angle β in the plane x, y and a cross; the input pin along z or in the plane.

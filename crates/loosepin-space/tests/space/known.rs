@@ -91,14 +91,8 @@ pub fn leaning_slider_crank(gudgeon: Option<SpatialPlay>) -> SpatialMechanism {
 
 /// Bricard's mechanism of six bars of 1 m, axes at right angles, fixed at P5 - P0.
 pub fn bricard() -> SpatialMechanism {
-    let points = [
-        v(0.0, 0.0, 0.0),
-        v(1.0, 0.0, 0.0),
-        v(1.0, -1.0, 0.0),
-        v(1.0, -1.0, 1.0),
-        v(0.0, -1.0, 1.0),
-        v(0.0, 0.0, 1.0),
-    ];
+    let points =
+        [v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(1.0, -1.0, 0.0), v(1.0, -1.0, 1.0), v(0.0, -1.0, 1.0), v(0.0, 0.0, 1.0)];
     let axes = [Vec3::Y, Vec3::Z, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X];
     let mut build = Build::new(5);
     for k in 0..6 {

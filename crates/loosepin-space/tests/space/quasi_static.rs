@@ -235,8 +235,7 @@ fn peer_spherical_platform_of_three_legs() {
     let turning_rad = v(sigma, sigma, 0.0);
     let scatter: Vec<MarkerScatter> =
         (0..9).map(|joint| MarkerScatter { joint, turning_rad, displacement_m: Vec3::ZERO }).collect();
-    let expected =
-        [5.36419326e-05, 4.773188842e-05, 3.498102612e-05, 0.000318800083, 0.0002851531506, 0.0002085569391];
+    let expected = [5.36419326e-05, 4.773188842e-05, 3.498102612e-05, 0.000318800083, 0.0002851531506, 0.0002085569391];
     for (gains, expected) in all.iter().zip(expected) {
         let found = accuracy.scatter(gains, &scatter);
         assert!(close_to(found, expected, 1e-9), "{found} {expected}");

@@ -113,7 +113,9 @@ fn into_set(accuracy: &PoseAccuracy, variables: &mut [f64], is_border: bool) {
 fn random_search(accuracy: &PoseAccuracy, output: &SpatialOutput, sign: f64, random: &mut Random) -> f64 {
     let count = accuracy.play_set().variables();
     let value = |variables: &[f64]| {
-        accuracy.displaced(variables).map_or(f64::NEG_INFINITY, |at| sign * accuracy.deviation(output, &at.poses).unwrap())
+        accuracy
+            .displaced(variables)
+            .map_or(f64::NEG_INFINITY, |at| sign * accuracy.deviation(output, &at.poses).unwrap())
     };
     let mut best = (f64::NEG_INFINITY, vec![0.0; count]);
     for _ in 0..40 {
