@@ -20,7 +20,7 @@ mod output;
 mod play;
 
 pub use accuracy::{
-    AccuracyError, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm, MarkerGain, MarkerGains,
+    AccuracyError, AssemblyReserve, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm, MarkerError, MarkerGain, MarkerGains, MarkerSide, SampledDeviation,
     MarkerScatter, PlacedBlock, PlayDistribution, PlaySet, PoseAccuracy, SearchOptions, WorstCase,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};

@@ -9,7 +9,9 @@ use crate::accuracy::slice::{Largest, dot, largest};
 ///
 /// Without redundant rows, with u1 and u2 in both end planes (g_1 = g_e/2 - g_w/l, g_2 = g_e/2 + g_w/l):
 ///
-///     Σ revolute c (|g_1| + |g_2|) + c_a |g_α|  +  Σ cylindrical c (|g_1| + |g_2|)  +  Σ spherical c |g|
+/// ```text
+/// Σ revolute c (|g_1| + |g_2|) + c_a |g_α|  +  Σ cylindrical c (|g_1| + |g_2|)  +  Σ spherical c |g|
+/// ```
 ///
 /// With them the plays also satisfy h·p = 0, and the worst case is the smallest of these sums with g + λ·h in place of g: any λ gives an
 /// upper bound, and the place is where it is reached.

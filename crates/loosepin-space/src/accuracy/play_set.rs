@@ -45,6 +45,14 @@ impl PlaySet {
         Self { blocks, variables: first }
     }
 
+    /// The set with one more block, of no joint.
+    pub(crate) fn with_block(&self, part: PlayPart, radius: f64) -> Self {
+        let mut other = self.clone();
+        other.blocks.push(PlacedBlock { joint: usize::MAX, part, radius_m: radius, first: self.variables });
+        other.variables += part.size();
+        other
+    }
+
     /// Its blocks.
     pub fn blocks(&self) -> &[PlacedBlock] {
         &self.blocks
@@ -95,6 +103,16 @@ impl PlaySet {
     /// Variables scaled so that each block lies in a unit ball, in m again.
     pub(crate) fn in_metres(&self, scaled: &[f64]) -> Vec<f64> {
         scaled.iter().zip(self.radii_m()).map(|(value, radius)| value * radius).collect()
+    }
+
+    /// Puts blocks that are outside their unit balls back onto the border.
+    pub(crate) fn cut_back(&self, scaled: &mut [f64]) {
+        for block in &self.blocks {
+            let length = Self::length(block, scaled);
+            if length > 1.0 {
+                scaled[block.range()].iter_mut().for_each(|value| *value /= length);
+            }
+        }
     }
 
     /// The length of a block's variables.

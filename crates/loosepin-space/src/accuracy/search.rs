@@ -3,6 +3,7 @@
 use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
+use crate::accuracy::random::random;
 use crate::accuracy::slice::{Near, Planes, dot, largest};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
@@ -52,6 +53,19 @@ impl Climb<'_, '_> {
     /// From journals in the middle.
     pub(crate) fn climb_from_middle(&self) -> Option<Extreme> {
         self.climb(vec![0.0; self.accuracy.play_set().variables()])
+    }
+
+    /// From places of the journals, m, cut back to their play.
+    pub(crate) fn climb_from_variables(&self, variables_m: &[f64]) -> Option<Extreme> {
+        let set = &self.accuracy.set;
+        if variables_m.len() != set.variables() || !variables_m.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let radii = set.radii_m();
+        let scaled = variables_m.iter().zip(radii).map(|(value, radius)| if radius > 0.0 { value / radius } else { 0.0 });
+        let mut scaled: Vec<f64> = scaled.collect();
+        set.cut_back(&mut scaled);
+        self.climb(scaled)
     }
 
     /// From the worst case of first order of some gains, of variables in units of their radii.
@@ -156,12 +170,7 @@ impl Climb<'_, '_> {
             let right: Vec<f64> = closed.apart.iter().map(|apart| -apart).collect();
             let change = planes.shortest(&right, scaled.len());
             scaled.iter_mut().zip(&change).for_each(|(value, change)| *value += change);
-            for block in accuracy.set.blocks() {
-                let length = PlaySet::length(block, &scaled);
-                if length > 1.0 {
-                    scaled[block.range()].iter_mut().for_each(|value| *value /= length);
-                }
-            }
+            accuracy.set.cut_back(&mut scaled);
             poses = closed.poses;
         }
         None
@@ -185,14 +194,4 @@ fn along_borders(set: &PlaySet, rows: &[Vec<f64>], scaled: &[f64]) -> Vec<Vec<f6
 pub(crate) fn random_starts(variables: usize, options: &SearchOptions) -> Vec<Vec<f64>> {
     let mut state = options.seed;
     (0..options.random_starts).map(|_| (0..variables).map(|_| random(&mut state)).collect()).collect()
-}
-
-/// A number between -1 and 1: SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
-fn random(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut mixed = *state;
-    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed ^= mixed >> 31;
-    (mixed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }

@@ -3,7 +3,9 @@
 //! For blocks v_k, |v_k| <= 1: maximise g·v - τ|v - v0|²/2 with H v = b. By a primal-dual interior point method (S. Boyd, L. Vandenberghe,
 //! Convex Optimization, 2004, 11.7) with s_k = (1 - |v_k|²)/2 and multipliers z_k:
 //!
-//!     -g + τ(v - v0) + z_k v_k + Hᵀλ = 0,   H v = b,   z_k s_k = μ → 0
+//! ```text
+//! -g + τ(v - v0) + z_k v_k + Hᵀλ = 0,   H v = b,   z_k s_k = μ → 0
+//! ```
 //!
 //! A step costs as much as the blocks and one system of the order of H.
 
@@ -28,6 +30,8 @@ pub(crate) struct Planes {
     rows: Vec<Vec<f64>>,
     /// Takes multipliers of these rows to those of H, and right-hand sides of H to those of these rows: U/σ.
     back: Vec<Vec<f64>>,
+    /// U: what of right-hand sides of H is reached.
+    left: Vec<Vec<f64>>,
 }
 
 impl Planes {
@@ -37,7 +41,11 @@ impl Planes {
         let values = SingularValues::new(&matrix, rows.len(), variables);
         let kept = values.values().iter().take_while(|value| **value > negligible).count();
         let back = (0..kept).map(|k| values.left(k).iter().map(|entry| entry / values.values()[k]).collect());
-        Self { back: back.collect(), rows: (0..kept).map(|k| values.right(k).to_vec()).collect() }
+        Self {
+            back: back.collect(),
+            rows: (0..kept).map(|k| values.right(k).to_vec()).collect(),
+            left: (0..kept).map(|k| values.left(k).to_vec()).collect(),
+        }
     }
 
     /// Number of planes.
@@ -52,6 +60,26 @@ impl Planes {
             add(&mut shortest, row, value);
         }
         shortest
+    }
+
+    /// A vector without its parts across the planes.
+    pub(crate) fn along(&self, vector: &[f64]) -> Vec<f64> {
+        let mut along = vector.to_vec();
+        for row in &self.rows {
+            let share = dot(row, &along);
+            add(&mut along, row, -share);
+        }
+        along
+    }
+
+    /// The largest part of b that no v makes.
+    pub(crate) fn unreached(&self, b: &[f64]) -> f64 {
+        let mut rest = b.to_vec();
+        for left in &self.left {
+            let share = dot(left, &rest);
+            add(&mut rest, left, -share);
+        }
+        rest.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
     /// b in the orthonormal rows.

@@ -26,7 +26,9 @@ impl PlayDistribution {
 impl PoseAccuracy<'_> {
     /// Standard deviation of an output to first order, m or rad, all plays independent:
     ///
-    ///     σ² = Σ c² (|g_1|² + |g_2|²)/4 + c_a² g_α²/3 + c² |g|²/5  inside,  /2 and /3 on the rims and surfaces
+    /// ```text
+    /// σ² = Σ c² (|g_1|² + |g_2|²)/4 + c_a² g_α²/3 + c² |g|²/5  inside,  /2 and /3 on the rims and surfaces
+    /// ```
     ///
     /// `None` where the plays must meet conditions together ([`Self::conditions`]): then they are not independent, and there is no closed form.
     pub fn standard_deviation(&self, gains: &Gains, distribution: PlayDistribution) -> Option<f64> {

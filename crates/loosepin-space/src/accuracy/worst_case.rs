@@ -42,6 +42,7 @@ impl PoseAccuracy<'_> {
             let climb = Climb { accuracy: self, output, sign };
             let mut ends: Vec<Extreme> = Vec::new();
             ends.extend(climb.climb_from_middle());
+            ends.extend(options.starts_m.iter().filter_map(|start| climb.climb_from_variables(start)));
             for (number, objective) in objectives.iter().enumerate() {
                 let direction = if number == 0 { sign } else { 1.0 };
                 let objective: Vec<f64> = objective.iter().map(|gain| gain * direction).collect();
@@ -58,7 +59,7 @@ impl PoseAccuracy<'_> {
         Ok(WorstCase {
             largest,
             smallest,
-            starts: objectives.len() + 1,
+            starts: objectives.len() + 1 + options.starts_m.len(),
             agreeing: [of_largest, of_smallest],
             conditions: self.conditions(),
         })

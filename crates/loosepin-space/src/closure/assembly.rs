@@ -8,6 +8,8 @@ use crate::closure::position::Position;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::{CLOSED, Place, follow, nearest_values};
 use crate::geometry::pose::Pose;
+use crate::kind::kind_of_joint::KindOfJoint;
+use crate::kind::row::is_reversed;
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 
@@ -30,7 +32,8 @@ const LARGEST_THRESHOLD: f64 = 1e-3;
 ///
 /// # Errors
 ///
-/// [`ClosureError::DoesNotClose`] if the steps do not come to an end or redundant rows contradict each other, and those of [`crate::cycle`].
+/// [`ClosureError::DoesNotClose`] if the steps do not come to an end or redundant rows contradict each other,
+/// [`ClosureError::Reversed`] if axes that are to be parallel point against each other, and those of [`crate::cycle`].
 pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<Position, ClosureError> {
     let loops = Loops::new(mechanism);
     Ok(Position::new(&loops, drives, &assembled(&loops, drives)?))
@@ -43,6 +46,10 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue]) -> Result<Place, C
     let start = mechanism.start_poses();
     let measured = loops.driven_coordinates(&loops.frames(&start, &[]));
     let poses = close_from_afar(loops, start, &measured)?;
+    let joints = mechanism.joints().iter().zip(loops.frames(&poses, &[]));
+    if let Some((joint, _)) = joints.into_iter().find(|(joint, at)| is_reversed(&joint.kind.rows(), at)) {
+        return Err(ClosureError::Reversed { joint: joint.name.clone() });
+    }
     let values: Vec<f64> = drives.iter().map(|drive| drive.value).collect();
     let target = nearest_values(loops, &measured, &values);
     let singular = singular_values(loops, &loops.frames(&poses, &[]));

@@ -30,12 +30,22 @@ pub enum ClosureError {
         /// What is left in the row that is farthest from closing, lengths over the characteristic length, cosines and rad.
         residual: f64,
     },
+    /// The start poses close a joint with axes that point against each other.
+    Reversed {
+        /// The joint.
+        joint: String,
+    },
     /// The drive cannot go on: another joint has come to its dead position.
     Locked {
         /// Where.
         place: DrivePlace,
         /// The joint whose bodies could move there with the drive held.
         joint: String,
+    },
+    /// The joints hold the coordinate of a drive, so that it cannot move at all.
+    DriveHeld {
+        /// Where.
+        place: DrivePlace,
     },
     /// Two ways of assembly meet, so that what follows is not determined.
     ChangePoint {
@@ -81,8 +91,14 @@ impl fmt::Display for ClosureError {
                 "the loops do not close from the start poses: joint '{joint}' is {residual:e} apart, in units of the \
                  characteristic length or rad"
             ),
+            Self::Reversed { joint } => {
+                write!(out, "joint '{joint}': an axis of its bearing's marker points against that of its journal's; turn one of them")
+            }
             Self::Locked { place, joint } => {
                 write!(out, "the drive locks at {place}: joint '{joint}' is in its dead position")
+            }
+            Self::DriveHeld { place } => {
+                write!(out, "the drive cannot move from {place}: the joints hold it, and what is left moves without it")
             }
             Self::ChangePoint { place, joint } => {
                 write!(

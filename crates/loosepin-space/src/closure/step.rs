@@ -50,6 +50,12 @@ pub(crate) type DriveFunction<'a> = &'a dyn Fn(f64) -> Vec<f64>;
 /// Follows the motion from `from` to the input `target`.
 pub(crate) fn follow(loops: &Loops, from: &Place, target: f64, drives: DriveFunction) -> Result<Place, ClosureError> {
     let whole = target - from.input;
+    let (here, there) = (drives(from.input), drives(target));
+    let change = drive_changes(loops, &here, &there);
+    let work = |stress: &Vec<f64>| stress.iter().zip(&change).map(|(a, b)| a * b).sum::<f64>().abs();
+    if from.borders.left.iter().any(|stress| work(stress) > SILENT_DRIVE * largest(&change)) {
+        return Err(ClosureError::DriveHeld { place: place_of(loops, from.input, &here, &there) });
+    }
     let (mut at, mut step) = (from.clone(), whole);
     while at.input != target {
         // What is left is no more than round-off beyond the step: then it is the last one.

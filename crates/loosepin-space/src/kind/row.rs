@@ -43,6 +43,14 @@ impl Row {
     }
 }
 
+/// Whether axes that rows hold parallel point against each other: rows of right angles alone do not tell.
+pub(crate) fn is_reversed(rows: &[Row], at: &JointFrames) -> bool {
+    let has = |a, b| rows.contains(&Row::Perpendicular(a, b));
+    let is_against = |axis: Axis| axis.of(&at.bearing).dot(axis.of(&at.journal)) < 0.0;
+    (has(Axis::X, Axis::Z) && has(Axis::Y, Axis::Z) && is_against(Axis::Z))
+        || (has(Axis::X, Axis::Y) && is_against(Axis::X))
+}
+
 /// One equation of a joint or of a drive.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum ScalarRow {

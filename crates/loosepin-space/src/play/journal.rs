@@ -6,7 +6,9 @@ use crate::play::block::{Block, PlayPart};
 
 /// Both end planes of a bearing, in which the journal's axis is anywhere with |u1| <= c and |u2| <= c, exactly:
 ///
-///     e = (u1 + u2)/2 at mid-plane,  slope w = (u2 - u1)/l
+/// ```text
+/// e = (u1 + u2)/2 at mid-plane,  slope w = (u2 - u1)/l
+/// ```
 ///
 /// This is a circular hole cut by both planes. A journal is a circle there but for 1/cos of its lean: 2 R_j c²/l² at most.
 #[derive(Debug, Clone, Copy)]

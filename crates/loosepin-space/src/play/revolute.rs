@@ -8,7 +8,9 @@ use crate::play::kind_of_play::{KindOfPlay, clearance_mistake, length_mistake};
 
 /// A journal longer than its bearing, between two stops. In axes of the bearing d = (e + α w, α) and the journal's axis is along (w, 1):
 ///
-///     e = (u1 + u2)/2,  w = (u2 - u1)/l,  |u1| <= c,  |u2| <= c,  |α| <= c_a
+/// ```text
+/// e = (u1 + u2)/2,  w = (u2 - u1)/l,  |u1| <= c,  |u2| <= c,  |α| <= c_a
+/// ```
 ///
 /// u1, u2 are the places of the journal's axis in the end planes of the bearing, α its displacement along the axis. The set is exact, not of
 /// first order.

@@ -5,5 +5,6 @@ mod chains;
 mod closed_forms;
 mod known;
 mod quasi_static;
+mod refusals;
 mod searches;
 mod stops;

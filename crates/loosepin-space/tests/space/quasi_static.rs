@@ -241,3 +241,28 @@ fn peer_spherical_platform_of_three_legs() {
         assert!(close_to(found, expected, 1e-9), "{found} {expected}");
     }
 }
+
+#[test]
+fn peer_standard_deviation_of_the_gudgeon_under_its_condition() {
+    // Quadrature of an independent program: 95.44616 and 28.82626 µm.
+    let play = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 2e-4, axial_clearance_m: 1e-4 };
+    let mechanism = known::leaning_slider_crank(Some(play.into()));
+    let position = at_input(&mechanism, 60.0);
+    let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
+    let rod_z = SpatialOutput::displacement(2, v(0.11, 0.0, 0.05))[2];
+    for (output, expected) in [(slider_x(3), 95.44616e-6), (rod_z, 28.82626e-6)] {
+        let found = accuracy.sampled_deviation(&accuracy.gains(&output).unwrap(), 200_000, 3);
+        assert!(found.standard_error < 0.01 * expected, "{}", found.standard_error);
+        let off = (found.standard_deviation - expected).abs() / found.standard_error;
+        assert!(off < 4.0, "{} is {off} standard errors off", found.standard_deviation);
+    }
+    // Without conditions it is the closed form.
+    let mechanism = known::rssp(Some(play.into()), Some(SphericalPlay { radial_clearance_m: 3e-4 }.into()));
+    let position = at_input(&mechanism, 60.0);
+    let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
+    let gains = accuracy.gains(&slider_x(3)).unwrap();
+    let expected = accuracy.standard_deviation(&gains, PlayDistribution::Inside).unwrap();
+    let found = accuracy.sampled_deviation(&gains, 200_000, 3);
+    assert!((found.standard_deviation - expected).abs() < 4.0 * found.standard_error);
+    assert!(found.standard_error < 0.01 * expected);
+}
