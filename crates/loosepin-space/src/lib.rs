@@ -6,6 +6,30 @@
 //! accelerations. [`PoseAccuracy`] then says what play does in such a position: gains, worst cases of first order and exact ones with the places of
 //! the journals that make them, standard deviations. [`OpenChain`] evaluates arms without loops for very many samples.
 //!
+//! ```
+//! use loosepin_space::{
+//!     Body, Drive, DriveValue, Joint, JointCoordinate, Marker, Pose, PoseAccuracy, Revolute, RevolutePlay, SearchOptions, SpatialMechanism,
+//!     SpatialOutput, Vec3, assemble,
+//! };
+//!
+//! // An arm of 0.3 m on a driven pin with play.
+//! let marker = |body| Marker::new(body, Vec3::ZERO, Vec3::Z, Vec3::X).expect("axes at a right angle");
+//! let play = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 1e-4, axial_clearance_m: 0.0 };
+//! let pin = Joint::new("pin", Revolute, marker(0), marker(1)).with_play(play);
+//! let arm = SpatialMechanism::new(
+//!     vec![Body::ground(), Body::new("arm", Pose::GROUND)],
+//!     vec![pin],
+//!     vec![Drive { joint: 0, coordinate: JointCoordinate::Angle }],
+//! )?;
+//! let position = assemble(&arm, &[DriveValue::held(0.5)])?;
+//! let accuracy = PoseAccuracy::new(&arm, &position)?;
+//! let [_, _, height] = SpatialOutput::displacement(1, Vec3::new(0.3, 0.0, 0.0));
+//! // The pin leans by 2c/l: 3 mm at the end of the arm, though no journal is off by more than 0.1 mm.
+//! let worst = accuracy.worst_case(&height, &SearchOptions::default())?;
+//! assert!((worst.largest.deviation - 3e-3).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Lengths in m, angles in rad. Bodies, joints and drives are numbered from 0 in the order in which they were given; body 0 is the ground.
 
 mod accuracy;
@@ -20,8 +44,9 @@ mod output;
 mod play;
 
 pub use accuracy::{
-    AccuracyError, AssemblyReserve, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm, MarkerError, MarkerGain, MarkerGains, MarkerSide, SampledDeviation,
-    MarkerScatter, PlacedBlock, PlayDistribution, PlaySet, PoseAccuracy, SearchOptions, WorstCase,
+    AccuracyError, AssemblyReserve, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm,
+    MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock, PlayDistribution, PlaySet,
+    PoseAccuracy, SampledDeviation, SearchOptions, WorstCase,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace};

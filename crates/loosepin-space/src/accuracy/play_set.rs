@@ -45,6 +45,12 @@ impl PlaySet {
         Self { blocks, variables: first }
     }
 
+    /// No variables.
+    #[cfg(test)]
+    pub(crate) fn empty() -> Self {
+        Self { blocks: Vec::new(), variables: 0 }
+    }
+
     /// The set with one more block, of no joint.
     pub(crate) fn with_block(&self, part: PlayPart, radius: f64) -> Self {
         let mut other = self.clone();

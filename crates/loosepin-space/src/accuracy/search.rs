@@ -62,7 +62,8 @@ impl Climb<'_, '_> {
             return None;
         }
         let radii = set.radii_m();
-        let scaled = variables_m.iter().zip(radii).map(|(value, radius)| if radius > 0.0 { value / radius } else { 0.0 });
+        let scaled =
+            variables_m.iter().zip(radii).map(|(value, radius)| if radius > 0.0 { value / radius } else { 0.0 });
         let mut scaled: Vec<f64> = scaled.collect();
         set.cut_back(&mut scaled);
         self.climb(scaled)

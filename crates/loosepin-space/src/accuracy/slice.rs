@@ -310,3 +310,59 @@ fn add(sum: &mut [f64], part: &[f64], factor: f64) {
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Planes, largest};
+    use crate::accuracy::play_set::PlaySet;
+    use crate::play::block::PlayPart;
+
+    /// What an interior point method leaves.
+    const TOLERANCE: f64 = 1e-10;
+
+    fn set(parts: &[PlayPart]) -> PlaySet {
+        parts.iter().fold(PlaySet::empty(), |set, part| set.with_block(*part, 1.0))
+    }
+
+    #[test]
+    fn analytic_a_cylinder_cut_by_a_tilted_plane() {
+        // Disc (x, y) and interval z with z = 2x: x is at most 1/2. Largest x + y: x = 1/2, y = √3/2; largest 2x + y/10: x = 1/2 as well.
+        let set = set(&[PlayPart::Across, PlayPart::Axial]);
+        let planes = Planes::new(&[vec![-2.0, 0.0, 1.0]], 3, 1e-12);
+        for (gains, expected) in [
+            ([1.0, 1.0, 0.0], 0.5 + 0.75_f64.sqrt()),
+            ([2.0, 0.1, 0.0], 1.0 + 0.1 * 0.75_f64.sqrt()),
+            ([0.0, 1.0, 0.0], 1.0),
+        ] {
+            let found = largest(&set, &gains, None, &planes, &[0.0]).unwrap();
+            let reached: f64 = gains.iter().zip(&found.place).map(|(gain, value)| gain * value).sum();
+            let bound: f64 = set.support(&found.rest).iter().sum();
+            assert!((reached - expected).abs() < TOLERANCE, "{reached} {expected}");
+            assert!((bound - expected).abs() < TOLERANCE, "{bound} {expected}");
+            assert!((found.place[2] - 2.0 * found.place[0]).abs() < TOLERANCE);
+        }
+        // Planes that repeat each other are one; a plane outside has no place.
+        let twice = Planes::new(&[vec![-2.0, 0.0, 1.0], vec![-4.0, 0.0, 2.0]], 3, 1e-12);
+        assert_eq!(twice.count(), 1);
+        assert!(
+            largest(&set, &[1.0, 0.0, 0.0], None, &Planes::new(&[vec![1.0, 0.0, 0.0]], 3, 1e-12), &[2.0]).is_none()
+        );
+    }
+
+    #[test]
+    fn analytic_near_a_place() {
+        // Maximise x - τ|v - v0|²/2 in a ball: at v0 + g/τ where that is inside, else on the border in its direction.
+        let set = set(&[PlayPart::Ball]);
+        let none = Planes::new(&[], 3, 0.0);
+        let near = |weight| super::Near { weight, place: &[0.1, 0.2, 0.0] };
+        let inside = largest(&set, &[1.0, 0.0, 0.0], Some(near(2.0)), &none, &[]).unwrap().place;
+        assert!((inside[0] - 0.6).abs() < TOLERANCE && (inside[1] - 0.2).abs() < TOLERANCE);
+        let outside = largest(&set, &[1.0, 0.0, 0.0], Some(near(0.5)), &none, &[]).unwrap().place;
+        let length = 2.1_f64.hypot(0.2);
+        assert!((outside[0] - 2.1 / length).abs() < TOLERANCE && (outside[1] - 0.2 / length).abs() < TOLERANCE);
+        // The same with a plane z = 0.3 across it: v0 + g/τ projected on it.
+        let plane = Planes::new(&[vec![0.0, 0.0, 1.0]], 3, 1e-12);
+        let cut = largest(&set, &[1.0, 0.0, 0.0], Some(near(2.0)), &plane, &[0.3]).unwrap().place;
+        assert!((cut[0] - 0.6).abs() < 1e-6 && (cut[1] - 0.2).abs() < 1e-6 && (cut[2] - 0.3).abs() < TOLERANCE);
+    }
+}

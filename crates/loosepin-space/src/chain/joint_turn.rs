@@ -12,6 +12,12 @@ pub(crate) struct JointPlace {
     pub slide_m: f64,
 }
 
+/// Angles and slides of the joints of a chain.
+#[derive(Debug, Clone)]
+pub struct ChainPose {
+    pub(crate) places: Vec<JointPlace>,
+}
+
 /// A marker on another.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Transform {

@@ -7,5 +7,6 @@ mod path;
 mod sample;
 
 pub use error::ChainError;
-pub use open_chain::{ChainPose, OpenChain};
+pub use joint_turn::ChainPose;
+pub use open_chain::OpenChain;
 pub use sample::{ChainSample, EndPose};

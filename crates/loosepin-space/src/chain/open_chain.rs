@@ -2,7 +2,7 @@
 
 use crate::accuracy::PlaySet;
 use crate::chain::error::ChainError;
-use crate::chain::joint_turn::JointPlace;
+use crate::chain::joint_turn::{ChainPose, JointPlace};
 use crate::chain::path::{PathJoint, path_to};
 use crate::chain::sample::ChainSample;
 use crate::kind::kind_of_joint::KindOfJoint;
@@ -25,16 +25,10 @@ struct Held {
 /// play as [`crate::PoseAccuracy::displaced`] is, without equations to solve.
 #[derive(Debug, Clone)]
 pub struct OpenChain<'a> {
-    pub(crate) mechanism: &'a SpatialMechanism,
-    pub(crate) path: Vec<PathJoint>,
+    mechanism: &'a SpatialMechanism,
+    path: Vec<PathJoint>,
     held: Vec<Held>,
-    pub(crate) set: PlaySet,
-}
-
-/// Angles and slides of the joints of a chain.
-#[derive(Debug, Clone)]
-pub struct ChainPose {
-    pub(crate) places: Vec<JointPlace>,
+    set: PlaySet,
 }
 
 impl<'a> OpenChain<'a> {
@@ -68,7 +62,7 @@ impl<'a> OpenChain<'a> {
 
     /// One chain of a series: with given variables of play, m, and markers of each joint of the mechanism (bearing, journal) where they scatter.
     pub fn sample(&self, variables_m: &[f64], markers: Option<&[[Marker; 2]]>) -> ChainSample {
-        ChainSample::new(self, variables_m, markers)
+        ChainSample::new(self.mechanism, &self.path, &self.set.shifts(self.mechanism, variables_m), markers)
     }
 }
 

@@ -1,10 +1,12 @@
 //! One chain of a series.
 
-use crate::chain::joint_turn::{Lean, Transform};
-use crate::chain::open_chain::{ChainPose, OpenChain};
+use crate::chain::joint_turn::{ChainPose, Lean, Transform};
+use crate::chain::path::PathJoint;
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
+use crate::kind::frames::MarkerShift;
 use crate::mechanism::marker::Marker;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
 
 /// Pose of the body at the end of a chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,12 +42,17 @@ pub struct ChainSample {
 }
 
 impl ChainSample {
-    pub(crate) fn new(chain: &OpenChain, variables_m: &[f64], markers: Option<&[[Marker; 2]]>) -> Self {
-        let shifts = chain.set.shifts(chain.mechanism, variables_m);
+    /// The chain along `path`, with what play does to each joint of the mechanism, and its markers where they are not the mechanism's own.
+    pub(crate) fn new(
+        mechanism: &SpatialMechanism,
+        path: &[PathJoint],
+        shifts: &[MarkerShift],
+        markers: Option<&[[Marker; 2]]>,
+    ) -> Self {
         let mut before = Transform { axes: Rotation::IDENTITY, origin_m: Vec3::ZERO };
-        let mut links = Vec::with_capacity(chain.path.len());
-        for joint in &chain.path {
-            let own = &chain.mechanism.joints()[joint.joint];
+        let mut links = Vec::with_capacity(path.len());
+        for joint in path {
+            let own = &mechanism.joints()[joint.joint];
             let given = markers.and_then(|markers| markers.get(joint.joint));
             let [bearing, journal] = given.unwrap_or(&[own.bearing, own.journal]).each_ref().map(placed);
             let (near, far) = if joint.is_reversed { (journal, bearing) } else { (bearing, journal) };

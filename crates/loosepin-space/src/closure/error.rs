@@ -92,7 +92,10 @@ impl fmt::Display for ClosureError {
                  characteristic length or rad"
             ),
             Self::Reversed { joint } => {
-                write!(out, "joint '{joint}': an axis of its bearing's marker points against that of its journal's; turn one of them")
+                write!(
+                    out,
+                    "joint '{joint}': an axis of its bearing's marker points against that of its journal's; turn one of them"
+                )
             }
             Self::Locked { place, joint } => {
                 write!(out, "the drive locks at {place}: joint '{joint}' is in its dead position")

@@ -3,6 +3,7 @@
 mod build;
 mod chains;
 mod closed_forms;
+mod identities;
 mod known;
 mod quasi_static;
 mod refusals;

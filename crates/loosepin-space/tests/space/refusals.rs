@@ -73,10 +73,7 @@ fn mechanisms_that_cannot_be() {
             "joint 'pin': largest lean 2c/l is 1; it must be <= 0.5",
         ),
         (message(two(), vec![pin()], vec![Drive { joint: 3, ..angle }]), "drive number 0: there is no joint number 3"),
-        (
-            message(two(), vec![pin()], vec![slide]),
-            "joint 'pin': a revolute joint does not have the driven coordinate",
-        ),
+        (message(two(), vec![pin()], vec![slide]), "joint 'pin': a revolute joint does not have the driven coordinate"),
         (message(two(), vec![pin()], vec![angle, angle]), "joint 'pin': its coordinate has two drives"),
     ] {
         assert_eq!(found, expected);

@@ -2,8 +2,8 @@
 
 use crate::build::{Build, turning, v};
 use loosepin_space::{
-    ClosureError, CylindricalPlay, KindOfJoint, MarkerError, MarkerSide, PlayDistribution, PoseAccuracy, Quaternion, RevolutePlay, Row, SearchOptions, SpatialMechanism,
-    SpatialOutput, SphericalPlay, UprightPlay, Vec3, assemble,
+    ClosureError, CylindricalPlay, KindOfJoint, MarkerError, MarkerSide, PlayDistribution, PoseAccuracy, Quaternion,
+    RevolutePlay, Row, SearchOptions, SpatialMechanism, SpatialOutput, SphericalPlay, UprightPlay, Vec3, assemble,
 };
 
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
@@ -41,8 +41,8 @@ fn identity_random_loops_go_round_or_stop_with_a_reason() {
         let found = loosepin_space::cycle(&mechanism, &crate::build::turn(60), &turning);
         for position in &found.positions {
             for joint in mechanism.joints().iter().filter(|joint| joint.kind.rows().contains(&Row::Coincident)) {
-                let [bearing, journal] = [joint.bearing, joint.journal]
-                    .map(|marker| position.poses[marker.body].point_m(marker.point_m));
+                let [bearing, journal] =
+                    [joint.bearing, joint.journal].map(|marker| position.poses[marker.body].point_m(marker.point_m));
                 assert!((bearing - journal).length() < 1e-12);
             }
         }
@@ -290,7 +290,8 @@ fn identity_no_random_search_finds_more_in_overconstrained_loops() {
         let output = loosepin_space::PointOutput { body, point_m, direction }.into();
         let first = accuracy.first_order(&accuracy.gains(&output).unwrap()).unwrap();
         assert!((first.reached - first.worst).abs() < 1e-10 * first.worst);
-        let exact = accuracy.worst_case(&output, &SearchOptions { random_starts: 16, ..SearchOptions::default() }).unwrap();
+        let exact =
+            accuracy.worst_case(&output, &SearchOptions { random_starts: 16, ..SearchOptions::default() }).unwrap();
         for (sign, extreme) in [(1.0, &exact.largest), (-1.0, &exact.smallest)] {
             let value = |at: &[(Quaternion, Vec3); 3]| {
                 let (turn, place) = at[body - 1];
