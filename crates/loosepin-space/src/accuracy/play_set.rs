@@ -121,10 +121,14 @@ impl PlaySet {
         }
     }
 
+    /// The square of the length of a block's variables.
+    pub(crate) fn square(block: &PlacedBlock, variables: &[f64]) -> f64 {
+        variables.get(block.range()).unwrap_or_default().iter().map(|value| value * value).sum()
+    }
+
     /// The length of a block's variables.
     pub(crate) fn length(block: &PlacedBlock, variables: &[f64]) -> f64 {
-        let own = variables.get(block.range()).unwrap_or_default();
-        own.iter().map(|value| value * value).sum::<f64>().sqrt()
+        Self::square(block, variables).sqrt()
     }
 
     /// The largest g·p of each block, over p in its ball: radius times the length of its gains. What `gains` are of scaled variables has

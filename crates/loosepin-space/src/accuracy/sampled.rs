@@ -47,14 +47,16 @@ impl PoseAccuracy<'_> {
                 let mut sum = 0.0;
                 for _ in 0..batch {
                     step(&mut place);
-                    sum += dot(&scaled, &place).powi(2);
+                    let value = dot(&scaled, &place);
+                    sum += value * value;
                 }
                 sum / batch as f64
             })
             .collect();
         let count = BATCHES as f64;
         let variance = squares.iter().sum::<f64>() / count;
-        let spread = squares.iter().map(|square| (square - variance).powi(2)).sum::<f64>() / (count * (count - 1.0));
+        let spread = squares.iter().map(|square| (square - variance) * (square - variance)).sum::<f64>()
+            / (count * (count - 1.0));
         let standard_deviation = variance.sqrt();
         let standard_error = if variance > 0.0 { spread.sqrt() / (2.0 * standard_deviation) } else { 0.0 };
         SampledDeviation { standard_deviation, standard_error, samples: batch * BATCHES }

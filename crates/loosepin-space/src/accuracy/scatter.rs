@@ -62,7 +62,8 @@ impl PoseAccuracy<'_> {
     pub fn scatter(&self, gains: &Gains, scatter: &[MarkerScatter]) -> f64 {
         let all = self.marker_gains(gains);
         let part = |gain: Vec3, sigma: Vec3| {
-            (gain.x * sigma.x).powi(2) + (gain.y * sigma.y).powi(2) + (gain.z * sigma.z).powi(2)
+            let products = Vec3::new(gain.x * sigma.x, gain.y * sigma.y, gain.z * sigma.z);
+            products.dot(products)
         };
         let variance: f64 = scatter
             .iter()

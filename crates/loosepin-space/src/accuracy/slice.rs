@@ -180,7 +180,7 @@ fn inner_point(
     let weight = near.map_or(0.0, |near| near.weight);
     let count = blocks.len() as f64;
     for _ in 0..MAX_STEPS {
-        let slacks: Vec<f64> = blocks.iter().map(|block| 0.5 * (1.0 - PlaySet::length(block, &at.v).powi(2))).collect();
+        let slacks: Vec<f64> = blocks.iter().map(|block| 0.5 * (1.0 - PlaySet::square(block, &at.v))).collect();
         let gap: f64 = at.z.iter().zip(&slacks).map(|(z, s)| z * s).sum();
         let mut dual = planes.less(gains, &at.multipliers);
         for (block, z) in blocks.iter().zip(&at.z) {

@@ -37,9 +37,8 @@ impl PoseAccuracy<'_> {
         }
         let scaled = self.scaled_gains(gains);
         let blocks = self.set.blocks().iter();
-        let variance: f64 = blocks
-            .map(|block| PlaySet::length(block, &scaled).powi(2) * distribution.variance(block.part.size()))
-            .sum();
+        let variance: f64 =
+            blocks.map(|block| PlaySet::square(block, &scaled) * distribution.variance(block.part.size())).sum();
         Some(variance.sqrt())
     }
 }

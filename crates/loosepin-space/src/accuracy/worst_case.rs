@@ -15,12 +15,15 @@ pub struct WorstCase {
     pub smallest: Extreme,
     /// Starts of each search.
     pub starts: usize,
-    /// How many of them ended at the largest, and at the smallest, to 1e-6 of it.
+    /// How many of them ended at the largest, and at the smallest, to 1e-6 of it or of the sum of all plays.
     pub agreeing: [usize; 2],
     /// Conditions that the plays must meet together. With 0 all starts of well-behaved mechanisms end alike; with more it is a search among
     /// many extremes, and the numbers are the largest and the smallest found.
     pub conditions: usize,
 }
+
+/// Extremes that are nearer to each other than this share count as one.
+const AGREEMENT: f64 = 1e-6;
 
 impl PoseAccuracy<'_> {
     /// The exact worst case of an output: the largest and the smallest deviation over all places of the journals within their play, loops
@@ -36,6 +39,7 @@ impl PoseAccuracy<'_> {
     pub fn worst_case(&self, output: &SpatialOutput, options: &SearchOptions) -> Result<WorstCase, AccuracyError> {
         let gains = self.gains(output)?;
         let scaled = self.scaled_gains(&gains);
+        let reach = self.unconditioned_worst(&gains);
         let mut objectives = vec![scaled.clone()];
         objectives.extend(random_starts(self.play_set().variables(), options));
         let find = |sign: f64| {
@@ -50,8 +54,8 @@ impl PoseAccuracy<'_> {
             }
             let best = ends.iter().max_by(|a, b| (sign * a.deviation).total_cmp(&(sign * b.deviation))).cloned();
             let best = best.ok_or(AccuracyError::NoPlace)?;
-            let near = ends.iter().filter(|end| (end.deviation - best.deviation).abs() <= 1e-6 * best.deviation.abs());
-            let agreeing = near.count();
+            let tolerance = AGREEMENT * best.deviation.abs().max(reach);
+            let agreeing = ends.iter().filter(|end| (end.deviation - best.deviation).abs() <= tolerance).count();
             Ok((best, agreeing))
         };
         let (largest, of_largest) = find(1.0)?;

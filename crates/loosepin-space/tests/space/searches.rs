@@ -331,6 +331,48 @@ fn identity_no_random_search_finds_more_in_overconstrained_loops() {
 }
 
 #[test]
+fn identity_bound_and_place_of_the_first_order_meet_with_many_conditions() {
+    // Each joint of a planar four-bar has a second bearing: 16 rows more, all redundant.
+    let points = [Vec3::ZERO, v(0.05, 0.0, 0.01), v(0.13, 0.13, -0.01), v(0.14, 0.0, 0.0)];
+    let revolute = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 2e-5, axial_clearance_m: 1e-4 };
+    let cylindrical = CylindricalPlay { bearing_length_m: 0.02, radial_clearance_m: 3e-5 };
+    let mut build = Build::new(3);
+    for (k, point) in points.into_iter().enumerate() {
+        build = build.joint("revolute", [k, (k + 1) % 4], point, Vec3::Z, Vec3::X).play(revolute);
+        if k == 0 {
+            build = build.driven();
+        }
+    }
+    for (k, point) in points.into_iter().enumerate() {
+        let beside = point + v(0.0, 0.0, 0.05);
+        build = build.joint("cylindrical", [k, (k + 1) % 4], beside, Vec3::Z, Vec3::X).play(cylindrical);
+    }
+    let mechanism = build.mechanism();
+    let found = loosepin_space::cycle(&mechanism, &[0.0, 0.7], &turning);
+    let accuracy = PoseAccuracy::new(&mechanism, &found.positions[1]).unwrap();
+    assert_eq!(accuracy.conditions(), 19);
+    for output in SpatialOutput::displacement(2, v(0.1, 0.05, 0.02)) {
+        let gains = accuracy.gains(&output).unwrap();
+        let first = accuracy.first_order(&gains).unwrap();
+        // The place is admissible, the multipliers bound it: both are the worst case.
+        assert!((first.worst - first.reached).abs() < 1e-10 * first.worst, "{} {}", first.worst, first.reached);
+        for block in accuracy.play_set().blocks() {
+            let own = &first.variables_m[block.range()];
+            let length = own.iter().map(|value| value * value).sum::<f64>().sqrt();
+            assert!(length <= block.radius_m * (1.0 + 1e-12));
+        }
+        assert!(first.worst < 0.95 * accuracy.unconditioned_worst(&gains));
+        assert!((first.by_joint.iter().sum::<f64>() - first.worst).abs() < 1e-12 * first.worst);
+        // Linear conditions are met to second order: leans of 3e-3, squared.
+        assert!(accuracy.displaced(&first.variables_m).unwrap().apart < 1e-5);
+        let exact = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
+        for deviation in [exact.largest.deviation, -exact.smallest.deviation] {
+            assert!((deviation / first.worst - 1.0).abs() < 5e-3, "{deviation} {}", first.worst);
+        }
+    }
+}
+
+#[test]
 fn analytic_a_shaft_in_two_bearings_leans_by_their_outer_ends() {
     // Bearings of length l at z = 0 and z = D, both with clearance c: the shaft's axis is within c at -l/2 and D + l/2, so that the slope is at
     // most 2c/(D + l), and a point at z = Z moves by c (2Z - D)/(D + l) across, without the turning of the drive.
