@@ -8,7 +8,7 @@ use loosepin_space::{
 };
 
 /// Turret, lift, shaft and screw, one joint with its bearing on the far side, all driven.
-fn arm() -> SpatialMechanism {
+pub fn arm() -> SpatialMechanism {
     let poses = [
         Pose::GROUND,
         Pose::new(v(0.1, 0.02, 0.2), Quaternion::from_rotation_vector(v(0.3, -0.2, 0.5))),

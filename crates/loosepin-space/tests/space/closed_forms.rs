@@ -105,7 +105,42 @@ fn peer_four_bar_with_two_balls() {
     assert_eq!((found.degrees_of_freedom, found.undriven_freedoms, found.redundant.len()), (2, 0, 0));
     assert_eq!(found.idle.len(), 1);
     assert_eq!(found.idle[0].body, 2);
-    assert!(matches!(found.idle[0].kind, IdleKind::Turn { .. }));
+    let IdleKind::Turn { point_m } = found.idle[0].kind else { panic!("{:?}", found.idle) };
+    let position = assemble(&mechanism, &turning(1.0)).unwrap();
+    for joint in [1, 2] {
+        let marker = [mechanism.joints()[1].journal, mechanism.joints()[2].bearing][joint - 1];
+        let off = position.poses[2].point_m(marker.point_m) - point_m;
+        assert!(off.cross(found.idle[0].direction).length() < 1e-12, "the axis goes through both balls");
+    }
+}
+
+#[test]
+fn analytic_few_inputs_and_a_position_near_a_change_point_stay_on_the_branch() {
+    // s = r cos θ + √(l² - r² sin² θ) with l = 1.0002 r: at 90° the other assembly is 2 mm away from this one.
+    let (crank, rod) = (0.05_f64, 0.05001_f64);
+    let slider = v(crank + rod, 0.0, 0.0);
+    let mechanism = Build::new(3)
+        .joint("revolute", [0, 1], Vec3::ZERO, Vec3::Z, Vec3::X)
+        .driven()
+        .ball([1, 2], v(crank, 0.0, 0.0))
+        .ball([2, 3], slider)
+        .joint("prismatic", [0, 3], slider, Vec3::X, Vec3::Y)
+        .mechanism();
+    for steps in [1, 2, 3, 4, 5, 7, 12] {
+        for position in positions(&mechanism, &turn(steps)) {
+            let (sine, cosine) = position.input.sin_cos();
+            let expected = crank * cosine + (rod * rod - crank * crank * sine * sine).sqrt();
+            assert!((position.poses[3].point_m(slider).x - expected).abs() < ROUND_OFF, "{steps}");
+        }
+    }
+    for steps in [1, 2, 5] {
+        let mechanism = known::rssr(None);
+        let start = known::rssr_angle(0.0, known::COUPLER);
+        for position in positions(&mechanism, &turn(steps)) {
+            let psi = start + coordinate(&mechanism, &position, 3, JointCoordinate::Angle);
+            assert!(wrapped(psi - known::rssr_angle(position.input, known::COUPLER)).abs() < ROUND_OFF);
+        }
+    }
 }
 
 fn known_coupler_axis(mechanism: &SpatialMechanism) -> Vec3 {
@@ -303,12 +338,31 @@ fn identity_rates_are_differences_of_positions() {
             acceleration: -0.8 * sine,
         }]
     };
-    let bricard = known::bricard();
-    for (mechanism, at) in
-        [(known::rssr(None), 1.3), (known::rssp(None, None), 2.1), (cardan(0.7, false), 0.9), (bricard, 0.4)]
-    {
+    // All drives of the arm, which are on moving bodies but for the first, go alike but at a tenth of it along slides.
+    let arm = crate::chains::arm();
+    let slides: Vec<bool> = arm.drives().iter().map(|drive| drive.coordinate == JointCoordinate::Slide).collect();
+    let all = |input: f64| {
+        let scaled = |is_slide: &bool| {
+            let (factor, own) = (if *is_slide { 0.1 } else { 1.0 }, drive(input)[0]);
+            loosepin_space::DriveValue {
+                value: factor * own.value,
+                rate: factor * own.rate,
+                acceleration: factor * own.acceleration,
+            }
+        };
+        slides.iter().map(scaled).collect::<Vec<_>>()
+    };
+    type Drives<'a> = &'a dyn Fn(f64) -> Vec<loosepin_space::DriveValue>;
+    let cases: [(SpatialMechanism, f64, Drives); 5] = [
+        (known::rssr(None), 1.3, &drive),
+        (known::rssp(None, None), 2.1, &drive),
+        (cardan(0.7, false), 0.9, &drive),
+        (known::bricard(), 0.4, &drive),
+        (arm.clone(), 0.7, &all),
+    ];
+    for (mechanism, at, drive) in cases {
         let inputs = [0.0, 0.5 * at, at - STEP, at, at + STEP];
-        let found = cycle(&mechanism, &inputs, &drive);
+        let found = cycle(&mechanism, &inputs, drive);
         assert_eq!(found.stopped, None);
         let [.., before, here, after] = &found.positions[..] else { panic!() };
         let rates = motion(&mechanism, here);

@@ -454,6 +454,12 @@ fn analytic_least_play_of_a_shaft_in_two_bearings_that_are_not_in_line() {
         assert!((found.factor - expected).abs() < 1e-8 * expected, "{} {expected}", found.factor);
         assert!((found.bound - expected).abs() < 1e-8 * expected, "{} {expected}", found.bound);
     }
+    // Both markers off alike leave nothing, against each other twice as much.
+    let both = |sign: f64| {
+        let journal = error(MarkerSide::Journal, across * sign, Vec3::ZERO);
+        accuracy.assembly_reserve(&[error(MarkerSide::Bearing, across, Vec3::ZERO), journal]).unwrap().factor
+    };
+    assert!(both(1.0) > 1e5 && (both(-1.0) - 0.5 * expected).abs() < 1e-8 * expected);
     // A bearing that is tilted by 2c/l alone has its shaft on the border at both ends, and in the other one a lean of the same size is left.
     let tilt = 2.0 * clearance / length;
     let found = accuracy.assembly_reserve(&[error(MarkerSide::Bearing, Vec3::ZERO, v(tilt, 0.0, 0.0))]).unwrap();
