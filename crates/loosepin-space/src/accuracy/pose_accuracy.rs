@@ -98,12 +98,22 @@ impl<'a> PoseAccuracy<'a> {
         if largest(&free) > FREE_SHARE * largest(&gradient) {
             return Err(AccuracyError::OutputIsFree);
         }
-        let derivatives = self.set.derivatives(self.mechanism(), &vec![0.0; self.set.variables()]);
-        let by_play = derivatives
-            .iter()
-            .map(|(joint, shift)| -dot(&by_rows, &play_column(&self.loops, &self.frames, *joint, shift)))
-            .collect();
+        let by_play = self.unscaled_play_columns().map(|column| -dot(&by_rows, &column)).collect();
         Ok(Gains { output: *output, blocks: self.set.blocks().to_vec(), by_play, by_rows })
+    }
+
+    /// h of each redundant row by the variables of play: to first order the loops close where h·p = 0. In the order of
+    /// [`crate::FirstOrder::multipliers`], in units of the characteristic length; rows that no play reaches are zero.
+    pub fn conditions_by_play(&self) -> Vec<Vec<f64>> {
+        let rows = self.system.redundant_rows();
+        let columns: Vec<Vec<f64>> = self.unscaled_play_columns().collect();
+        rows.iter().map(|row| columns.iter().map(|column| -dot(row, column)).collect()).collect()
+    }
+
+    /// Derivatives of the rows by each variable of play, journals in the middle.
+    fn unscaled_play_columns(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
+        let derivatives = self.set.derivatives(self.mechanism(), &vec![0.0; self.set.variables()]);
+        derivatives.into_iter().map(|(joint, shift)| play_column(&self.loops, &self.frames, joint, &shift))
     }
 
     pub(crate) fn ideal_state(&self) -> OutputState<'_> {

@@ -2,6 +2,7 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
+use crate::accuracy::scatter::MarkerSide;
 use crate::accuracy::slice::{Planes, dot, largest};
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
@@ -11,15 +12,6 @@ use crate::play::block::PlayPart;
 const LARGEST_FACTOR: f64 = 1e6;
 /// Part of the errors that plays do not reach, relative to the largest derivative by play, that is round-off.
 const UNREACHED: f64 = 1e-9;
-
-/// Which marker of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MarkerSide {
-    /// Marker i.
-    Bearing,
-    /// Marker j.
-    Journal,
-}
 
 /// A marker that is not where it should be on its body.
 #[derive(Debug, Clone, Copy, PartialEq)]

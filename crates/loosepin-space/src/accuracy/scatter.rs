@@ -25,14 +25,25 @@ pub struct MarkerGains {
     pub journal: MarkerGain,
 }
 
-/// Standard deviations of a marker's place and of the tilt of its axis.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+/// Which marker of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MarkerSide {
+    /// Marker i.
+    Bearing,
+    /// Marker j.
+    Journal,
+}
+
+/// Standard deviations of a marker's place on its body and of its turning, all independent. A length of a part is the distance of two markers on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MarkerScatter {
     /// Number of the joint.
     pub joint: usize,
-    /// Standard deviation of the place along each axis of the bearing's marker, m.
+    /// Which marker.
+    pub side: MarkerSide,
+    /// Of the place along each of its axes, m.
     pub displacement_m: Vec3,
-    /// Standard deviation of both angles of the axis (about x and y of the bearing's marker) and of the turning about it, rad.
+    /// Of the angles about x and y, by which the axis of the joint tilts, and about z, rad.
     pub turning_rad: Vec3,
 }
 
@@ -58,16 +69,22 @@ impl PoseAccuracy<'_> {
         all
     }
 
-    /// Standard deviation of an output to first order, m or rad, where the bearings' markers scatter, all independent: √Σ (g σ)².
+    /// Standard deviation of an output to first order, m or rad, where markers scatter: √Σ (g σ)². Joints that are not there do not scatter.
     pub fn scatter(&self, gains: &Gains, scatter: &[MarkerScatter]) -> f64 {
         let all = self.marker_gains(gains);
         let part = |gain: Vec3, sigma: Vec3| {
             let products = Vec3::new(gain.x * sigma.x, gain.y * sigma.y, gain.z * sigma.z);
             products.dot(products)
         };
+        let own = |scatter: &MarkerScatter| {
+            all.get(scatter.joint).map(|gains| match scatter.side {
+                MarkerSide::Bearing => gains.bearing,
+                MarkerSide::Journal => gains.journal,
+            })
+        };
         let variance: f64 = scatter
             .iter()
-            .filter_map(|own| all.get(own.joint).map(|gains| (own, gains.bearing)))
+            .filter_map(|scatter| own(scatter).map(|gain| (scatter, gain)))
             .map(|(own, gain)| part(gain.by_displacement, own.displacement_m) + part(gain.by_turning, own.turning_rad))
             .sum();
         variance.sqrt()

@@ -158,3 +158,36 @@ fn analytic_deviations_on_rims() {
     let [inside, rim] = at(Some(bearing.into()), None);
     assert!((rim / inside - 2.0_f64.sqrt()).abs() < 1e-12);
 }
+
+#[test]
+fn analytic_scatter_of_the_lengths_of_a_four_bar() {
+    // dψ/dL = L/((C - B)·C_ψ) of the coupler's length, by one marker on it; the other one scatters across the coupler, which turns it only.
+    let mechanism = known::rssr(None);
+    let position = assemble(&mechanism, &turning(1.0)).unwrap();
+    let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
+    let output = JointOutput { joint: 3, coordinate: JointCoordinate::Angle }.into();
+    let gains = accuracy.gains(&output).unwrap();
+    let step = 1e-6;
+    let [longer, shorter] = [step, -step].map(|step| known::rssr_angle(1.0, known::COUPLER + step));
+    let slope = (longer - shorter) / (2.0 * step);
+    // Axes of the ball markers are those of the coupler as drawn.
+    let [first, second] = [mechanism.joints()[1].journal, mechanism.joints()[2].bearing];
+    let along = (second.point_m - first.point_m).normalised().unwrap();
+    let across = along.cross(Vec3::Z).normalised().unwrap();
+    let all = accuracy.marker_gains(&gains);
+    for (gain, sign) in [(all[1].journal, -1.0), (all[2].bearing, 1.0)] {
+        assert!((gain.by_displacement.dot(along) - sign * slope).abs() < 1e-8, "{}", gain.by_displacement.dot(along));
+        assert!(gain.by_displacement.dot(across).abs() < 1e-12);
+    }
+    let sigma = 1e-4;
+    let scatter = |joint, side| loosepin_space::MarkerScatter {
+        joint,
+        side,
+        displacement_m: v(sigma, sigma, sigma),
+        turning_rad: v(0.1, 0.1, 0.1),
+    };
+    use loosepin_space::MarkerSide::{Bearing, Journal};
+    let found = accuracy.scatter(&gains, &[scatter(1, Journal), scatter(2, Bearing)]);
+    assert!((found - slope.abs() * sigma * 2.0_f64.sqrt()).abs() < 1e-8 * sigma);
+    assert_eq!(accuracy.scatter(&gains, &[scatter(9, Bearing)]), 0.0);
+}

@@ -3,9 +3,9 @@
 use crate::build::{turning, v};
 use crate::known;
 use loosepin_space::{
-    DriveValue, Gains, JointCoordinate, JointOutput, MarkerScatter, PlayDistribution, PoseAccuracy, RevolutePlay,
-    RotationSineOutput, SearchOptions, SpatialMechanism, SpatialOutput, SpatialPlay, SphericalPlay, UprightPlay, Vec3,
-    assemble, cycle,
+    DriveValue, Gains, JointCoordinate, JointOutput, MarkerScatter, MarkerSide, PlayDistribution, PoseAccuracy,
+    RevolutePlay, RotationSineOutput, SearchOptions, SpatialMechanism, SpatialOutput, SpatialPlay, SphericalPlay,
+    UprightPlay, Vec3, assemble, cycle,
 };
 
 /// First order, exact plus and minus, standard deviation inside.
@@ -233,8 +233,9 @@ fn peer_spherical_platform_of_three_legs() {
     // Two angles of each of nine axes, 0.01 degrees.
     let sigma = 0.01_f64.to_radians();
     let turning_rad = v(sigma, sigma, 0.0);
-    let scatter: Vec<MarkerScatter> =
-        (0..9).map(|joint| MarkerScatter { joint, turning_rad, displacement_m: Vec3::ZERO }).collect();
+    let scatter: Vec<MarkerScatter> = (0..9)
+        .map(|joint| MarkerScatter { joint, side: MarkerSide::Bearing, turning_rad, displacement_m: Vec3::ZERO })
+        .collect();
     let expected = [5.36419326e-05, 4.773188842e-05, 3.498102612e-05, 0.000318800083, 0.0002851531506, 0.0002085569391];
     for (gains, expected) in all.iter().zip(expected) {
         let found = accuracy.scatter(gains, &scatter);

@@ -356,6 +356,15 @@ fn identity_bound_and_place_of_the_first_order_meet_with_many_conditions() {
         let first = accuracy.first_order(&gains).unwrap();
         // The place is admissible, the multipliers bound it: both are the worst case.
         assert!((first.worst - first.reached).abs() < 1e-10 * first.worst, "{} {}", first.worst, first.reached);
+        // The sum with g + λ·h.
+        let mut gains_with = gains.by_play.clone();
+        for (multiplier, row) in first.multipliers.iter().zip(accuracy.conditions_by_play()) {
+            gains_with.iter_mut().zip(row).for_each(|(gain, h)| *gain += multiplier * h);
+        }
+        let length = |own: &[f64]| own.iter().map(|value| value * value).sum::<f64>().sqrt();
+        let blocks = accuracy.play_set().blocks().iter();
+        let sum: f64 = blocks.map(|block| block.radius_m * length(&gains_with[block.range()])).sum();
+        assert!((sum - first.worst).abs() < 1e-10 * first.worst, "{sum} {}", first.worst);
         for block in accuracy.play_set().blocks() {
             let own = &first.variables_m[block.range()];
             let length = own.iter().map(|value| value * value).sum::<f64>().sqrt();
