@@ -44,9 +44,9 @@ pub struct Mobility {
     pub drives: usize,
     /// Drives that repeat others or what the joints hold.
     pub repeated_drives: usize,
-    /// Freedoms left with all drives held, idle ones of single bodies not counted.
+    /// Freedoms left with all drives held, idle ones of single parts not counted.
     pub undriven_freedoms: usize,
-    /// Bodies that move alone with all drives held.
+    /// Parts that move alone with all drives held.
     pub idle: Vec<IdleMotion>,
 }
 

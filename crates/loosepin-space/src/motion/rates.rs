@@ -3,6 +3,7 @@
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
+use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::kind::row::JointRates;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -23,7 +24,7 @@ pub struct BodyRates {
 
 /// Velocities and accelerations in a position.
 ///
-/// J ν = drive rates, J ν̇ = γ with the drives' accelerations in γ. Bodies that may turn alone do not: ω·u = 0 about that axis u.
+/// J ν = drive rates, J ν̇ = γ with the drives' accelerations in γ. Parts that may turn alone do not: ω·u = 0 about that axis u.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
     /// Rates of each body, the ground first.
@@ -87,14 +88,15 @@ pub fn motion(mechanism: &SpatialMechanism, position: &Position) -> Motion {
     Motion { bodies: bodies.collect() }
 }
 
-/// Takes out of the rates what single bodies turn about their idle axes.
-fn without_idle_turns(rates: &mut [(Vec3, Vec3)], idle: &[IdleMotion], poses: &[crate::geometry::pose::Pose]) {
+/// Takes out of the rates what parts turn about their idle axes.
+fn without_idle_turns(rates: &mut [(Vec3, Vec3)], idle: &[IdleMotion], poses: &[Pose]) {
     for motion in idle {
-        if let IdleKind::Turn { point_m } = motion.kind {
-            let (velocity, turning) = &mut rates[motion.body];
-            let spin = motion.direction * turning.dot(motion.direction);
+        let (IdleKind::Turn { point_m }, Some(first)) = (motion.kind, motion.bodies.first()) else { continue };
+        let spin = motion.direction * rates[*first].1.dot(motion.direction);
+        for body in &motion.bodies {
+            let (velocity, turning) = &mut rates[*body];
             *turning -= spin;
-            *velocity -= spin.cross(poses[motion.body].position_m - point_m);
+            *velocity -= spin.cross(poses[*body].position_m - point_m);
         }
     }
 }

@@ -104,7 +104,7 @@ fn peer_four_bar_with_two_balls() {
     let found = mobility(&mechanism, &assemble(&mechanism, &turning(1.0)).unwrap());
     assert_eq!((found.degrees_of_freedom, found.undriven_freedoms, found.redundant.len()), (2, 0, 0));
     assert_eq!(found.idle.len(), 1);
-    assert_eq!(found.idle[0].body, 2);
+    assert_eq!(found.idle[0].bodies, [2]);
     let IdleKind::Turn { point_m } = found.idle[0].kind else { panic!("{:?}", found.idle) };
     let position = assemble(&mechanism, &turning(1.0)).unwrap();
     for joint in [1, 2] {
@@ -306,6 +306,46 @@ fn analytic_planar_four_bar_in_space() {
 }
 
 #[test]
+fn analytic_planar_four_bar_on_a_plane_with_a_coupler_of_two_bodies() {
+    // Balls at both ends of the coupler, which a face on the ground holds in the plane; its two bodies are rigidly joined.
+    let lengths = [0.05, 0.16, 0.11, 0.14];
+    let start = planar_rocker(lengths, 0.0);
+    let (pin, tip) = (v(0.05, 0.0, 0.0), v(0.14 + 0.11 * start.cos(), 0.11 * start.sin(), 0.0));
+    let parts = |is_held: bool| {
+        let mut build = Build::new(4)
+            .joint("revolute", [0, 1], Vec3::ZERO, Vec3::Z, Vec3::X)
+            .driven()
+            .ball([1, 2], pin)
+            .joint("rigid", [2, 4], (pin + tip) * 0.5, v(0.3, 0.1, 1.0), Vec3::X)
+            .ball([4, 3], tip)
+            .joint("revolute", [0, 3], v(0.14, 0.0, 0.0), Vec3::Z, Vec3::X);
+        if is_held {
+            build = build.joint("planar", [0, 2], v(0.07, 0.03, 0.02), Vec3::Z, Vec3::X);
+        }
+        build.mechanism()
+    };
+    let mechanism = parts(true);
+    for position in positions(&mechanism, &turn(24)) {
+        let angle = start + coordinate(&mechanism, &position, 4, JointCoordinate::Angle);
+        assert!(wrapped(angle - planar_rocker(lengths, position.input)).abs() < ROUND_OFF);
+    }
+    let found = mobility(&mechanism, &assemble(&mechanism, &turning(0.4)).unwrap());
+    // Two places of the coupler are held along z by balls and by the face.
+    assert_eq!((found.degrees_of_freedom, found.redundant.len(), found.idle.len()), (1, 2, 0));
+    // Without the face the whole coupler spins.
+    let spinning = parts(false);
+    let position = assemble(&spinning, &turning(0.4)).unwrap();
+    let found = mobility(&spinning, &position);
+    assert_eq!((found.degrees_of_freedom, found.undriven_freedoms, found.idle.len()), (2, 0, 1));
+    assert_eq!(found.idle[0].bodies, [2, 4]);
+    let rates = motion(&spinning, &position);
+    let axis = found.idle[0].direction;
+    for body in [2, 4] {
+        assert!(rates.bodies[body].angular_velocity_rad_s.dot(axis).abs() < 1e-12);
+    }
+}
+
+#[test]
 fn analytic_planar_slider_crank_in_space() {
     let (crank, rod) = (0.05_f64, 0.12_f64);
     let slider = v(crank + rod, 0.0, 0.0);
@@ -369,7 +409,7 @@ fn identity_rates_are_differences_of_positions() {
         let local = v(0.03, -0.02, 0.05);
         for body in 1..mechanism.bodies().len() {
             // The spin of idle parts is not that of the positions.
-            if mobility(&mechanism, here).idle.iter().any(|idle| idle.body == body) {
+            if mobility(&mechanism, here).idle.iter().any(|idle| idle.bodies.contains(&body)) {
                 continue;
             }
             let [p, q, r] = [before, here, after].map(|position| position.poses[body].point_m(local));
