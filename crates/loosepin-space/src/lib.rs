@@ -49,7 +49,7 @@ pub use accuracy::{
     PoseAccuracy, SampledDeviation, SearchOptions, WorstCase,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
-pub use closure::error::{ClosureError, DrivePlace};
+pub use closure::error::{ClosureError, DrivePlace, OpenJoint};
 pub use closure::position::Position;
 pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle};
 pub use geometry::pose::Pose;

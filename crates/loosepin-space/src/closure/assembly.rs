@@ -1,7 +1,7 @@
 //! The first position.
 
 use crate::closure::bordered::Borders;
-use crate::closure::error::ClosureError;
+use crate::closure::error::{ClosureError, OpenJoint};
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
 use crate::closure::position::Position;
@@ -32,7 +32,7 @@ const LARGEST_THRESHOLD: f64 = 1e-3;
 ///
 /// # Errors
 ///
-/// [`ClosureError::DoesNotClose`] if the steps do not come to an end or redundant rows contradict each other,
+/// [`ClosureError::DoesNotClose`] if the steps do not come to an end, [`ClosureError::Contradiction`] if they end with rows open,
 /// [`ClosureError::Reversed`] if axes that are to be parallel point against each other, and those of [`crate::cycle`].
 pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<Position, ClosureError> {
     let loops = Loops::new(mechanism);
@@ -94,13 +94,22 @@ fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Resul
             step.iter_mut().for_each(|entry| *entry *= LONGEST_STEP / length);
         }
         poses = loops.moved(&poses, &step);
-        if is_last && size <= CLOSED {
-            return Ok(poses);
+        if is_last {
+            let open = open_joint(loops, &left);
+            return if size <= CLOSED { Ok(poses) } else { Err(ClosureError::Contradiction(open)) };
         }
         is_last = length < LAST_STEP;
     }
-    let worst = (0..left.len()).max_by(|&a, &b| left[a].abs().total_cmp(&left[b].abs())).unwrap_or(0);
-    let joint = loops.rows.get(worst).map(|row| loops.mechanism.joints()[row.joint].name.clone());
-    let residual = left.get(worst).map_or(0.0, |value| value.abs());
-    Err(ClosureError::DoesNotClose { joint: joint.unwrap_or_default(), residual })
+    Err(ClosureError::DoesNotClose(open_joint(loops, &left)))
+}
+
+/// The joint of the row that is farthest from closing.
+fn open_joint(loops: &Loops, residual: &[f64]) -> OpenJoint {
+    let worst = (0..residual.len()).max_by(|&a, &b| residual[a].abs().total_cmp(&residual[b].abs())).unwrap_or(0);
+    let row = loops.rows.get(worst);
+    OpenJoint {
+        joint: row.map_or(String::new(), |row| loops.mechanism.joints()[row.joint].name.clone()),
+        apart: row.map_or(0.0, |row| residual[worst].abs() * loops.scale(row)),
+        is_length: row.is_some_and(|row| row.row.is_length()),
+    }
 }

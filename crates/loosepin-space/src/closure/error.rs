@@ -13,6 +13,17 @@ pub struct DrivePlace {
     pub value: f64,
 }
 
+/// The joint whose row is farthest from closing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenJoint {
+    /// The joint.
+    pub joint: String,
+    /// How far it is apart, m or rad.
+    pub apart: f64,
+    /// Whether that is a length, m.
+    pub is_length: bool,
+}
+
 /// Why a position is not found.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ClosureError {
@@ -24,12 +35,9 @@ pub enum ClosureError {
         values: usize,
     },
     /// The loops cannot be closed from the start poses.
-    DoesNotClose {
-        /// The joint that is farthest from closing.
-        joint: String,
-        /// What is left in the row that is farthest from closing, lengths over the characteristic length, cosines and rad.
-        residual: f64,
-    },
+    DoesNotClose(OpenJoint),
+    /// The parts do not fit: they cannot reach each other, or redundant rows contradict each other.
+    Contradiction(OpenJoint),
     /// The start poses close a joint with axes that point against each other.
     Reversed {
         /// The joint.
@@ -80,16 +88,24 @@ impl fmt::Display for DrivePlace {
     }
 }
 
+impl fmt::Display for OpenJoint {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = if self.is_length { "m" } else { "rad" };
+        write!(out, "joint '{}' is {:.3e} {unit} apart", self.joint, self.apart)
+    }
+}
+
 impl fmt::Display for ClosureError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::BadDrives { drives, values } => {
                 write!(out, "the mechanism has {drives} drives and takes as many finite values, not {values}")
             }
-            Self::DoesNotClose { joint, residual } => write!(
+            Self::DoesNotClose(open) => write!(out, "the loops do not close from the start poses: {open}"),
+            Self::Contradiction(open) => write!(
                 out,
-                "the loops do not close from the start poses: joint '{joint}' is {residual:e} apart, in units of the \
-                 characteristic length or rad"
+                "the parts do not fit: as near as they come, {open}; lengths are too short or too long, or joints that hold the \
+                 same motion contradict each other"
             ),
             Self::Reversed { joint } => {
                 write!(

@@ -34,6 +34,11 @@ pub struct Mobility {
     pub rows: usize,
     /// Rank of these rows.
     pub rank: usize,
+    /// Smallest singular value of these rows that counts, over the largest.
+    pub smallest_counted: f64,
+    /// Largest singular value of these rows that does not count, over the largest; 0 if all count. Parts that are only nearly redundant have one
+    /// that counts and is small: numbers with few digits do that.
+    pub largest_uncounted: f64,
     /// 6 × bodies - rank: degrees of freedom of the mechanism, idle ones among them.
     pub degrees_of_freedom: usize,
     /// 6 × bodies - rows, which may be negative: what is left where no row repeats another (Grübler).
@@ -60,10 +65,16 @@ pub fn mobility(mechanism: &SpatialMechanism, position: &Position) -> Mobility {
     let drives = mechanism.drives().len();
     let idle = idle_motions(&loops, &jacobian, &position.poses);
     let left = unknowns - position.rank;
+    let share = |k: Option<usize>| {
+        let value = k.and_then(|k| of_joints.values().get(k)).copied().unwrap_or(0.0);
+        of_joints.values().first().map_or(0.0, |largest| value / largest)
+    };
     Mobility {
         moving_bodies: mechanism.bodies().len() - 1,
         rows,
         rank,
+        smallest_counted: share(rank.checked_sub(1)),
+        largest_uncounted: share(Some(rank)),
         degrees_of_freedom: unknowns - rank,
         counted_freedoms: unknowns as isize - rows as isize,
         redundant: of_joints.left_null_space(rank).iter().map(|null| direction(&loops, null)).collect(),

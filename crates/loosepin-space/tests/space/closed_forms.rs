@@ -208,6 +208,7 @@ fn published_mobility_of_bricards_mechanism() {
     let found = mobility(&mechanism, &assemble(&mechanism, &turning(0.0)).unwrap());
     assert_eq!((found.rows, found.rank, found.degrees_of_freedom, found.counted_freedoms), (30, 29, 1, 0));
     assert_eq!((found.redundant.len(), found.undriven_freedoms), (1, 0));
+    assert!(found.smallest_counted > 1e-3 && found.largest_uncounted < 1e-15, "{found:?}");
     for position in positions(&mechanism, &[0.0, 0.1, 0.2, 0.3]) {
         assert_eq!((position.rank, position.redundant_rows()), (30, 1));
     }

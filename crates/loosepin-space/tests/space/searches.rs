@@ -490,3 +490,23 @@ fn identity_starts_of_a_neighbour_are_taken_and_wrong_ones_left_out() {
     let again = accuracy.worst_case(&output, &options).unwrap();
     assert!((again.largest.deviation - whole.largest.deviation).abs() < 1e-14);
 }
+
+#[test]
+fn analytic_an_extreme_inside_the_play() {
+    // The end of a shaft at height Z is at Z/√(1 + w²) along the bearing: highest where the shaft does not lean, wherever it is, and lowest with
+    // w = 2c/l.
+    let (length, clearance, height) = (0.02, 4e-4, 0.5);
+    let mechanism = Build::new(1)
+        .joint("revolute", [0, 1], Vec3::ZERO, Vec3::Z, Vec3::X)
+        .driven()
+        .play(RevolutePlay { bearing_length_m: length, radial_clearance_m: clearance, axial_clearance_m: 0.0 })
+        .mechanism();
+    let position = assemble(&mechanism, &turning(0.3)).unwrap();
+    let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
+    let output = SpatialOutput::displacement(1, v(0.0, 0.0, height))[2];
+    let exact = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
+    let slope = 2.0 * clearance / length;
+    let lowest = height / (1.0 + slope * slope).sqrt() - height;
+    assert!(exact.largest.deviation.abs() < 1e-12, "{}", exact.largest.deviation);
+    assert!((exact.smallest.deviation - lowest).abs() < -1e-10 * lowest, "{} {lowest}", exact.smallest.deviation);
+}

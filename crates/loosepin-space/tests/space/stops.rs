@@ -1,7 +1,7 @@
 //! Where a motion ends: locks and change points are reported with their place.
 
 use crate::build::{Build, turn, turning, v};
-use loosepin_space::{ClosureError, Marker, SpatialKind, SpatialMechanism, Vec3, cycle};
+use loosepin_space::{ClosureError, Marker, SpatialKind, SpatialMechanism, Vec3, assemble, cycle};
 
 /// A planar four-bar in space with the crank at an angle, drawn with the rocker's tip given.
 fn four_bar(crank: Vec3, tip: Vec3, pivot: Vec3) -> SpatialMechanism {
@@ -69,6 +69,36 @@ fn loops_that_cannot_close_are_reported_with_the_joint() {
         .about("revolute", [0, 3], v(0.3, 0.0, 0.0), Vec3::Z)
         .mechanism();
     let found = cycle(&mechanism, &[0.0], &turning);
-    assert!(matches!(found.stopped, Some(ClosureError::DoesNotClose { .. })), "{:?}", found.stopped);
+    // Crank, coupler of 0.01 and rocker of 0.1 m in line are 0.14 m short of the pivot.
+    let Some(ClosureError::Contradiction(open)) = &found.stopped else { panic!("{:?}", found.stopped) };
+    assert!(open.is_length && open.apart > 0.01 && open.apart < 0.14, "{open}");
     assert!(found.positions.is_empty());
+}
+
+#[test]
+fn axes_that_are_not_parallel_contradict_each_other() {
+    // A planar four-bar whose last axis is tilted by 1e-4.
+    let tilted = v(1e-4, 0.0, 1.0);
+    let mechanism = Build::new(3)
+        .joint("revolute", [0, 1], Vec3::ZERO, Vec3::Z, Vec3::X)
+        .driven()
+        .about("revolute", [1, 2], v(0.03, 0.04, 0.0), Vec3::Z)
+        .about("revolute", [2, 3], v(0.13, 0.09, 0.0), Vec3::Z)
+        .push(
+            SpatialKind::from_word("revolute").unwrap(),
+            Marker::along(0, v(0.12, 0.0, 0.0), tilted).unwrap(),
+            Marker::along(3, v(0.12, 0.0, 0.0), Vec3::Z).unwrap(),
+        )
+        .mechanism();
+    let Err(ClosureError::Contradiction(open)) = assemble(&mechanism, &turning(0.0)) else { panic!() };
+    assert!(open.apart > 1e-7 && open.apart < 1e-4, "{open}");
+    let message = ClosureError::Contradiction(open.clone()).to_string();
+    let expected = format!(
+        "the parts do not fit: as near as they come, joint '{}' is {:.3e} {} apart; lengths are too short or too long, or joints \
+         that hold the same motion contradict each other",
+        open.joint,
+        open.apart,
+        if open.is_length { "m" } else { "rad" }
+    );
+    assert_eq!(message, expected);
 }
