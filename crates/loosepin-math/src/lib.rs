@@ -33,5 +33,7 @@ pub use solve::gauss::{legendre_coefficient, legendre_rule, orthonormal_values, 
 pub use solve::gram::GramSystem;
 pub use solve::ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
 pub use solve::linear::{Elimination, determinant, determinant_sign, solve_square};
+pub use solve::real_lu::RealLu;
+pub use solve::svd::SingularValues;
 pub use solve::{dense, descent};
 pub use vector::Vec2;

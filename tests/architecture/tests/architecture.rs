@@ -124,7 +124,7 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 17] = [
+const ONE_PLACE: [(&str, &str); 20] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("Estimation", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
@@ -142,6 +142,9 @@ const ONE_PLACE: [(&str, &str); 17] = [
     ("ContactLaw", "loosepin-mechanics/src/model/contact/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
+    ("SpatialKind", "loosepin-space/src/kind/"),
+    ("SpatialPlay", "loosepin-space/src/play/"),
+    ("SpatialOutput", "loosepin-space/src/output/"),
 ];
 
 /// Crates that may name all variants: they compare what is known of each.

@@ -10,3 +10,4 @@ pub(crate) mod gram;
 pub(crate) mod ldl;
 pub(crate) mod linear;
 pub(crate) mod real_lu;
+pub(crate) mod svd;

@@ -1,0 +1,35 @@
+//! How far play and manufacture take an output from its ideal value, in one position with the drives held.
+//!
+//! [`PoseAccuracy`] is where to begin. Its gains g are derivatives of an output by the variables p of play; the worst case of first order is
+//! the largest g·p over the admissible set. Loops with redundant rows allow only p with h·p = 0.
+
+mod displaced;
+mod error;
+mod extreme;
+mod first_order;
+mod gains;
+mod largest_norm;
+mod play_set;
+mod pose_accuracy;
+mod random;
+mod reserve;
+mod sampled;
+mod scatter;
+mod search;
+mod slice;
+mod variance;
+mod worst_case;
+
+pub use displaced::DisplacedPosition;
+pub use error::AccuracyError;
+pub use extreme::{Extreme, SearchOptions};
+pub use first_order::FirstOrder;
+pub use gains::{Gains, JournalGain};
+pub use largest_norm::LargestNorm;
+pub use play_set::{PlacedBlock, PlaySet};
+pub use pose_accuracy::PoseAccuracy;
+pub use reserve::{AssemblyReserve, MarkerError};
+pub use sampled::SampledDeviation;
+pub use scatter::{MarkerGain, MarkerGains, MarkerScatter, MarkerSide};
+pub use variance::PlayDistribution;
+pub use worst_case::WorstCase;

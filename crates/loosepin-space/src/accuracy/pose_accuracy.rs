@@ -1,0 +1,166 @@
+//! The loop equations of a position with play.
+
+use crate::accuracy::error::AccuracyError;
+use crate::accuracy::gains::Gains;
+use crate::accuracy::play_set::PlaySet;
+use crate::accuracy::slice::{Planes, dot};
+use crate::closure::bordered::Bordered;
+use crate::closure::loops::Loops;
+use crate::closure::newton::{close, largest};
+use crate::closure::position::Position;
+use crate::closure::singular::RANK_THRESHOLD;
+use crate::kind::frames::{JointFrames, MarkerShift};
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::output::SpatialOutput;
+use crate::output::kind_of_output::{KindOfOutput, OutputState};
+
+/// Part of a gradient along free motions, relative to all of it, that is round-off.
+const FREE_SHARE: f64 = 1e-7;
+/// Part of a redundant row that plays do not reach, relative to the largest derivative by play.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// A position, its loop equations, and what play does to them.
+///
+/// To first order J dx + K dp + N dν = 0, with K the derivatives of the rows by the variables p of play and N a basis of the redundant
+/// combinations. An output with gradient c has the gains g = -yᵀK, Jᵀy = c; the loops close where ν = 0, which is h·p = 0, h = -aᵀK, aᵀJ = 0.
+#[derive(Debug, Clone)]
+pub struct PoseAccuracy<'a> {
+    pub(crate) loops: Loops<'a>,
+    pub(crate) position: Position,
+    pub(crate) frames: Vec<JointFrames>,
+    pub(crate) system: Bordered,
+    pub(crate) set: PlaySet,
+    /// h of each redundant row, of variables in units of their radii.
+    pub(crate) redundant: Vec<Vec<f64>>,
+    pub(crate) planes: Planes,
+}
+
+impl<'a> PoseAccuracy<'a> {
+    /// The accuracy of `mechanism` in a position of it.
+    ///
+    /// # Errors
+    ///
+    /// [`AccuracyError::NotAPosition`] and [`AccuracyError::Singular`].
+    pub fn new(mechanism: &'a SpatialMechanism, position: &Position) -> Result<Self, AccuracyError> {
+        if position.poses.len() != mechanism.bodies().len() || position.drives.len() != mechanism.drives().len() {
+            return Err(AccuracyError::NotAPosition);
+        }
+        let loops = Loops::new(mechanism);
+        // To round-off: deviations are differences.
+        let closed = close(&loops, &position.poses, &[], &position.drive_values(), &position.borders, None)
+            .map_err(|_| AccuracyError::NotAPosition)?;
+        let position = Position { poses: closed.poses, ..position.clone() };
+        let (frames, system) = (closed.frames, closed.system);
+        if !(system.singular_ratio() > RANK_THRESHOLD) {
+            return Err(AccuracyError::Singular);
+        }
+        let set = PlaySet::new(mechanism);
+        let middle = vec![0.0; set.variables()];
+        let play_columns = play_columns(&loops, &frames, &set, &middle);
+        let redundant = redundant(&system, &play_columns);
+        let size = play_columns.iter().map(|column| largest(column)).fold(0.0, f64::max);
+        let planes = Planes::new(&redundant, set.variables(), NEGLIGIBLE * size);
+        Ok(Self { loops, position, frames, system, set, redundant, planes })
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &'a SpatialMechanism {
+        self.loops.mechanism
+    }
+
+    /// The ideal position.
+    pub fn position(&self) -> &Position {
+        &self.position
+    }
+
+    /// The variables of play.
+    pub fn play_set(&self) -> &PlaySet {
+        &self.set
+    }
+
+    /// Conditions that the plays must meet together so that the loops close: redundant rows that plays reach.
+    pub fn conditions(&self) -> usize {
+        self.planes.count()
+    }
+
+    /// Gains of an output.
+    ///
+    /// # Errors
+    ///
+    /// [`AccuracyError::OutputDoesNotFit`] and [`AccuracyError::OutputIsFree`].
+    pub fn gains(&self, output: &SpatialOutput) -> Result<Gains, AccuracyError> {
+        if !output.fits(self.mechanism()) {
+            return Err(AccuracyError::OutputDoesNotFit);
+        }
+        let ideal = self.ideal_state();
+        let gradient = self.gradient(output, &ideal);
+        let (by_rows, free) = self.system.solve_transposed(&gradient);
+        if largest(&free) > FREE_SHARE * largest(&gradient) {
+            return Err(AccuracyError::OutputIsFree);
+        }
+        let by_play = self.unscaled_play_columns().map(|column| -dot(&by_rows, &column)).collect();
+        Ok(Gains { output: *output, blocks: self.set.blocks().to_vec(), by_play, by_rows })
+    }
+
+    /// h of each redundant row by the variables of play: to first order the loops close where h·p = 0. In the order of
+    /// [`crate::FirstOrder::multipliers`], in units of the characteristic length; rows that no play reaches are zero.
+    pub fn conditions_by_play(&self) -> Vec<Vec<f64>> {
+        let rows = self.system.redundant_rows();
+        let columns: Vec<Vec<f64>> = self.unscaled_play_columns().collect();
+        rows.iter().map(|row| columns.iter().map(|column| -dot(row, column)).collect()).collect()
+    }
+
+    /// Derivatives of the rows by each variable of play, journals in the middle.
+    fn unscaled_play_columns(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
+        let derivatives = self.set.derivatives(self.mechanism(), &vec![0.0; self.set.variables()]);
+        derivatives.into_iter().map(|(joint, shift)| play_column(&self.loops, &self.frames, joint, &shift))
+    }
+
+    pub(crate) fn ideal_state(&self) -> OutputState<'_> {
+        OutputState { mechanism: self.loops.mechanism, poses: &self.position.poses }
+    }
+
+    /// Gradient of an output over the scaled unknowns.
+    pub(crate) fn gradient(&self, output: &SpatialOutput, actual: &OutputState) -> Vec<f64> {
+        let mut gradient = vec![0.0; self.loops.unknowns()];
+        for part in output.gradient(&self.ideal_state(), actual) {
+            self.loops.add_gradient(&mut gradient, part.body, part.by_displacement, part.by_turning);
+        }
+        gradient
+    }
+}
+
+/// Derivatives of all rows by a variable of play of one joint.
+fn play_column(loops: &Loops, frames: &[JointFrames], joint: usize, shift: &MarkerShift) -> Vec<f64> {
+    let rows = loops.rows.iter();
+    rows.map(|row| {
+        // Drives count from the markers themselves: play does not move them but along their own axis, which is no play.
+        if row.joint != joint || row.drive.is_some() {
+            return 0.0;
+        }
+        let (by_shift, by_slope) = row.row.by_play(&frames[joint]);
+        let change = by_shift.dot(shift.shift_m) + by_slope[0] * shift.slope[0] + by_slope[1] * shift.slope[1];
+        change / loops.scale(row)
+    })
+    .collect()
+}
+
+/// Derivatives of all rows by each variable of play in units of its radius.
+pub(crate) fn play_columns(loops: &Loops, frames: &[JointFrames], set: &PlaySet, variables: &[f64]) -> Vec<Vec<f64>> {
+    let derivatives = set.derivatives(loops.mechanism, variables);
+    derivatives
+        .iter()
+        .zip(set.radii_m())
+        .map(|((joint, shift), radius)| {
+            let mut column = play_column(loops, frames, *joint, shift);
+            column.iter_mut().for_each(|entry| *entry *= radius);
+            column
+        })
+        .collect()
+}
+
+/// h of each redundant row: derivatives of ν by the variables of play.
+pub(crate) fn redundant(system: &Bordered, play_columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let rows = system.redundant_rows();
+    rows.iter().map(|row| play_columns.iter().map(|column| -dot(row, column)).collect()).collect()
+}

@@ -1,0 +1,101 @@
+//! Whether plays are large enough for errors of manufacture.
+
+use crate::accuracy::error::AccuracyError;
+use crate::accuracy::pose_accuracy::PoseAccuracy;
+use crate::accuracy::scatter::MarkerSide;
+use crate::accuracy::slice::{Planes, dot, largest};
+use crate::geometry::rotation::Rotation;
+use crate::geometry::vector::Vec3;
+use crate::play::block::PlayPart;
+
+/// Largest multiple of the errors that is looked at: beyond it they do not matter.
+const LARGEST_FACTOR: f64 = 1e6;
+/// Part of the errors that plays do not reach, relative to the largest derivative by play, that is round-off.
+const UNREACHED: f64 = 1e-9;
+
+/// A marker that is not where it should be on its body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MarkerError {
+    /// Number of the joint.
+    pub joint: usize,
+    /// Which marker.
+    pub side: MarkerSide,
+    /// Displacement of its point along its axes, m.
+    pub displacement_m: Vec3,
+    /// Turning about its point, along its axes, rad.
+    pub turning_rad: Vec3,
+}
+
+/// How far plays are from the least with which a mechanism can be put together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssemblyReserve {
+    /// By how much the errors could be multiplied, or all plays divided, until the mechanism could no more be put together; at most 1e6. Below
+    /// 1 it cannot be put together.
+    pub factor: f64,
+    /// The same from the multipliers: the smallest worst case of λ·h over all λ with λ·h0 = 1. Equal to `factor` but for round-off.
+    pub bound: f64,
+    /// Places of the journals with the errors multiplied by the factor, m.
+    pub variables_m: Vec<f64>,
+}
+
+impl PoseAccuracy<'_> {
+    /// Whether the mechanism can be put together in this position though its markers have these errors, to first order: whether plays with
+    /// h·p = h0 are admissible. They are if and only if λ·h0 is at most the worst case of λ·h for every λ (separation of convex sets).
+    ///
+    /// Found as the largest factor θ with h·p = θ h0: both sides, the place and the multipliers, are computed.
+    ///
+    /// # Errors
+    ///
+    /// [`AccuracyError::NoPlace`] if the errors break a redundant row that no play reaches, so that no play helps.
+    pub fn assembly_reserve(&self, errors: &[MarkerError]) -> Result<AssemblyReserve, AccuracyError> {
+        let change = self.changes(errors);
+        let right: Vec<f64> = self.system.redundant_rows().iter().map(|row| dot(row, &change)).collect();
+        let size = right.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        if size <= f64::MIN_POSITIVE {
+            let variables_m = vec![0.0; self.set.variables()];
+            return Ok(AssemblyReserve { factor: LARGEST_FACTOR, bound: LARGEST_FACTOR, variables_m });
+        }
+        // θ is one more variable, in units of its largest value.
+        let set = self.set.with_block(PlayPart::Axial, LARGEST_FACTOR);
+        let last = set.variables() - 1;
+        // Rows are scaled so that θ is of the size of a play.
+        let rows: Vec<Vec<f64>> = self
+            .redundant
+            .iter()
+            .zip(&right)
+            .map(|(row, h0)| row.iter().copied().chain([-h0 * LARGEST_FACTOR]).collect())
+            .collect();
+        let reach = self.redundant.iter().flatten().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let own = Planes::new(&self.redundant, self.set.variables(), UNREACHED * reach);
+        if own.unreached(&right) > UNREACHED * size.max(reach) {
+            return Err(AccuracyError::NoPlace);
+        }
+        let planes = Planes::new(&rows, set.variables(), UNREACHED * reach);
+        let mut gains = vec![0.0; set.variables()];
+        gains[last] = LARGEST_FACTOR;
+        let found = largest(&set, &gains, None, &planes, &vec![0.0; rows.len()]).ok_or(AccuracyError::NoPlace)?;
+        let variables_m = self.set.in_metres(&found.place[..last]);
+        // What the multipliers leave of the gains: nothing of θ, unless the largest factor is too small.
+        let bound = set.support(&found.rest).iter().sum();
+        Ok(AssemblyReserve { factor: found.place[last] * LARGEST_FACTOR, bound, variables_m })
+    }
+
+    /// Changes of all rows by errors of markers, lengths over L.
+    fn changes(&self, errors: &[MarkerError]) -> Vec<f64> {
+        let mut changes = vec![0.0; self.loops.rows.len()];
+        for (row, change) in self.loops.rows.iter().zip(&mut changes) {
+            let at = &self.frames[row.joint];
+            let columns = row.row.columns(at);
+            for error in errors.iter().filter(|error| error.joint == row.joint) {
+                let (axes, arm, v, w): (&Rotation, Vec3, Vec3, Vec3) = match error.side {
+                    MarkerSide::Bearing => (&at.bearing, at.arm_i, columns.v_i, columns.w_i),
+                    MarkerSide::Journal => (&at.journal, at.arm_j, columns.v_j, columns.w_j),
+                };
+                let displacement = axes.apply(error.displacement_m);
+                let turning = axes.apply(error.turning_rad);
+                *change += (v.dot(displacement) + (w - arm.cross(v)).dot(turning)) / self.loops.scale(row);
+            }
+        }
+        changes
+    }
+}

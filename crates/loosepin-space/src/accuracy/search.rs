@@ -1,0 +1,198 @@
+//! One search for an extreme deviation.
+
+use crate::accuracy::extreme::{Extreme, SearchOptions};
+use crate::accuracy::play_set::PlaySet;
+use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
+use crate::accuracy::random::random;
+use crate::accuracy::slice::{Near, Planes, dot, largest};
+use crate::closure::bordered::Bordered;
+use crate::closure::newton::{Closed, largest as largest_entry};
+use crate::geometry::pose::Pose;
+use crate::output::SpatialOutput;
+use crate::output::kind_of_output::OutputState;
+
+/// Most steps of a search; about ten are usual.
+const MAX_STEPS: usize = 200;
+/// A step below this, in units of the radii, is the end.
+const LAST_STEP: f64 = 1e-12;
+/// An expected improvement below this, relative to the worst case of first order, is the end.
+const LAST_IMPROVEMENT: f64 = 1e-14;
+/// What redundant rows may be apart, lengths over the characteristic length and rad.
+const MET: f64 = 1e-13;
+/// Most corrections back to closed loops.
+const MAX_CORRECTIONS: usize = 12;
+/// Entries below this relative to the largest are no planes.
+const NEGLIGIBLE: f64 = 1e-9;
+/// Length of variables, in units of the radius, from which a block counts as on its border.
+const BORDER: f64 = 1.0 - 1e-9;
+
+/// A search for the largest `sign` × deviation of an output.
+pub(crate) struct Climb<'a, 'b> {
+    pub accuracy: &'a PoseAccuracy<'b>,
+    pub output: &'a SpatialOutput,
+    pub sign: f64,
+}
+
+/// A place of the journals that closes all loops.
+struct Feasible {
+    /// Variables in units of the radii.
+    scaled: Vec<f64>,
+    closed: Closed,
+    /// `sign` × deviation.
+    value: f64,
+}
+
+/// What a place looks like to first order.
+struct Linear {
+    gains: Vec<f64>,
+    redundant: Vec<Vec<f64>>,
+    planes: Planes,
+}
+
+impl Climb<'_, '_> {
+    /// From journals in the middle.
+    pub(crate) fn climb_from_middle(&self) -> Option<Extreme> {
+        self.climb(vec![0.0; self.accuracy.play_set().variables()])
+    }
+
+    /// From places of the journals, m, cut back to their play.
+    pub(crate) fn climb_from_variables(&self, variables_m: &[f64]) -> Option<Extreme> {
+        let set = &self.accuracy.set;
+        if variables_m.len() != set.variables() || !variables_m.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let radii = set.radii_m();
+        let scaled =
+            variables_m.iter().zip(radii).map(|(value, radius)| if radius > 0.0 { value / radius } else { 0.0 });
+        let mut scaled: Vec<f64> = scaled.collect();
+        set.cut_back(&mut scaled);
+        self.climb(scaled)
+    }
+
+    /// From the worst case of first order of some gains, of variables in units of their radii.
+    pub(crate) fn climb_from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
+        let accuracy = self.accuracy;
+        let zero = vec![0.0; accuracy.redundant.len()];
+        self.climb(largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &zero)?.place)
+    }
+
+    fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
+        let ideal = &self.accuracy.position.poses;
+        let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
+        let mut weight = 0.0;
+        for _ in 0..MAX_STEPS {
+            let linear = self.linear(&at);
+            let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
+            if scale == 0.0 {
+                break;
+            }
+            let near = (weight > 0.0).then_some(Near { weight, place: &at.scaled });
+            let right: Vec<f64> = linear
+                .redundant
+                .iter()
+                .zip(&at.closed.apart)
+                .map(|(row, apart)| dot(row, &at.scaled) - apart)
+                .collect();
+            let next = largest(&self.accuracy.set, &linear.gains, near, &linear.planes, &right);
+            let next = next.map(|found| found.place).and_then(|place| {
+                let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
+                let expected = dot(&linear.gains, &change);
+                let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
+                self.feasible(place, &at.closed.poses, &at.closed.system).map(|next| (next, is_over))
+            });
+            match next {
+                Some((next, is_over)) if next.value > at.value => {
+                    at = next;
+                    weight = if weight > 1e-3 * scale { weight / 4.0 } else { 0.0 };
+                    if is_over {
+                        break;
+                    }
+                }
+                Some((_, true)) => break,
+                _ => {
+                    weight = (4.0 * weight).max(0.25 * scale);
+                    if weight > 1e12 * scale {
+                        break;
+                    }
+                }
+            }
+        }
+        Some(Extreme {
+            deviation: self.sign * at.value,
+            variables_m: self.accuracy.set.in_metres(&at.scaled),
+            poses: at.closed.poses,
+        })
+    }
+
+    /// Gains and conditions at a place.
+    fn linear(&self, at: &Feasible) -> Linear {
+        let accuracy = self.accuracy;
+        let variables_m = accuracy.set.in_metres(&at.scaled);
+        let columns = play_columns(&accuracy.loops, &at.closed.frames, &accuracy.set, &variables_m);
+        let actual = OutputState { mechanism: accuracy.loops.mechanism, poses: &at.closed.poses };
+        let (by_rows, _) = at.closed.system.solve_transposed(&accuracy.gradient(self.output, &actual));
+        let gains = columns.iter().map(|column| -self.sign * dot(&by_rows, column)).collect();
+        let redundant = self.conditions(&at.closed, &columns);
+        let planes = self.planes(&redundant, &columns);
+        Linear { gains, redundant, planes }
+    }
+
+    fn conditions(&self, closed: &Closed, columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        if self.accuracy.conditions() == 0 { Vec::new() } else { redundant(&closed.system, columns) }
+    }
+
+    fn planes(&self, redundant: &[Vec<f64>], columns: &[Vec<f64>]) -> Planes {
+        let size = columns.iter().map(|column| largest_entry(column)).fold(0.0, f64::max);
+        Planes::new(redundant, self.accuracy.set.variables(), NEGLIGIBLE * size)
+    }
+
+    /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
+    /// borders there, cut back to the balls.
+    fn feasible(&self, mut scaled: Vec<f64>, from: &[Pose], known: &Bordered) -> Option<Feasible> {
+        let accuracy = self.accuracy;
+        let mut poses = from.to_vec();
+        for _ in 0..MAX_CORRECTIONS {
+            let variables_m = accuracy.set.in_metres(&scaled);
+            let closed = accuracy.close_at(&poses, &variables_m, Some(known)).ok()?;
+            if largest_entry(&closed.apart) <= MET {
+                let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
+                return Some(Feasible { scaled, closed, value });
+            }
+            if accuracy.conditions() == 0 {
+                return None;
+            }
+            let columns = play_columns(&accuracy.loops, &closed.frames, &accuracy.set, &variables_m);
+            let redundant = self.conditions(&closed, &columns);
+            let along = along_borders(&accuracy.set, &redundant, &scaled);
+            let mut planes = self.planes(&along, &columns);
+            if planes.count() < accuracy.conditions() {
+                planes = self.planes(&redundant, &columns);
+            }
+            let right: Vec<f64> = closed.apart.iter().map(|apart| -apart).collect();
+            let change = planes.shortest(&right, scaled.len());
+            scaled.iter_mut().zip(&change).for_each(|(value, change)| *value += change);
+            accuracy.set.cut_back(&mut scaled);
+            poses = closed.poses;
+        }
+        None
+    }
+}
+
+/// Rows without their parts across the borders of the blocks that lie there.
+fn along_borders(set: &PlaySet, rows: &[Vec<f64>], scaled: &[f64]) -> Vec<Vec<f64>> {
+    let mut rows = rows.to_vec();
+    for block in set.blocks().iter().filter(|block| PlaySet::length(block, scaled) > BORDER) {
+        let own = &scaled[block.range()];
+        for row in &mut rows {
+            let share = dot(own, &row[block.range()]) / dot(own, own);
+            row[block.range()].iter_mut().zip(own).for_each(|(entry, value)| *entry -= share * value);
+        }
+    }
+    rows
+}
+
+/// Gains of random outputs.
+pub(crate) fn random_starts(variables: usize, options: &SearchOptions) -> Vec<Vec<f64>> {
+    let mut state = options.seed;
+    (0..options.random_starts).map(|_| (0..variables).map(|_| random(&mut state)).collect()).collect()
+}

@@ -1,0 +1,71 @@
+//! The exact worst case.
+
+use crate::accuracy::error::AccuracyError;
+use crate::accuracy::extreme::{Extreme, SearchOptions};
+use crate::accuracy::pose_accuracy::PoseAccuracy;
+use crate::accuracy::search::{Climb, random_starts};
+use crate::output::SpatialOutput;
+
+/// The largest and the smallest deviation found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorstCase {
+    /// The largest.
+    pub largest: Extreme,
+    /// The smallest.
+    pub smallest: Extreme,
+    /// Starts of each search.
+    pub starts: usize,
+    /// How many of them ended at the largest, and at the smallest, to 1e-6 of it or of the sum of all plays.
+    pub agreeing: [usize; 2],
+    /// Conditions that the plays must meet together. With 0 all starts of well-behaved mechanisms end alike; with more it is a search among
+    /// many extremes, and the numbers are the largest and the smallest found.
+    pub conditions: usize,
+}
+
+/// Extremes that are nearer to each other than this share count as one.
+const AGREEMENT: f64 = 1e-6;
+
+impl PoseAccuracy<'_> {
+    /// The exact worst case of an output: the largest and the smallest deviation over all places of the journals within their play, loops
+    /// closed exactly, drives held. Both are reached by their witness; that no place makes more is not proven.
+    ///
+    /// Each search goes from the gradient g at the closed position to the place that is best for it (each block on its border along g; with
+    /// redundant rows under h·p = 0, brought back to it exactly), and again. Steps that do not improve are shortened. Extremes are local, so
+    /// it starts from several places.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::gains`], and [`AccuracyError::NoPlace`] if no start closes the loops.
+    pub fn worst_case(&self, output: &SpatialOutput, options: &SearchOptions) -> Result<WorstCase, AccuracyError> {
+        let gains = self.gains(output)?;
+        let scaled = self.scaled_gains(&gains);
+        let reach = self.unconditioned_worst(&gains);
+        let mut objectives = vec![scaled.clone()];
+        objectives.extend(random_starts(self.play_set().variables(), options));
+        let find = |sign: f64| {
+            let climb = Climb { accuracy: self, output, sign };
+            let mut ends: Vec<Extreme> = Vec::new();
+            ends.extend(climb.climb_from_middle());
+            ends.extend(options.starts_m.iter().filter_map(|start| climb.climb_from_variables(start)));
+            for (number, objective) in objectives.iter().enumerate() {
+                let direction = if number == 0 { sign } else { 1.0 };
+                let objective: Vec<f64> = objective.iter().map(|gain| gain * direction).collect();
+                ends.extend(climb.climb_from_objective(&objective));
+            }
+            let best = ends.iter().max_by(|a, b| (sign * a.deviation).total_cmp(&(sign * b.deviation))).cloned();
+            let best = best.ok_or(AccuracyError::NoPlace)?;
+            let tolerance = AGREEMENT * best.deviation.abs().max(reach);
+            let agreeing = ends.iter().filter(|end| (end.deviation - best.deviation).abs() <= tolerance).count();
+            Ok((best, agreeing))
+        };
+        let (largest, of_largest) = find(1.0)?;
+        let (smallest, of_smallest) = find(-1.0)?;
+        Ok(WorstCase {
+            largest,
+            smallest,
+            starts: objectives.len() + 1 + options.starts_m.len(),
+            agreeing: [of_largest, of_smallest],
+            conditions: self.conditions(),
+        })
+    }
+}

@@ -1,0 +1,165 @@
+//! Rectangular systems of known rank, made square by their null spaces.
+
+use loosepin_math::{RealLu, SingularValues};
+
+/// What is left of null vectors, lengths over L and rad, where the rank is as it was.
+const RANK_DEFECT: f64 = 1e-6;
+
+/// Bases of the left and right null spaces of a Jacobian of rank r: m - r vectors of m entries, n - r vectors of n entries.
+#[derive(Debug, Clone)]
+pub(crate) struct Borders {
+    pub left: Vec<Vec<f64>>,
+    pub right: Vec<Vec<f64>>,
+}
+
+impl Borders {
+    pub(crate) fn new(values: &SingularValues, rank: usize) -> Self {
+        Self { left: values.left_null_space(rank), right: values.right_null_space(rank) }
+    }
+}
+
+/// [[J, N], [Vᵀ, 0]], N and V spanning the null spaces of J, or of a J close by. It is regular where J has the rank of the borders.
+#[derive(Debug, Clone)]
+pub(crate) struct Bordered {
+    rows: usize,
+    columns: usize,
+    matrix: Vec<f64>,
+    lu: RealLu,
+}
+
+impl Bordered {
+    pub(crate) fn new(jacobian: &[f64], rows: usize, columns: usize, borders: &Borders) -> Self {
+        let size = columns + borders.left.len();
+        let mut lu = RealLu::new(size);
+        for (row, entries) in jacobian.chunks(columns.max(1)).enumerate().take(rows) {
+            lu.matrix[row * size..row * size + columns].copy_from_slice(entries);
+        }
+        for (k, null) in borders.left.iter().enumerate() {
+            null.iter().enumerate().for_each(|(row, entry)| lu.matrix[row * size + columns + k] = *entry);
+        }
+        for (k, null) in borders.right.iter().enumerate() {
+            lu.matrix[(rows + k) * size..(rows + k) * size + columns].copy_from_slice(null);
+        }
+        let matrix = lu.matrix.clone();
+        lu.factor();
+        Self { rows, columns, matrix, lu }
+    }
+
+    /// x and ν with J x + N ν = b, Vᵀx = 0: ν is the part of b that no motion can make.
+    pub(crate) fn solve(&self, right_hand_side: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let mut vector = right_hand_side.to_vec();
+        vector.resize(self.lu.order(), 0.0);
+        self.lu.solve(&mut vector);
+        let apart = vector.split_off(self.columns);
+        (vector, apart)
+    }
+
+    /// y and ρ with Jᵀy + V ρ = c, Nᵀy = 0: y turns changes of rows into changes of an output with gradient c, but for the part ρ of it that is
+    /// along free motions.
+    pub(crate) fn solve_transposed(&self, gradient: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let mut vector = gradient.to_vec();
+        vector.resize(self.lu.order(), 0.0);
+        self.lu.solve_transposed(&mut vector);
+        let along = vector.split_off(self.rows);
+        (vector, along)
+    }
+
+    /// The null spaces of this J itself, with the orientation of those that border it. `None` if they have fewer dimensions.
+    pub(crate) fn null_spaces(&self) -> Option<Borders> {
+        let size = self.lu.order();
+        let unit = |place: usize| {
+            let mut vector = vec![0.0; size];
+            vector[place] = 1.0;
+            vector
+        };
+        let mut defect = 0.0;
+        let mut left: Vec<Vec<f64>> = Vec::new();
+        for place in self.columns..size {
+            let mut vector = unit(place);
+            self.lu.solve_transposed(&mut vector);
+            defect = vector[self.rows..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
+            vector.truncate(self.rows);
+            push_orthonormal(&mut left, vector);
+        }
+        let mut right: Vec<Vec<f64>> = Vec::new();
+        for place in self.rows..size {
+            let mut vector = unit(place);
+            self.lu.solve(&mut vector);
+            defect = vector[self.columns..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
+            vector.truncate(self.columns);
+            push_orthonormal(&mut right, vector);
+        }
+        (defect <= RANK_DEFECT).then_some(Borders { left, right })
+    }
+
+    /// The vectors y with Jᵀy + V ρ = 0 and Nᵀy = e_k, one for each redundant row: the parts of ν that rows make.
+    pub(crate) fn redundant_rows(&self) -> Vec<Vec<f64>> {
+        let size = self.lu.order();
+        (self.columns..size)
+            .map(|place| {
+                let mut vector = vec![0.0; size];
+                vector[place] = 1.0;
+                self.lu.solve_transposed(&mut vector);
+                vector.truncate(self.rows);
+                vector
+            })
+            .collect()
+    }
+
+    /// Sign of the determinant: it changes where a mechanism passes from one assembly to another.
+    pub(crate) fn sign(&self) -> f64 {
+        self.lu.determinant_sign()
+    }
+
+    /// Smallest singular value over the largest, each by steps of the power method, to about 1 %. With borders that are the null spaces these
+    /// are the singular values of J that count, and ones. 0 where it is singular.
+    pub(crate) fn singular_ratio(&self) -> f64 {
+        if !(self.lu.pivot_ratio() > f64::EPSILON) {
+            return 0.0;
+        }
+        let size = self.lu.order();
+        let inverse_square = power_method(size, |vector| {
+            self.lu.solve_transposed(vector);
+            self.lu.solve(vector);
+        });
+        let square = power_method(size, |vector| {
+            let product = |row: &[f64]| row.iter().zip(&*vector).map(|(a, b)| a * b).sum::<f64>();
+            let image: Vec<f64> = self.matrix.chunks(size).map(product).collect();
+            vector.fill(0.0);
+            for (row, value) in self.matrix.chunks(size).zip(image) {
+                vector.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * value);
+            }
+        });
+        1.0 / (inverse_square * square).sqrt()
+    }
+}
+
+fn push_orthonormal(basis: &mut Vec<Vec<f64>>, mut vector: Vec<f64>) {
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    for known in basis.iter() {
+        let share = product(&vector, known);
+        vector.iter_mut().zip(known).for_each(|(entry, part)| *entry -= share * part);
+    }
+    let length = product(&vector, &vector).sqrt();
+    vector.iter_mut().for_each(|entry| *entry /= length);
+    basis.push(vector);
+}
+
+/// The largest eigenvalue of a symmetric positive operator, to about 1 %.
+fn power_method(size: usize, apply: impl Fn(&mut [f64])) -> f64 {
+    const MAX_STEPS: usize = 60;
+    // No direction of its own.
+    let mut vector: Vec<f64> = (0..size).map(|k| 1.0 + 0.37 * ((3 * k + 1) % 7) as f64).collect();
+    let mut found = 0.0;
+    for _ in 0..MAX_STEPS {
+        let length = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        vector.iter_mut().for_each(|entry| *entry /= length);
+        apply(&mut vector);
+        let next = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        if !(next.is_finite() && (next - found).abs() > 1e-3 * next) {
+            return next;
+        }
+        found = next;
+    }
+    found
+}

@@ -1,0 +1,51 @@
+//! Positions along a cycle of the drives.
+
+use crate::closure::assembly::{assembled, check_drives};
+use crate::closure::error::ClosureError;
+use crate::closure::loops::Loops;
+use crate::closure::position::Position;
+use crate::closure::step::{Place, follow};
+use crate::mechanism::drive::DriveValue;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+
+/// The positions that were reached, and why there are not more.
+#[derive(Debug, Clone)]
+pub struct Cycle {
+    /// Positions at the inputs in their order.
+    pub positions: Vec<Position>,
+    /// Why the cycle ends before the last input; `None` if it does not.
+    pub stopped: Option<ClosureError>,
+}
+
+/// Closes the loops at each of `inputs` in their order, from the assembly of the start poses.
+///
+/// Between two inputs the motion is followed: a step along the tangent, then Newton's method. A step is halved until what Newton's method adds
+/// is a small part of it and the determinant of the bordered loop equations has kept its sign. So no other branch is taken unseen; where two
+/// meet, or a drive comes to its end, the cycle stops with the place.
+pub fn cycle(mechanism: &SpatialMechanism, inputs: &[f64], drives: &dyn Fn(f64) -> Vec<DriveValue>) -> Cycle {
+    let mut positions = Vec::with_capacity(inputs.len());
+    let stopped = collect(mechanism, inputs, drives, &mut positions).err();
+    Cycle { positions, stopped }
+}
+
+fn collect(
+    mechanism: &SpatialMechanism,
+    inputs: &[f64],
+    drives: &dyn Fn(f64) -> Vec<DriveValue>,
+    positions: &mut Vec<Position>,
+) -> Result<(), ClosureError> {
+    let Some(first) = inputs.first() else { return Ok(()) };
+    let loops = Loops::new(mechanism);
+    for input in inputs {
+        check_drives(mechanism, &drives(*input))?;
+    }
+    let values = |input: f64| drives(input).iter().map(|drive| drive.value).collect::<Vec<f64>>();
+    let start = assembled(&loops, &drives(*first))?;
+    let mut place = Place { input: *first, ..start };
+    positions.push(Position::new(&loops, &drives(*first), &place));
+    for input in inputs.iter().skip(1) {
+        place = follow(&loops, &place, *input, &values)?;
+        positions.push(Position::new(&loops, &drives(*input), &place));
+    }
+    Ok(())
+}

@@ -1,0 +1,18 @@
+//! Positions that close all loops: the equations, Newton's method with redundant rows, and the way along a cycle of the drives.
+//!
+//! Unknowns are 6 quasi-velocities for each body that moves, v/L and ω in ground axes, L the characteristic length; rows that are lengths are
+//! divided by L. So singular values can be compared. Rank is counted with the relative threshold [`RANK_THRESHOLD`].
+
+mod assembly;
+pub(crate) mod bordered;
+mod cycle;
+pub(crate) mod error;
+pub(crate) mod loops;
+pub(crate) mod newton;
+pub(crate) mod position;
+pub(crate) mod singular;
+mod step;
+
+pub use assembly::assemble;
+pub use cycle::{Cycle, cycle};
+pub use singular::RANK_THRESHOLD;

@@ -1,0 +1,23 @@
+//! A ball in its socket: points coincide.
+
+use crate::kind::kind_of_joint::KindOfJoint;
+use crate::kind::row::Row;
+
+/// A ball in its socket: points coincide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spherical;
+
+impl KindOfJoint for Spherical {
+    fn word(&self) -> &'static str {
+        "spherical"
+    }
+    fn rows(&self) -> Vec<Row> {
+        vec![Row::Coincident]
+    }
+    fn turns(&self) -> bool {
+        false
+    }
+    fn slides(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,117 @@
+//! Why a mechanism cannot be.
+
+use core::fmt;
+
+/// Why bodies, joints and drives do not make a mechanism. Numbers of bodies, joints and drives count from 0.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MechanismError {
+    /// There is no body, or the first, the ground, is not at the origin without a turn.
+    NoGround,
+    /// A start pose has a number that is not finite, or a quaternion that is not a unit one.
+    BadPose {
+        /// The body.
+        body: String,
+    },
+    /// A marker is on a body that is not there.
+    NoBody {
+        /// The joint.
+        joint: String,
+        /// Number of the body.
+        body: usize,
+    },
+    /// Both markers are on one body.
+    SameBody {
+        /// The joint.
+        joint: String,
+        /// The body.
+        body: String,
+    },
+    /// A marker has a number that is not finite, or axes that are not orthonormal.
+    BadMarker {
+        /// The joint.
+        joint: String,
+    },
+    /// A screw without a pitch.
+    NoPitch {
+        /// The joint.
+        joint: String,
+    },
+    /// Play of a kind that this kind of joint does not have.
+    PlayOfAnotherJoint {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: &'static str,
+        /// The kind of play.
+        play: &'static str,
+        /// The kind of joint that has this play.
+        play_of: &'static str,
+    },
+    /// A number of a play breaks its rule.
+    BadPlay {
+        /// The joint.
+        joint: String,
+        /// What the number is.
+        quantity: &'static str,
+        /// The number.
+        value: f64,
+        /// The rule.
+        rule: &'static str,
+    },
+    /// A drive of a joint that is not there.
+    NoJoint {
+        /// Number of the drive.
+        drive: usize,
+        /// Number of the joint.
+        joint: usize,
+    },
+    /// A drive of a coordinate that the joint does not have.
+    NoSuchCoordinate {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: &'static str,
+    },
+    /// Two drives of the same coordinate.
+    DrivenTwice {
+        /// The joint.
+        joint: String,
+    },
+}
+
+impl fmt::Display for MechanismError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoGround => write!(out, "the first body must be the ground, at the origin and not turned"),
+            Self::BadPose { body } => {
+                write!(out, "body '{body}': the start pose must be of finite numbers, with a unit quaternion")
+            }
+            Self::NoBody { joint, body } => write!(out, "joint '{joint}': there is no body number {body}"),
+            Self::SameBody { joint, body } => {
+                write!(out, "joint '{joint}': both markers are on body '{body}'; a joint connects two bodies")
+            }
+            Self::BadMarker { joint } => write!(
+                out,
+                "joint '{joint}': the point of a marker must be of finite numbers, and its axes orthonormal and \
+                 right-handed"
+            ),
+            Self::NoPitch { joint } => {
+                write!(out, "joint '{joint}': the pitch of a screw must be a number other than 0")
+            }
+            Self::PlayOfAnotherJoint { joint, kind, play, play_of } => write!(
+                out,
+                "joint '{joint}': a {kind} joint has no play of kind '{play}', which is that of a {play_of} joint"
+            ),
+            Self::BadPlay { joint, quantity, value, rule } => {
+                write!(out, "joint '{joint}': {quantity} is {value}; it {rule}")
+            }
+            Self::NoJoint { drive, joint } => write!(out, "drive number {drive}: there is no joint number {joint}"),
+            Self::NoSuchCoordinate { joint, kind } => {
+                write!(out, "joint '{joint}': a {kind} joint does not have the driven coordinate")
+            }
+            Self::DrivenTwice { joint } => write!(out, "joint '{joint}': its coordinate has two drives"),
+        }
+    }
+}
+
+impl std::error::Error for MechanismError {}

@@ -1,0 +1,7 @@
+//! Velocities and accelerations of bodies and points at the rates of the drives.
+
+mod path_frame;
+mod rates;
+
+pub use path_frame::PathFrame;
+pub use rates::{BodyRates, Motion, motion};

@@ -1,0 +1,63 @@
+//! Kinds of outputs: what is read off a position, with a file for each kind. Nothing else names a kind.
+
+mod joint;
+pub(crate) mod kind_of_output;
+mod point;
+mod rotation;
+mod rotation_sine;
+
+use crate::geometry::vector::Vec3;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use kind_of_output::{BodyGradient, KindOfOutput, OutputState};
+
+pub use joint::JointOutput;
+pub use point::PointOutput;
+pub use rotation::RotationOutput;
+pub use rotation_sine::RotationSineOutput;
+
+/// Lists the kinds once: variant and its type.
+macro_rules! spatial_outputs {
+    ($($variant:ident($kind:ident)),* $(,)?) => {
+        /// A number that is read off a position; each kind stands in a file of its own.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum SpatialOutput {
+            $(#[doc = concat!("See [`", stringify!($kind), "`].")] $variant($kind),)*
+        }
+        impl KindOfOutput for SpatialOutput {
+            fn word(&self) -> &'static str {
+                match self { $(Self::$variant(output) => output.word(),)* }
+            }
+            fn is_length(&self) -> bool {
+                match self { $(Self::$variant(output) => output.is_length(),)* }
+            }
+            fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
+                match self { $(Self::$variant(output) => output.deviation(ideal, actual),)* }
+            }
+            fn gradient(&self, ideal: &OutputState, actual: &OutputState) -> Vec<BodyGradient> {
+                match self { $(Self::$variant(output) => output.gradient(ideal, actual),)* }
+            }
+            fn fits(&self, mechanism: &SpatialMechanism) -> bool {
+                match self { $(Self::$variant(output) => output.fits(mechanism),)* }
+            }
+        }
+        $(impl From<$kind> for SpatialOutput {
+            fn from(output: $kind) -> Self {
+                Self::$variant(output)
+            }
+        })*
+    };
+}
+
+spatial_outputs!(Point(PointOutput), Rotation(RotationOutput), RotationSine(RotationSineOutput), Joint(JointOutput),);
+
+impl SpatialOutput {
+    /// The displacement of a point along x, y and z of the ground.
+    pub fn displacement(body: usize, point_m: Vec3) -> [Self; 3] {
+        Vec3::AXES.map(|direction| PointOutput { body, point_m, direction }.into())
+    }
+
+    /// The components of a body's rotation vector.
+    pub fn rotation(body: usize) -> [Self; 3] {
+        Vec3::AXES.map(|axis| RotationOutput { body, axis }.into())
+    }
+}
