@@ -52,6 +52,19 @@ def test_laws_are_names_and_wrong_inputs_are_named(model):
         model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, threads=0, progress=False)
 
 
+def test_identity_paths_of_many_runs_are_those_of_simulate(model):
+    runs = model.simulate_many({CLEARANCE: [1e-4, 3e-4]}, **SHORT, paths=["rod.small_end"], progress=False)
+    alone = model.simulate(**SHORT, second_run=False, set={CLEARANCE: 3e-4}, paths=["rod.small_end"])
+    for name in ("rod.small_end x", "rod.small_end y", "rod.small_end velocity x"):
+        np.testing.assert_array_equal(runs[1][name], alone[name])
+        np.testing.assert_array_equal(runs.to_xarray()[name][1], alone[name])
+    assert not np.array_equal(runs[0]["rod.small_end y"], runs[1]["rod.small_end y"])
+    with pytest.raises(lp.LoosepinError, match=r"paths: there is no point 'rod.small_edn'"):
+        model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, paths=["rod.small_edn"], progress=False)
+    with pytest.raises(TypeError, match="paths is a str; must be a list of str"):
+        model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, paths="rod.small_end", progress=False)
+
+
 def test_what_a_listener_raises_ends_the_runs(model):
     before = threading.active_count()
 

@@ -22,6 +22,15 @@ impl InputFile {
         self.ideal_motion_until(positions, set, &AtomicBool::new(false))
     }
 
+    /// As [`Self::ideal_motion`], with the paths of the points called `paths`.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`]; a path of a point that the model does not have.
+    pub fn ideal_motion_with_paths(&self, positions: usize, paths: &[String]) -> Result<MotionRecord, Diagnostics> {
+        let stop = AtomicBool::new(false);
+        self.moved(positions, &[], paths, &|mechanism, values, plan| motion_until(mechanism, values, plan, &stop))
+    }
+
     /// As [`Self::ideal_motion`], until `stop` is set.
     ///
     /// # Errors
