@@ -26,8 +26,11 @@ pub fn live_paths(record: &MotionRecord) -> Vec<LivePath> {
     let zones = record.paths.iter().filter(|path| path.has_zone() && path.is_complete());
     zones
         .filter_map(|path| {
-            let across: Vec<f64> =
-                (0..path.positions()).map(|position| MM_PER_M * path.along_and_across_m(position)[1]).collect();
+            let across_m = |position: usize| match path.stands_still(position) {
+                true => 0.0,
+                false => path.along_and_across_m(position)[1],
+            };
+            let across: Vec<f64> = (0..path.positions()).map(|position| MM_PER_M * across_m(position)).collect();
             Some(LivePath {
                 output: path.output.clone()?,
                 point: path.point.clone(),

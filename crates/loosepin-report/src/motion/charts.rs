@@ -6,9 +6,9 @@ use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
-use crate::words::wording::{capitalised, named_words};
+use crate::words::wording::{capitalised, count, named_words};
 use loosepin_result::kinematics::{MechanicalAdvantage, TransmissionAngle};
-use loosepin_result::motion::{MotionRecord, OutputMotion, outputs_beside_paths};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
@@ -82,7 +82,7 @@ fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWrite
 pub(super) fn ideal_motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         div.charts {
-            @for output in outputs_beside_paths(&record.outputs, &record.paths) {
+            @for output in record.outputs.iter().filter(|output| !output.is_of_path()) {
                 @let name = named_words(&output.name, &output.words);
                 @let lines = [&output.value_si, &output.velocity_si, &output.acceleration_si];
                 (of_derivatives(record, &output.name, &name, &output.unit, &lines.map(|values| vec![("", values.clone())]), writer))
@@ -201,21 +201,21 @@ fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngle, writer: 
     chart.figure()
 }
 
-/// Whether an output ever moves, and is not the drive itself.
+/// Whether an output ever moves.
 fn has_advantage(each: &MechanicalAdvantage) -> bool {
-    each.value_si.iter().any(|value| value.is_finite() && (value - 1.0).abs() > 1e-9)
+    each.value_si.iter().any(|value| value.is_finite())
 }
 
 /// Charts show mechanical advantages up to this many times the least one: they grow beyond all limits towards dead centres.
 const SHOWN_ADVANTAGE: f64 = 6.0;
 
 fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &NumberWriter) -> Markup {
-    let MechanicalAdvantage { name, unit, value_si } = each;
+    let MechanicalAdvantage { name, unit, value_si, least_si } = each;
     let mut chart = angle_chart(record, name_of("mechanical-advantage", name), writer);
     chart.set_vertical_axis("mechanical advantage", unit, writer);
     chart.height = 220;
     chart.entries.push(Entry::line("mechanical advantage", Role::First, false, value_si, unit, writer));
-    let least = value_si.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = least_si.unwrap_or_else(|| value_si.iter().copied().fold(f64::INFINITY, f64::min));
     let most = value_si.iter().copied().fold(0.0, f64::max);
     let shown = most.min(SHOWN_ADVANTAGE * least);
     chart.y_range = Some([0.0, 1.05 * writer.scaled(shown, unit)]);
@@ -227,8 +227,14 @@ fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &N
     } else {
         String::new()
     };
-    chart.caption = html! { strong { "Mechanical advantage at " (name) } ": at least " (least_words) "." (cut) };
-    chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: at least {least_words}.");
+    let positions = || count(value_si.len() as u64, &writer.with_tag(&Tag::Count("positions")));
+    let range = match least_si {
+        Some(_) => format!("at least {least_words}"),
+        // Older records do not know it between their positions.
+        None => format!("the smallest of the {} positions is {least_words}", positions()),
+    };
+    chart.caption = html! { strong { "Mechanical advantage at " (name) } ": " (range) "." (cut) };
+    chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: {range}.");
     chart.figure()
 }
 
