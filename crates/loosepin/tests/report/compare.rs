@@ -123,7 +123,7 @@ fn the_headline_begins_with_the_requirement_whose_verdict_differs_and_its_shares
     let shares = [[0.93, 0.97], [0.31, 0.42]];
     let decided = headline_of_verdicts([Verdict::Met, Verdict::NotMet], shares, |_| ());
     let due = "Deviation of slider over the whole cycle: met in A, not met in B. Required: within ±0.7\u{a0}mm in at least \
-               90\u{a0}%; shares inside: 93 to 97\u{a0}% in A, 31 to 42\u{a0}% in B; they differ by more than their errors. \
+               90\u{a0}%; shares inside: 93\u{a0}% to 97\u{a0}% in A, 31\u{a0}% to 42\u{a0}% in B; they differ by more than their errors. \
                The largest deviation";
     assert!(decided.starts_with(due), "{decided}");
     // Other limits, and a verdict that is open, say nothing of the errors.

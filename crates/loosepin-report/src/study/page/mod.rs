@@ -115,6 +115,28 @@ fn short_hash(hash: &str) -> String {
     hash.chars().take(8).collect()
 }
 
+/// Outputs besides the first one whose sentences the first page shows; it has four screens at most. The others open.
+const MAX_FURTHER: usize = 3;
+
+/// A sentence on each further output, and the condition of all of them last.
+fn further_markup(further: &[String]) -> Markup {
+    let Some((conditions, outputs)) = further.split_last() else { return Markup::default() };
+    let (shown, folded) = outputs.split_at(outputs.len().min(MAX_FURTHER));
+    html! {
+        ul.further {
+            @for sentence in shown { li { (sentence) } }
+            @if folded.is_empty() { li { (conditions) } }
+        }
+        @if !folded.is_empty() {
+            details.fold open {
+                summary { (folded.len()) @if folded.len() == 1 { " more output" } @else { " more outputs" } }
+                ul.further { @for sentence in folded { li { (sentence) } } }
+            }
+            ul.further { li { (conditions) } }
+        }
+    }
+}
+
 fn answer_markup(answer: &StudyAnswer) -> Markup {
     let caveats = html! {
         @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
@@ -128,7 +150,7 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         @for requirement in &answer.requirements { p { (requirement) } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
-        @if !answer.further.is_empty() { ul.further { @for sentence in &answer.further { li { (sentence) } } } }
+        (further_markup(&answer.further))
         @if answer.verdict.is_none() { (caveats) }
         p.error { (answer.error) }
         details.fold open {

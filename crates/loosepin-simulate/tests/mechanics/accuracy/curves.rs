@@ -137,7 +137,10 @@ fn largest_slider_speed_m(r: f64, l: f64) -> f64 {
 
 #[test]
 fn analytic_the_least_mechanical_advantage_lies_between_the_positions() {
-    let record = with_path(&build_case("slider_crank_5000"), "slider.pin");
+    let built = build_case("slider_crank_5000");
+    let paths = built.mechanism.model.points_of_paths(&["slider.pin".to_owned()]).expect("a point");
+    let coarse = MotionPlan { paths, ..plan(&built, 40) };
+    let record = motion(&built.mechanism, &built.values, &coarse).expect("it turns");
     let due = 1.0 / largest_slider_speed_m(0.05, 0.12);
     for name in ["slider", "slider.pin"] {
         let each = record.kinematics.mechanical_advantages.iter().find(|each| each.name == name).expect(name);
@@ -145,7 +148,7 @@ fn analytic_the_least_mechanical_advantage_lies_between_the_positions() {
         // The speed changes by the square of the error of the angle.
         assert!((least - due).abs() < 1e-11 * due, "{least} is not {due}");
         let sampled = each.value_si.iter().copied().fold(f64::INFINITY, f64::min);
-        assert!(sampled > due * (1.0 + 1e-5), "no position is the one: {sampled}");
+        assert!(sampled > due * (1.0 + 1e-4), "no position is the one: {sampled}");
     }
 }
 
