@@ -87,3 +87,12 @@ def test_numbers_in_si_and_witnesses_are_settings(model):
     assert fed["slider"].shape == text["slider"].shape
     with pytest.raises(lp.LoosepinValueError, match="set: the model has no quantity 'joint.gudgeon.radial_clearence'"):
         model.simulate(set={"joint.gudgeon.radial_clearence": 3e-4})
+
+
+def test_a_study_has_the_paths_of_further_points(model):
+    study = lp.Study.from_text(STUDY, model)
+    result = study.run(paths=["rod.small_end"], progress=False)
+    assert [path["name"] for path in result.summary["paths"]["paths"]] == ["rod.small_end"]
+    assert study.run(progress=False).summary.get("paths") is None
+    with pytest.raises(lp.LoosepinError, match=r"paths: there is no point 'rod.small_edn'"):
+        study.run(paths=["rod.small_edn"], progress=False)

@@ -54,7 +54,9 @@ fn row(record: &MotionRecord, path: &PointPath, writer: &NumberWriter) -> Vec<Ce
         let (angle_rad, most_m) = largest(record, &values);
         let most_m = without_round_off(most_m, largest_reach_m(path));
         let [most, at] = [Tag::joint(&path.name, "path", word), Tag::joint(&path.name, "path", word).part("at")];
-        let place = (most_m > 0.0).then(|| turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&at)));
+        // What stands still is as far off at each angle.
+        let has_place = most_m > 0.0 && !path.always_stands_still();
+        let place = has_place.then(|| turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&at)));
         [Some(writer.with_tag(&most).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)), place]
     });
     let name = if path.name == path.point { path.name.clone() } else { named_words(&path.name, &path.point) };
