@@ -66,7 +66,7 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
         (bars(&view, has_zone.then_some(magnification), writer))
     };
     let caption = html! {
-        strong { "The path of " (path.point) @if has_zone { ", zone magnified " (words.magnification) " times" } "." } " " (words.sentences)
+        strong { "The path of " (path.point) @if magnification > 1.0 { ", zone magnified " (words.magnification) " times" } "." } " " (words.sentences)
         " " span.reading {}
     };
     let csv = csv(path, drive_angle_rad, writer);
@@ -276,10 +276,11 @@ impl Words {
             } else {
                 format!("Orange: where {cause} it be, to first order. {reach}{outlines} {marks}")
             },
-            alternative: format!(
-                "The path of {} and the zone about it, magnified {magnified} times. {reach}",
-                path.point
-            ),
+            alternative: if magnification > 1.0 {
+                format!("The path of {} and the zone about it, magnified {magnified} times. {reach}", path.point)
+            } else {
+                format!("The path of {} and the zone about it. {reach}", path.point)
+            },
             magnification: magnified,
         }
     }
