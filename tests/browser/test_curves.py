@@ -29,6 +29,7 @@ def browser(page, request):
     with Chromium() as browser:
         browser.view(width, dark=dark, reduced_motion=True)
         browser.open(page)
+        browser.evaluate("document.querySelector('.fold-all button').click()")
         yield browser
 
 

@@ -121,6 +121,7 @@ def test_ticks_are_those_of_the_library(pages, browser):
 def test_ticks_drawn_by_the_library_are_drawn_again_by_the_page(pages, browser):
     """At the width of the library's own picture both make the same axis."""
     browser.open(str(pages / "motion.html"))
+    browser.evaluate("document.querySelector('.fold-all button').click()")
     browser.evaluate("document.querySelectorAll('.plot').forEach((plot) => { plot.style.width = '760px'; })")
     browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
     shown = dict(browser.evaluate("""[...document.querySelectorAll('[data-chart]')].map((holder) =>

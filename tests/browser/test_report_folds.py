@@ -1,4 +1,5 @@
-"""The report of a study is a page that one forwards: its height before a section is opened, its sheets, its sections and its chooser."""
+"""Reports of studies and motions are pages that one forwards: their height before a section is opened, their sheets, their sections and
+their chooser."""
 
 import pathlib
 import subprocess
@@ -15,6 +16,16 @@ SCREEN_PX = 800
 # Screens before any section is opened, by the width of the window.
 MOST_SCREENS = {1280: 4, 400: 6}
 MOST_SHEETS = 4
+# A study, one with lists and several treatments, one with eight outputs; a motion, one with two paths.
+PAGES = ["study", "lists", "outputs", "motion", "coupler_path"]
+# What is left out of the paper, as the reader of a sheet sees it.
+LEFT_OUT = """(() => {
+    dispatchEvent(new Event('beforeprint'));
+    const line = document.querySelector('.left-out');
+    const found = line.hidden ? '' : line.textContent;
+    dispatchEvent(new Event('afterprint'));
+    return [found, line.hidden];
+})()"""
 HEIGHT = "document.documentElement.scrollHeight"
 FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
 OPEN_SECTIONS = "[...document.querySelectorAll('.folds details.fold[open]')].map((fold) => fold.parentElement.id)"
@@ -61,7 +72,7 @@ def press(browser, *keys):
     browser.evaluate(FRAMES)
 
 
-@pytest.mark.parametrize("name", ["study", "lists"])
+@pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("width", MOST_SCREENS)
 def test_the_closed_page_is_a_few_screens_high(pages, browser, name, width):
     opened(browser, pages / f"{name}.html", width)
@@ -69,18 +80,37 @@ def test_the_closed_page_is_a_few_screens_high(pages, browser, name, width):
     assert browser.evaluate(HEIGHT) <= MOST_SCREENS[width] * SCREEN_PX
 
 
-@pytest.mark.parametrize("name", ["study", "lists"])
-def test_four_sheets_are_printed_and_what_was_opened_comes_on_top(pages, browser, name, tmp_path):
-    def sheets():
-        browser.pdf(str(tmp_path / "page.pdf"))
-        return len(Paper((tmp_path / "page.pdf").read_bytes()).sheets)
+def printed(browser, folder):
+    browser.pdf(str(folder / "page.pdf"))
+    return Paper((folder / "page.pdf").read_bytes())
 
+
+@pytest.mark.parametrize("name", PAGES)
+def test_paper_has_what_the_screen_has_and_names_the_rest(pages, browser, name, tmp_path):
     opened(browser, pages / f"{name}.html")
-    closed = sheets()
-    assert closed <= MOST_SHEETS
-    assert browser.evaluate(OPEN_SECTIONS) == [], "as it was before printing"
-    browser.evaluate("document.querySelectorAll('.folds details.fold').forEach((fold) => { fold.open = true; })")
-    assert sheets() > closed
+    closed = printed(browser, tmp_path)
+    assert len(closed.sheets) <= MOST_SHEETS
+    titles = browser.evaluate("[...document.querySelectorAll('details.fold > summary')].map((summary) => summary.textContent)")
+    assert browser.evaluate(LEFT_OUT) == [
+        f"Closed sections are not printed: {'; '.join(titles)}. “Open all sections” on the page prints them too.", True
+    ]
+    # What a reader opens comes on top.
+    browser.evaluate("document.querySelector('.fold-all button').click()")
+    browser.evaluate(FRAMES)
+    assert browser.evaluate(LEFT_OUT) == ["", True]
+    whole = printed(browser, tmp_path)
+    assert len(whole.sheets) > len(closed.sheets)
+    # The title, and a head for each section.
+    assert len(whole.of_kind(b"H2")) >= len(closed.of_kind(b"H2")) + browser.evaluate("document.querySelectorAll('.folds > section').length")
+
+
+def test_contributors_stand_on_the_first_sheet(pages, browser, tmp_path):
+    opened(browser, pages / "study.html")
+    paper = printed(browser, tmp_path)
+    rows = paper.of_kind(b"TR")
+    # The head and four inputs; no other table is open.
+    assert len(rows) == 5
+    assert [paper.sheets_of(row) for row in rows] == [{1}] * 5
 
 
 def test_sections_open_by_keyboard_by_links_and_all_at_once(pages, browser):

@@ -237,7 +237,7 @@ pub struct WearArguments {
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
     loosepin study study.toml --accuracy 1um --budget 30min\n  \
     loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs\n  \
-    loosepin study study.toml --shard 2/7 --resume"
+    loosepin study study.toml --path coupler.tool\n  loosepin study study.toml --shard 2/7 --resume"
 )]
 pub struct StudyArguments {
     /// Study file
@@ -258,6 +258,9 @@ pub struct StudyArguments {
     /// Largest share of failed runs before the study ends with an error, above 0 and at most 1 [default: from the study]
     #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub most_failed: Option<f64>,
+    /// Show the path of a point with the zone that play and scatter leave it, without dynamics, beside those of outputs; may be repeated
+    #[arg(long = "path", value_name = "BODY.POINT", conflicts_with = "shard")]
+    pub path: Vec<String>,
     /// Number of threads, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

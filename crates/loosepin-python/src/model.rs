@@ -143,7 +143,14 @@ impl Model {
 
     /// Refuses settings `path=value` that the model does not take, and the first row of `values`, SI, whose inputs `names` it does not allow
     /// with them.
-    fn check_rows(&self, names: Vec<String>, values: PyReadonlyArray2<'_, f64>, settings: Vec<String>) -> PyResult<()> {
+    fn check_rows(
+        &self,
+        names: Vec<String>,
+        values: PyReadonlyArray2<'_, f64>,
+        settings: Vec<String>,
+        paths: Vec<String>,
+    ) -> PyResult<()> {
+        self.0.points_of_paths(&paths).map_err(raise)?;
         let is_law =
             |text: &String| text.split_once('=').is_some_and(|(path, _)| self.0.contact_of_law(path.trim()).is_some());
         let (laws, numbers): (Vec<String>, Vec<String>) = settings.into_iter().partition(is_law);

@@ -86,7 +86,7 @@ impl Study {
 
     /// Runs it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, provider))]
+    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, provider, paths))]
     fn run(
         &self,
         py: Python<'_>,
@@ -98,9 +98,11 @@ impl Study {
         accuracy: Vec<String>,
         budget: Option<String>,
         provider: Option<Py<PyAny>>,
+        paths: Vec<String>,
     ) -> PyResult<StudyResult> {
         let threads = count_threads(threads)?;
-        let study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
+        let mut study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
+        study.add_paths(&paths).map_err(raise)?;
         let provider = provider.map(PythonRunProvider::new);
         let made = provider.as_ref().map(|provider| provider as &dyn RunProvider);
         let inputs = study::study_inputs(&study, &accuracy, budget.as_deref());

@@ -1,13 +1,12 @@
 "use strict";
 // Sections that open on click. The page has them open, for readers without scripts: they are closed here, but for the one in the address.
-// On paper those are open that the page means for it, and those that the reader has opened.
+// Paper shows what the screen shows: a line says which sections are closed, and how all of them are printed.
 (() => {
     const folds = [...document.querySelectorAll('details.fold')];
     if (folds.length === 0)
         return;
     const all = document.querySelector('.fold-all button');
-    const ofSections = folds.filter((fold) => fold.closest('.folds'));
-    const areOpen = () => ofSections.every((fold) => fold.open);
+    const areOpen = () => folds.every((fold) => fold.open);
     const showState = () => { if (all)
         all.textContent = areOpen() ? 'Close all sections' : 'Open all sections'; };
     function openNamed() {
@@ -24,17 +23,18 @@
     });
     all?.addEventListener('click', () => {
         const isOpen = !areOpen();
-        ofSections.forEach((fold) => { fold.open = isOpen; });
+        folds.forEach((fold) => { fold.open = isOpen; });
     });
     addEventListener('hashchange', openNamed);
     addEventListener('load', openNamed);
-    let opened = [];
+    const leftOut = document.querySelector('.left-out');
     addEventListener('beforeprint', () => {
-        opened = folds.filter((fold) => !fold.open && fold.matches('.printed'));
-        opened.forEach((fold) => { fold.open = true; });
+        if (!leftOut)
+            return;
+        const closed = folds.filter((fold) => !fold.open).map((fold) => fold.querySelector('summary')?.textContent ?? '');
+        leftOut.hidden = closed.length === 0;
+        leftOut.textContent = 'Closed sections are not printed: ' + closed.join('; ') + '. “Open all sections” on the page prints them too.';
     });
-    addEventListener('afterprint', () => {
-        opened.forEach((fold) => { fold.open = false; });
-        opened = [];
-    });
+    addEventListener('afterprint', () => { if (leftOut)
+        leftOut.hidden = true; });
 })();

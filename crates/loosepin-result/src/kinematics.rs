@@ -12,7 +12,8 @@ pub struct KinematicProperties {
     pub ranges: Vec<MotionRange>,
     /// Transmission and pressure angles of the loops that a drive at the ground moves.
     pub transmission_angles: Vec<TransmissionAngle>,
-    /// Mechanical advantage of each output that moves, where one drive at constant speed moves all; empty in records of older versions.
+    /// Mechanical advantage of each output that moves, but for the angle of the drive itself, where one drive at constant speed moves all;
+    /// empty in records of older versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub mechanical_advantages: Vec<MechanicalAdvantage>,
 }
@@ -143,4 +144,7 @@ pub struct MechanicalAdvantage {
     /// Its value at each angle of the drive.
     #[serde(with = "extended")]
     pub value_si: Vec<f64>,
+    /// The smallest value over the whole motion, between the recorded angles too; `None` in records of older versions.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub least_si: Option<f64>,
 }

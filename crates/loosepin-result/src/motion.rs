@@ -172,6 +172,9 @@ pub struct OutputMotion {
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
+    /// Name of the output that is the path, where it is a coordinate of one; absent in records of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coordinate_of: Option<String>,
     /// The path and which part of its error, where it is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub path_error: Option<PathMotion>,
@@ -312,11 +315,9 @@ pub struct DimensionContributor {
     pub standard_deviation_si: Vec<f64>,
 }
 
-/// The outputs that are neither coordinates nor errors of one of the paths: those that move by themselves.
-pub fn outputs_beside_paths<'r>(
-    outputs: &'r [OutputMotion],
-    paths: &'r [PointPath],
-) -> impl Iterator<Item = &'r OutputMotion> {
-    let is_coordinate = |output: &OutputMotion| paths.iter().any(|path| path.has_coordinate(&output.name));
-    outputs.iter().filter(move |output| output.path_error.is_none() && !is_coordinate(output))
+impl OutputMotion {
+    /// Whether it is a coordinate or an error of a path: it has no motion of its own.
+    pub fn is_of_path(&self) -> bool {
+        self.coordinate_of.is_some() || self.path_error.is_some()
+    }
 }

@@ -56,10 +56,10 @@ pub struct PointPath {
     /// x axis.
     #[serde(with = "extended")]
     pub play_reach_m: Vec<f64>,
-    /// Reach of the play along the motion, to either side, m; 0 where the point stands still.
+    /// Reach of the play along the motion, to either side, m; where the point stands still the largest |d|, which older versions give as 0.
     #[serde(with = "extended")]
     pub play_along_m: Vec<f64>,
-    /// Reach of the play across the motion, to either side, m; 0 where the point stands still.
+    /// Reach of the play across the motion, to either side, m; where the point stands still as along it.
     #[serde(with = "extended")]
     pub play_across_m: Vec<f64>,
     /// Larger semi-axis of the 95 % ellipse of the scatter, m; empty where nothing scatters.
@@ -105,12 +105,6 @@ impl PointPath {
             && are_whole_or_absent(&[&self.scatter_major_m, &self.scatter_minor_m, &self.scatter_angle_rad])
     }
 
-    /// Whether `output` is the name of one of its coordinates among the outputs.
-    pub(crate) fn has_coordinate(&self, output: &str) -> bool {
-        let axis = self.output.as_ref().and_then(|name| output.strip_prefix(name.as_str()));
-        matches!(axis, Some(" x" | " y"))
-    }
-
     /// Speeds, m/s; empty in records of older versions.
     pub fn speeds_m_s(&self) -> Vec<f64> {
         self.velocity_x_m_s.iter().zip(&self.velocity_y_m_s).map(|(x, y)| x.hypot(*y)).collect()
@@ -140,17 +134,34 @@ impl PointPath {
         (major_m * cosine).hypot(self.scatter_minor_m[position] * sine)
     }
 
-    /// Reach of play and scatter along and across the motion, m; 0 where the point stands still.
+    /// Whether the point is too slow at a position for its motion to have a direction.
+    pub fn stands_still(&self, position: usize) -> bool {
+        self.tangent_x[position] == 0.0 && self.tangent_y[position] == 0.0
+    }
+
+    /// Whether it does so at each position: it has no path.
+    pub fn always_stands_still(&self) -> bool {
+        (0..self.positions()).all(|position| self.stands_still(position))
+    }
+
+    /// Reach of play and scatter along and across the motion, m. Where the point stands still there are no such directions: both are the
+    /// distance |d| that it does not exceed.
     pub fn along_and_across_m(&self, position: usize) -> [f64; 2] {
-        let [x, y] = [self.tangent_x[position], self.tangent_y[position]];
-        if x == 0.0 && y == 0.0 {
-            return [0.0; 2];
+        if self.stands_still(position) {
+            return [self.largest_reach_m(position); 2];
         }
-        let angle_rad = y.atan2(x);
+        let angle_rad = self.tangent_y[position].atan2(self.tangent_x[position]);
         [
             self.play_along_m[position] + self.scatter_reach_m(position, angle_rad),
             self.play_across_m[position] + self.scatter_reach_m(position, angle_rad + std::f64::consts::FRAC_PI_2),
         ]
+    }
+
+    /// Largest |d| by play, and by the larger semi-axis of the scatter together, m.
+    fn largest_reach_m(&self, position: usize) -> f64 {
+        let recorded_m = &self.play_reach_m[position * REACH_DIRECTIONS..][..REACH_DIRECTIONS];
+        let play_m = recorded_m.iter().copied().fold(self.play_along_m[position], f64::max);
+        play_m + self.scatter_major_m.get(position).copied().unwrap_or(0.0)
     }
 
     /// Corners of the polygon about the zone of the play, relative to the position on the path, m, against the clock: the least polygon

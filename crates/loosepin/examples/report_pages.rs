@@ -33,6 +33,7 @@ fn write_pages(folder: &Path) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     write_page(folder, "study", &report::study_page(&report_fixture::study::worn_pin()))?;
     write_page(folder, "lists", &report::study_page(&report_fixture::study::with_list()))?;
+    write_page(folder, "outputs", &report::study_page(&report_fixture::study::with_outputs(8)))?;
     write_page(folder, "simulation", &report::simulation_page(&report_fixture::simulation::worn_pin()))?;
     write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
     write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;

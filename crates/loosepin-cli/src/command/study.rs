@@ -25,7 +25,7 @@ use crate::progress::Bar;
 /// Runs the study, or shows the stored one.
 pub fn run(arguments: &StudyArguments) -> Ending {
     let (mut study, inputs) =
-        read_study_with_options(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
+        read_study_with_options(&arguments.study, &arguments.accuracy, arguments.budget.as_deref(), &arguments.path)?;
     // Not an input of the results: it only decides when the study ends with an error.
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
@@ -64,6 +64,7 @@ pub fn read_study_with_options(
     path: &Path,
     accuracy: &[String],
     budget: Option<&str>,
+    paths: &[String],
 ) -> Result<(Study, InputsHash), Failure> {
     let mut study = read_study(path)?;
     for accuracy in accuracy {
@@ -72,6 +73,7 @@ pub fn read_study_with_options(
     if let Some(budget) = budget {
         study.set_budget(budget)?;
     }
+    study.add_paths(paths)?;
     let inputs = study_inputs(&study, accuracy, budget);
     Ok((study, inputs))
 }

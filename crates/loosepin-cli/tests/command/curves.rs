@@ -1,6 +1,6 @@
 //! Paths of points and curves over the angle of the drive, by command.
 
-use super::command_line::{Columns, Desk};
+use super::command_line::{Columns, Desk, case_text};
 
 /// Positions of two runs of the same mechanism, each within 1e-8 m; the same run read twice is exact but for rounding.
 const ROUND_OFF_M: f64 = 1e-12;
@@ -34,6 +34,8 @@ fn a_path_has_a_figure_numbers_and_columns() {
 fn a_point_that_is_not_there_is_told_at_its_place() {
     let desk = Desk::with_model("four_bar_coupler_path");
     let near = "--path:1:1: error[E0401]: --path: there is no point 'coupler.tol'\nhint: did you mean 'coupler.tool'?";
+    desk.write("study.toml", &case_text("four_bar_coupler_path", "study.toml"));
+    desk.fail(&["study", "study.toml", "--path", "coupler.tol"], near);
     for command in ["motion", "simulate"] {
         desk.fail(&[command, "model.toml", "--path", "coupler.tol"], near);
         desk.fail(

@@ -187,6 +187,7 @@ class Model(NoArray):
         lyapunov: int | None = None,
         measured: Sequence[str | os.PathLike[str]] = (),
         start: Simulation | None = None,
+        paths: Sequence[str] = (),
         threads: int | None = None,
         progress: bool | Listener = True,
     ) -> Simulations[Simulation]:
@@ -195,7 +196,7 @@ class Model(NoArray):
             runs = model.simulate_many({"joint.gudgeon.radial_clearance": np.linspace(1e-4, 5e-4, 20)}, turns=2)
             runs[3]["slider"], runs.to_xarray()["slider_deviation"]
 
-        inputs: as for `evaluate`. turns to start: as for `simulate`, the same for all runs. threads, progress: as for `Study.run`. The runs
+        inputs: as for `evaluate`. turns to paths: as for `simulate`, the same for all runs. threads, progress: as for `Study.run`. The runs
         are the same for any number of threads. A value that breaks a rule of the model raises LoosepinValueError with its run, before any
         run is made; a run that fails is None, with its reason in `reasons`.
         """
@@ -212,7 +213,7 @@ class Model(NoArray):
         for name in shared:
             if name in numbers or (name in laws and set is not None and name in set):
                 raise refused(f"set: '{name}' is one of the inputs as well", "E0409")
-        self._native.check_rows(list(names), table, self._settings(shared))
+        self._native.check_rows(list(names), table, self._settings(shared), texts("paths", paths))
         sets = [
             shared | {name: self._native.text_of_value("inputs", name, value) for name, value in zip(names, row, strict=True)}
             for row in table.tolist()
@@ -222,7 +223,7 @@ class Model(NoArray):
         def run(row: int) -> Simulation:
             return self.simulate(
                 turns=turns, transient=transient, samples=samples, tolerance=tolerance, states=states, second_run=second_run,
-                set=sets[row], integrator=integrator, lyapunov=lyapunov, measured=files, start=start,
+                set=sets[row], integrator=integrator, lyapunov=lyapunov, measured=files, start=start, paths=paths,
             )
 
         columns = {name: table[:, place] for place, name in enumerate(names)}

@@ -107,6 +107,7 @@ class Study(NoArray):
         accuracy: Sequence[str] | Mapping[str, float | str] = (),
         budget: int | str | None = None,
         client: Any = None,
+        paths: Sequence[str] = (),
     ) -> StudyResult:
         """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
 
@@ -118,6 +119,8 @@ class Study(NoArray):
         {"slider.mean": 1e-6} in SI, budget="20000 runs" or 20000.
         client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
         installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
+        paths: points "body.point" whose paths the report shows besides those of outputs, each with the zone in which play and scatter let it
+        be without dynamics.
 
         Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
         """
@@ -134,7 +137,7 @@ class Study(NoArray):
         place = None if folder is None else os.fspath(folder)
         with long_run(f"study {self.name!r}", listener(progress)) as notify:
             made = None if client is None else run_provider(client, self._native, tuple(stated), most)
-            native = self._native.run(place, resume, force, threads, notify, stated, most, made)
+            native = self._native.run(place, resume, force, threads, notify, stated, most, made, texts("paths", paths))
         return StudyResult(native)
 
     def motion(self, *, set: Mapping[str, str | float] | None = None, paths: Sequence[str] = ()) -> Motion:

@@ -52,6 +52,19 @@ def test_laws_are_names_and_wrong_inputs_are_named(model):
         model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, threads=0, progress=False)
 
 
+def test_identity_paths_of_many_runs_are_those_of_simulate(model):
+    runs = model.simulate_many({CLEARANCE: [1e-4, 3e-4]}, **SHORT, paths=["rod.small_end"], progress=False)
+    alone = model.simulate(**SHORT, second_run=False, set={CLEARANCE: 3e-4}, paths=["rod.small_end"])
+    for name in ("rod.small_end x", "rod.small_end y", "rod.small_end velocity x"):
+        np.testing.assert_array_equal(runs[1][name], alone[name])
+        np.testing.assert_array_equal(runs.to_xarray()[name][1], alone[name])
+    assert not np.array_equal(runs[0]["rod.small_end y"], runs[1]["rod.small_end y"])
+    with pytest.raises(lp.LoosepinError, match=r"paths: there is no point 'rod.small_edn'"):
+        model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, paths=["rod.small_edn"], progress=False)
+    with pytest.raises(TypeError, match="paths is a str; must be a list of str"):
+        model.simulate_many({CLEARANCE: [1e-4]}, **SHORT, paths="rod.small_end", progress=False)
+
+
 def test_what_a_listener_raises_ends_the_runs(model):
     before = threading.active_count()
 
@@ -74,3 +87,12 @@ def test_numbers_in_si_and_witnesses_are_settings(model):
     assert fed["slider"].shape == text["slider"].shape
     with pytest.raises(lp.LoosepinValueError, match="set: the model has no quantity 'joint.gudgeon.radial_clearence'"):
         model.simulate(set={"joint.gudgeon.radial_clearence": 3e-4})
+
+
+def test_a_study_has_the_paths_of_further_points(model):
+    study = lp.Study.from_text(STUDY, model)
+    result = study.run(paths=["rod.small_end"], progress=False)
+    assert [path["name"] for path in result.summary["paths"]["paths"]] == ["rod.small_end"]
+    assert study.run(progress=False).summary.get("paths") is None
+    with pytest.raises(lp.LoosepinError, match=r"paths: there is no point 'rod.small_edn'"):
+        study.run(paths=["rod.small_edn"], progress=False)

@@ -216,6 +216,7 @@ mod tests {
             name: "slider".to_owned(),
             words: "x of slider.pin".to_owned(),
             unit: SiUnit::LENGTH,
+            coordinate_of: None,
             path_error: None,
             value_si: vec![0.1],
             velocity_si: vec![0.0],

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use crate::charts::axes::with_unit;
 use crate::charts::figure::{Picture, csv_number, csv_text, name_of};
-use crate::charts::plane_view::{PlaneView, VISIBLE_SHARE, bars, is_closed, round_factor, size_m};
+use crate::charts::plane_view::{PlaneView, bars, is_closed, magnification, size_m};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use loosepin_result::point_path::{ELLIPSE_SHARE, PointPath};
@@ -31,12 +31,12 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
         && xy_m.iter().all(|list| list.iter().all(|value| value.is_finite()));
     let size_m = size_m(xy_m);
     let largest_m = largest_reach_m(path);
-    if !is_whole || !largest_m.is_finite() || (size_m == 0.0 && largest_m == 0.0) {
+    let has_zone = path.has_zone();
+    // The size of a path without motion is round-off.
+    if !is_whole || !largest_m.is_finite() || (path.always_stands_still() && !has_zone) {
         return html! {};
     }
-    let has_zone = path.has_zone();
-    let magnification =
-        if has_zone { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 };
+    let magnification = magnification(size_m, largest_m);
     let view = PlaneView::new(xy_m, magnification * largest_m);
     let closing = if is_closed(xy_m, size_m) { "Z" } else { "" };
     let ideal: Vec<[f64; 2]> = (0..positions).map(|k| [path.x_m[k], path.y_m[k]]).collect();
@@ -44,7 +44,7 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
         let [x_m, y_m] = ideal[k];
         corners_m.iter().map(|[x, y]| view.place([x_m + magnification * x, y_m + magnification * y])).collect()
     };
-    let marks = marks(drive_angle_rad);
+    let marks = if path.always_stands_still() { Vec::new() } else { marks(drive_angle_rad) };
     let zone = if has_zone { swept(positions, &|k| about(k, &path.zone_m(k))) } else { String::new() };
     let plays: String = marks.iter().map(|(k, _)| outline(&about(*k, &path.play_zone_m(*k)))).collect();
     let [x0, y0] = view.place([0.0, 0.0]);
@@ -63,10 +63,10 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
             data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
         path.ticks d=(marks.iter().map(|(k, _)| format!("M{}h0", view.point(ideal[*k]))).collect::<String>()) {}
         (labels(path, &marks, &ideal, &view, magnification))
-        (bars(&view, magnification, writer))
+        (bars(&view, has_zone.then_some(magnification), writer))
     };
     let caption = html! {
-        strong { "The path of " (path.point) @if has_zone { ", zone magnified " (words.magnification) " times" } "." } " " (words.sentences)
+        strong { "The path of " (path.point) @if magnification > 1.0 { ", zone magnified " (words.magnification) " times" } "." } " " (words.sentences)
         " " span.reading {}
     };
     let csv = csv(path, drive_angle_rad, writer);
@@ -88,9 +88,14 @@ pub(crate) struct RunCourse<'r> {
     pub point: &'r str,
     pub xy_m: [&'r [f64]; 2],
     pub ideal_m: [&'r [f64]; 2],
+    /// Position tolerance of the run: smaller deviations are not told from none.
+    pub tolerance_m: f64,
     /// Angles of the drive as in the charts; empty where these are over time.
     pub drive_angle_rad: Vec<f64>,
 }
+
+/// Share of the coordinates of a run below which a difference is round-off.
+const ROUND_OFF_OF_RUN: f64 = 1e-12;
 
 /// Points of a drawn line, at most.
 const MAX_POINTS: usize = 4000;
@@ -101,20 +106,23 @@ pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> 
     let has_ideal = course.ideal_m.iter().all(|list| list.len() == samples);
     let from_m = if has_ideal { course.ideal_m } else { course.xy_m };
     let is_finite = |list: &&[f64]| list.iter().all(|value| value.is_finite());
-    let size_m = size_m(from_m);
-    if samples < 3
-        || course.xy_m[1].len() != samples
-        || !from_m.iter().chain(&course.xy_m).all(is_finite)
-        || size_m == 0.0
-    {
+    if samples < 3 || course.xy_m[1].len() != samples || !from_m.iter().chain(&course.xy_m).all(is_finite) {
         return html! {};
     }
+    let size_m = size_m(from_m);
     let strays = (0..samples).map(|k| [0, 1].map(|axis| course.xy_m[axis][k] - from_m[axis][k]));
     let strays_m: Vec<[f64; 2]> = strays.collect();
     let largest_m = strays_m.iter().fold(0.0, |most: f64, [x, y]| most.max(x.hypot(*y)));
-    let magnification =
-        if largest_m > 0.0 { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 };
-    let view = PlaneView::new(from_m, magnification * largest_m);
+    // Coordinates far from the origin have larger round-off.
+    let distance_m = from_m.iter().flat_map(|list| list.iter()).fold(size_m, |most, value| most.max(value.abs()));
+    let round_off_m = course.tolerance_m.max(ROUND_OFF_OF_RUN * distance_m);
+    let is_straying = has_ideal && largest_m > round_off_m;
+    if size_m <= ROUND_OFF_OF_RUN * distance_m && !is_straying {
+        return html! {};
+    }
+    let drawn_m = if is_straying { largest_m } else { 0.0 };
+    let magnification = magnification(size_m, drawn_m);
+    let view = PlaneView::new(from_m, magnification * drawn_m);
     let step = samples.div_ceil(MAX_POINTS).max(1);
     let line = |factor: f64| {
         let place = |k: usize| [0, 1].map(|axis| from_m[axis][k] + factor * strays_m[k][axis]);
@@ -125,11 +133,13 @@ pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> 
     let tag = |part: &str| Tag::joint(course.name, "path", part);
     let magnified = writer.with_tag(&tag("magnification")).count(magnification as u64);
     let largest = writer.with_tag(&tag("deviation")).rounded(largest_m, &SiUnit::LENGTH, 2, Rounding::Up);
-    let is_straying = has_ideal && largest_m > 0.0;
     let sentence = if is_straying {
         format!(
             "Dashed: the ideal path. Line: the path with play, up to {largest} from where it should be at the same time."
         )
+    } else if has_ideal {
+        let least = writer.with_tag(&tag("deviation")).rounded(round_off_m, &SiUnit::LENGTH, 1, Rounding::Up);
+        format!("It is the ideal path: no deviation above {least}.")
     } else {
         "As it was recorded.".to_owned()
     };
@@ -137,7 +147,7 @@ pub(crate) fn run_path_figure(course: &RunCourse<'_>, writer: &NumberWriter) -> 
         path.actual d=(line(magnification)) {}
         path.ideal.dashed[is_straying] d=(line(0.0)) data-x0=(format!("{x0:.3}")) data-y0=(format!("{y0:.3}"))
             data-scale=(format!("{per_length:.6e}")) data-magnification=(magnification) {}
-        (bars(&view, magnification, writer))
+        (bars(&view, is_straying.then_some(magnification), writer))
     };
     let caption = html! {
         strong { "The path of " (course.point) @if is_straying { ", deviations magnified " (magnified) " times" } "." } " " (sentence)
@@ -183,6 +193,43 @@ pub(crate) fn largest_reach_m(path: &PointPath) -> f64 {
     reaches.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)))
 }
 
+/// Reach along and across the motion, m, at each position: 0 where the point of a path that moves stands still; where it never moves, how
+/// far from its place it may be, twice.
+pub(crate) fn along_and_across_m(path: &PointPath) -> [Vec<f64>; 2] {
+    let always_still = path.always_stands_still();
+    [0, 1].map(|part| {
+        let reach = |k: usize| {
+            if path.stands_still(k) && !always_still { 0.0 } else { path.along_and_across_m(k)[part] }
+        };
+        (0..path.positions()).map(reach).collect()
+    })
+}
+
+/// How far the zone reaches: along and across the motion, and where the point stands still, from its place.
+pub(crate) fn extent_words(path: &PointPath, writer: &NumberWriter) -> String {
+    let largest_m = largest_reach_m(path);
+    let written = |part: &str, most_m: f64| {
+        let tag = Tag::joint(&path.name, "path", part);
+        writer.with_tag(&tag).rounded(without_round_off(most_m, largest_m), &SiUnit::LENGTH, 2, Rounding::Up)
+    };
+    let still = (0..path.positions()).filter(|k| path.stands_still(*k)).map(|k| path.along_and_across_m(k)[0]);
+    let still = still.reduce(f64::max).map(|most_m| written("at rest", most_m));
+    if path.always_stands_still() {
+        let still = still.unwrap_or_default();
+        return format!("It stands still, so that no direction is along its motion: up to {still} from its place.");
+    }
+    let [along, across] = along_and_across_m(path).map(|list| list.into_iter().fold(0.0, f64::max));
+    let moving = format!(
+        "Up to {} along its motion and {} across it, to either side.",
+        written("along", along),
+        written("across", across)
+    );
+    match still {
+        Some(still) => format!("{moving} Where it stands still it has no direction: up to {still} from its place."),
+        None => moving,
+    }
+}
+
 /// A reach, or zero where it is round-off beside the largest one.
 pub(crate) fn without_round_off(reach_m: f64, largest_m: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-6;
@@ -209,13 +256,7 @@ impl Words {
                 magnification: magnified,
             };
         }
-        let largest_m = largest_reach_m(path);
-        let [along, across] = [0, 1].map(|part| {
-            let values = (0..path.positions()).map(|k| path.along_and_across_m(k)[part]);
-            let most_m = without_round_off(values.fold(0.0, f64::max), largest_m);
-            let tag = tag(["along", "across"][part]);
-            writer.with_tag(&tag).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)
-        });
+        let reach = extent_words(path, writer);
         let share = writer.with_tag(&Tag::Given("share of the ellipse")).percent(ELLIPSE_SHARE, Rounding::Nearest);
         let has_play = path.play_reach_m.iter().any(|reach| *reach > 0.0);
         let has_scatter = !path.scatter_major_m.is_empty();
@@ -230,14 +271,16 @@ impl Words {
             _ => String::new(),
         };
         Self {
-            sentences: format!(
-                "Orange: where {cause} it be, to first order: up to {along} along its motion and {across} across it, to either side.{outlines} {marks}"
-            ),
-            alternative: format!(
-                "The path of {} and the zone about it, magnified {magnified} times: up to {along} along its motion and {across} across it, \
-                 to either side.",
-                path.point
-            ),
+            sentences: if path.always_stands_still() {
+                format!("Orange: where {cause} it be, to first order. {reach}")
+            } else {
+                format!("Orange: where {cause} it be, to first order. {reach}{outlines} {marks}")
+            },
+            alternative: if magnification > 1.0 {
+                format!("The path of {} and the zone about it, magnified {magnified} times. {reach}", path.point)
+            } else {
+                format!("The path of {} and the zone about it. {reach}", path.point)
+            },
             magnification: magnified,
         }
     }
@@ -249,7 +292,8 @@ fn marks(drive_angle_rad: &[f64]) -> Vec<(usize, f64)> {
     let mut found: Vec<(usize, f64)> = Vec::new();
     for (k, degree) in degrees.iter().enumerate() {
         let step = degrees.get(k + 1).map_or_else(|| degree - degrees[k - 1], |next| next - degree).abs();
-        let angle = (degree / TICK_DEG).round() * TICK_DEG;
+        // A zero has no sign.
+        let angle = (degree / TICK_DEG).round() * TICK_DEG + 0.0;
         let is_known = |known: &(usize, f64)| known.1 == angle || (known.1 - angle).abs() == 360.0;
         if (degree - angle).abs() <= HALF_STEP * step && !found.iter().any(is_known) {
             found.push((k, angle));
@@ -402,12 +446,87 @@ mod tests {
         assert_eq!(hull([[1.0, 2.0], [1.0, 2.0]].iter()), [[1.0, 2.0]]);
     }
 
+    fn circle() -> PointPath {
+        let angles: Vec<f64> = (0..36).map(|k| std::f64::consts::TAU * f64::from(k) / 36.0).collect();
+        let [zeros, reach_m] = [36, 36 * loosepin_result::point_path::REACH_DIRECTIONS].map(|count| vec![0.0; count]);
+        PointPath {
+            name: "tip".to_owned(),
+            point: "arm.tip".to_owned(),
+            x_m: angles.iter().map(|angle| 0.3 * angle.cos()).collect(),
+            y_m: angles.iter().map(|angle| 0.3 * angle.sin()).collect(),
+            tangent_x: angles.iter().map(|angle| -angle.sin()).collect(),
+            tangent_y: angles.iter().map(|angle| angle.cos()).collect(),
+            play_reach_m: reach_m,
+            play_along_m: zeros.clone(),
+            play_across_m: zeros,
+            ..PointPath::default()
+        }
+    }
+
+    fn figure_of(path: &PointPath) -> String {
+        let angles: Vec<f64> = (0..36).map(|k| std::f64::consts::TAU * f64::from(k) / 36.0).collect();
+        let units = loosepin_text::units::DisplayUnits::default();
+        path_figure(path, "crank", &angles, &NumberWriter::for_page(&units)).into_string()
+    }
+
+    #[test]
+    fn the_scale_of_deviations_is_drawn_where_there_are_some() {
+        let ideal = figure_of(&circle());
+        assert!(ideal.contains("along the path") && !ideal.contains("of deviation"), "{ideal}");
+        let mut loose = circle();
+        loose.play_reach_m.iter_mut().for_each(|reach_m| *reach_m = 2e-4);
+        let drawn = figure_of(&loose);
+        assert!(drawn.contains("along the path") && drawn.contains("of deviation"), "{drawn}");
+    }
+
+    #[test]
+    fn a_point_that_stands_still_is_said_to() {
+        let mut still = circle();
+        // Round-off of a place.
+        still.x_m = (0..36).map(|k| 0.2 + 1e-17 * f64::from(k % 3)).collect();
+        (still.y_m, still.tangent_x, still.tangent_y) = (vec![0.1; 36], vec![0.0; 36], vec![0.0; 36]);
+        assert_eq!(figure_of(&still), "", "no path and no zone");
+        still.play_reach_m.iter_mut().for_each(|reach_m| *reach_m = 2e-4);
+        (still.play_along_m, still.play_across_m) = (vec![2e-4; 36], vec![2e-4; 36]);
+        let drawn = figure_of(&still);
+        let words = "It stands still, so that no direction is along its motion: up to 0.20\u{a0}mm from its place.";
+        assert!(drawn.contains(words) && !drawn.contains("Marks:") && !drawn.contains("across"), "{drawn}");
+    }
+
+    fn figure_of_run(strays_m: f64, tolerance_m: f64) -> String {
+        let PointPath { x_m, y_m, .. } = circle();
+        let strayed: Vec<f64> = x_m.iter().map(|x| x + strays_m).collect();
+        let course = RunCourse {
+            name: "tip",
+            point: "arm.tip",
+            xy_m: [&strayed, &y_m],
+            ideal_m: [&x_m, &y_m],
+            tolerance_m,
+            drive_angle_rad: Vec::new(),
+        };
+        let units = loosepin_text::units::DisplayUnits::default();
+        run_path_figure(&course, &NumberWriter::for_page(&units)).into_string()
+    }
+
+    #[test]
+    fn deviations_within_the_tolerance_of_a_run_are_not_magnified() {
+        let off = figure_of_run(1e-4, 1e-9);
+        assert!(off.contains("magnified") && off.contains("of deviation"), "{off}");
+        for exact in [figure_of_run(0.0, 1e-9), figure_of_run(5e-10, 1e-9), figure_of_run(2e-17, 0.0)] {
+            assert!(exact.contains("It is the ideal path") && !exact.contains("magnified"), "{exact}");
+            assert!(!exact.contains("of deviation"), "{exact}");
+        }
+    }
+
     #[test]
     fn analytic_marks_stand_at_multiples_of_their_angle_and_once_a_turn() {
         let turn: Vec<f64> = (0..=360).map(|degree| f64::from(degree).to_radians()).collect();
         let found = marks(&turn);
         assert_eq!(found.len(), 12);
         assert_eq!((found[0], found[11]), ((0, 0.0), (330, 330.0)));
+        // Just below zero is zero, without a sign.
+        let before: Vec<f64> = (0..=12).map(|step| (f64::from(30 * step) - 1e-9).to_radians()).collect();
+        assert!(marks(&before)[0].1.is_sign_positive());
         let late: Vec<f64> = (0..90).map(|step| (f64::from(step) + 44.6).to_radians()).collect();
         assert_eq!(marks(&late), [(15, 60.0), (45, 90.0), (75, 120.0)]);
     }

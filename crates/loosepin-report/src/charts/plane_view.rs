@@ -12,7 +12,7 @@ const SIDE: f64 = 640.0;
 const MIN_SIDE: f64 = 0.3 * SIDE;
 const MARGIN: f64 = 48.0;
 /// The widest deviation is drawn as about this share of the size of the path.
-pub(crate) const VISIBLE_SHARE: f64 = 0.08;
+const VISIBLE_SHARE: f64 = 0.08;
 /// The bar of the scale is about this share of the picture.
 const BAR_SHARE: f64 = 0.18;
 
@@ -64,8 +64,8 @@ impl PlaneView {
     }
 }
 
-/// Two bars: a length of the path, and a deviation from it.
-pub(crate) fn bars(view: &PlaneView, magnification: f64, writer: &NumberWriter) -> Markup {
+/// Two bars: a length of the path, and where deviations are drawn, magnified so many times, a deviation from it.
+pub(crate) fn bars(view: &PlaneView, magnification: Option<f64>, writer: &NumberWriter) -> Markup {
     let about_m = BAR_SHARE * SIDE / view.per_m;
     let bar = |length_m: f64, factor: f64, y: f64, what: &str, class: &str| {
         let length = length_m * factor * view.per_m;
@@ -78,10 +78,12 @@ pub(crate) fn bars(view: &PlaneView, magnification: f64, writer: &NumberWriter) 
             }
         }
     };
-    let (path_m, deviation_m) = (round_length_m(about_m), round_length_m(about_m / magnification));
+    let path_y = if magnification.is_some() { view.height - 50.0 } else { view.height - 24.0 };
     html! {
-        (bar(path_m, 1.0, view.height - 50.0, "along the path", "of-path"))
-        (bar(deviation_m, magnification, view.height - 24.0, "of deviation", "of-deviation"))
+        (bar(round_length_m(about_m), 1.0, path_y, "along the path", "of-path"))
+        @if let Some(factor) = magnification {
+            (bar(round_length_m(about_m / factor), factor, view.height - 24.0, "of deviation", "of-deviation"))
+        }
     }
 }
 
@@ -100,6 +102,11 @@ pub(crate) fn is_closed([x_m, y_m]: [&[f64]; 2], size_m: f64) -> bool {
     let between = |a: usize, b: usize| (x_m[a] - x_m[b]).hypot(y_m[a] - y_m[b]);
     let longest = (0..last).map(|k| between(k, k + 1)).fold(0.0, f64::max);
     between(last, 0) <= 1.5 * longest.max(1e-3 * size_m)
+}
+
+/// How many times deviations up to `largest_m` are magnified beside a path of this size: a round number; 1 where there are none.
+pub(crate) fn magnification(size_m: f64, largest_m: f64) -> f64 {
+    if largest_m > 0.0 { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 }
 }
 
 /// 1, 2 or 5 times a power of ten, at most `factor`; at least 1.

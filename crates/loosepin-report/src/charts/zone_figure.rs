@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::charts::figure::{Picture, csv_number};
-use crate::charts::plane_view::{PlaneView, VISIBLE_SHARE, bars, is_closed, round_factor, size_m};
+use crate::charts::plane_view::{PlaneView, bars, is_closed, magnification, size_m};
 use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::study::{CurveRange, Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
@@ -29,7 +29,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
     let largest_m = ends.iter().flat_map(|end| end.iter()).fold(0.0_f64, |most, value| most.max(value.abs()));
     let xy_m = [path.x_m.as_slice(), path.y_m.as_slice()];
     let size_m = size_m(xy_m);
-    let magnification = round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m));
+    let magnification = magnification(size_m, largest_m);
     let nominal_m =
         curve.nominal_si.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, own| most.max(own.abs()));
     let view = PlaneView::new(xy_m, magnification * largest_m.max(nominal_m));
@@ -75,7 +75,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
         @if let Some(nominal) = &nominal { path.actual d={ (view.line(nominal)) (closing) } {} }
         path.ideal d={ (view.line(&ideal)) (closing) } {}
         circle.start r="5" cx=(format!("{:.1}", view.place(ideal[0])[0])) cy=(format!("{:.1}", view.place(ideal[0])[1])) {}
-        (bars(&view, magnification, writer))
+        (bars(&view, Some(magnification), writer))
     };
     let caption = html! {
                 strong { "The path of " (subject) ", deviations magnified " (magnified) " times." }

@@ -96,7 +96,8 @@ fn band(
     let told = [0, 1].map(|which| match reaches[which] {
         Some((angle_rad, reach_si)) => format!(
             "±{} at {}",
-            writer.rounded(reach_si, &first.unit, DIGITS, Rounding::Up),
+            // As the sentences of each study have it.
+            writer.for_sentence(reach_si, curves[which].numerical_error_si, &first.unit, Rounding::Up),
             writer.angle_in_turn(angle_rad, DIGITS)
         ),
         None => "nothing known".to_owned(),

@@ -1,19 +1,19 @@
-//! How much smaller or larger the main answer is in the second study, and whether its verdict is another one.
+//! Which verdicts differ and by which shares, and how much smaller or larger the main answer is in the second study.
 
 use super::outputs::SharedOutputs;
 use super::requirements::ComparedRequirement;
-use super::sides::for_both;
+use super::sides::{for_both, same_or_both};
 use super::statistics::{Weight, is_same};
 use crate::numbers::number::{NumberWriter, Rounding, significant};
 use crate::study::output_summary::{OutputSummary, output_summaries};
-use crate::words::wording::{deviation_of, verdict_words};
+use crate::words::wording::{capitalised, deviation_of, verdict_words};
 use loosepin_result::study::{BoundRecord, DeviationCurve, ResponsePoint, StudyResult, Treatment, Verdict};
 use loosepin_text::units::SiUnit;
 
 /// Headline if the studies share no main answer.
 pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
-/// Digits of the values.
-const DIGITS: usize = 3;
+/// Requirements with other verdicts that the headline names.
+const MAX_NAMED: usize = 2;
 /// Digits of a factor.
 const TIMES_DIGITS: usize = 2;
 
@@ -24,6 +24,8 @@ struct Main<'r> {
     bounds_si: [f64; 2],
     /// Numerical errors of the values found, or more.
     errors_si: [f64; 2],
+    /// Errors to which each study rounds its bound.
+    rounded_to_si: [f64; 2],
     unit: &'r SiUnit,
 }
 
@@ -37,38 +39,69 @@ impl Main<'_> {
     }
 }
 
-/// The verdicts where they differ, and the answer that A puts first of those that B has as well.
+/// What changed of the verdicts and by which shares, and the answer that A puts first of those that B has as well.
 pub fn headline(
     pair: [&StudyResult; 2],
     outputs: &SharedOutputs,
     requirements: &[ComparedRequirement],
     writer: &NumberWriter,
 ) -> String {
-    let Some(main) = output_summaries(pair[0]).into_iter().find_map(|summary| main(summary, pair, outputs, writer))
-    else {
-        return NOTHING_IN_COMMON.to_owned();
-    };
-    let [before, after] = main.bounds_si;
-    let bounds =
-        main.bounds_si.map(|bound_si| format!("±{}", writer.rounded(bound_si, main.unit, DIGITS, Rounding::Up)));
-    let mut sentences = vec![format!("{} stays within {}.", main.subject, for_both(bounds))];
+    let mut sentences = verdict_sentences(pair, requirements);
+    let main = output_summaries(pair[0]).into_iter().find_map(|summary| main(summary, pair, outputs, writer));
+    sentences.extend(main.map(|main| main_sentences(&main, writer)));
+    if sentences.is_empty() { NOTHING_IN_COMMON.to_owned() } else { sentences.join(" ") }
+}
+
+/// Each requirement whose verdict differs, with the shares that decide it.
+fn verdict_sentences(pair: [&StudyResult; 2], requirements: &[ComparedRequirement]) -> Vec<String> {
+    let changed: Vec<_> = requirements.iter().filter_map(|row| Some((row, changed_verdicts(row)?))).collect();
+    let mut sentences = Vec::new();
     if let [Some(first), Some(second)] = pair.map(StudyResult::verdict)
         && first != second
+        && requirements.len() > 1
     {
-        sentences.insert(0, format!("Requirements: {}.", for_both([first, second].map(verdict_words))));
+        sentences.push(format!("Requirements: {}.", for_both([first, second].map(verdict_words))));
     }
+    sentences.extend(changed.iter().take(MAX_NAMED).map(|(row, verdicts)| {
+        let words =
+            |sides: &[Option<String>; 2]| same_or_both(sides.each_ref().map(|side| side.as_deref().unwrap_or("-")));
+        let beyond = if is_decided_otherwise(row) { "; they differ by more than their errors" } else { "" };
+        format!(
+            "{}: {}. Required: {}; shares inside: {}{beyond}.",
+            capitalised(&row.what),
+            for_both(verdicts.map(verdict_words)),
+            words(&row.required),
+            words(&row.kept),
+        )
+    }));
+    match changed.len().saturating_sub(MAX_NAMED) {
+        0 => {}
+        1 => sentences.push("1 more requirement has another verdict.".to_owned()),
+        more => sentences.push(format!("{more} more requirements have other verdicts.")),
+    }
+    sentences
+}
+
+/// The verdicts of a requirement of both studies, where they differ.
+fn changed_verdicts(row: &ComparedRequirement) -> Option<[Verdict; 2]> {
+    let [Some(first), Some(second)] = row.verdicts else { return None };
+    (first != second).then_some([first, second])
+}
+
+/// The bound of both studies and its change.
+fn main_sentences(main: &Main<'_>, writer: &NumberWriter) -> String {
+    let [before, after] = main.bounds_si;
+    // As the sentences of each study have it.
+    let bounds = [0, 1].map(|side| {
+        let bound = writer.for_sentence(main.bounds_si[side], main.rounded_to_si[side], main.unit, Rounding::Up);
+        format!("±{bound}")
+    });
+    let mut sentences = vec![format!("{} stays within {}.", main.subject, for_both(bounds))];
     match main.weight() {
         Weight::None => sentences.push("There is no difference.".to_owned()),
         Weight::WithinErrors => {
             let errors = main.errors_si.map(|error_si| writer.error(error_si, main.unit));
             sentences.push(format!("This difference may be numerical: the errors are {}.", for_both(errors)));
-            if requirements.iter().any(is_decided_otherwise) {
-                // Each verdict counts the errors of the share.
-                sentences.push(
-                    "The verdicts differ in any case: the share of mechanisms within the limits is known better."
-                        .to_owned(),
-                );
-            }
         }
         Weight::BeyondErrors if before > 0.0 && after >= 2.0 * before => {
             let times = significant(after / before, TIMES_DIGITS, Rounding::Nearest);
@@ -107,6 +140,7 @@ fn main<'r>(
         OutputSummary::Largest(bound, probability) => {
             let other = after.bounds.iter().find(|other| is_same(bound, other))?;
             let ends = [&bound.upper, &other.upper];
+            let errors_si = ends.map(|end| end.error.total_si());
             Some(Main {
                 subject: format!(
                     "The largest {} of {} of mechanisms",
@@ -114,7 +148,8 @@ fn main<'r>(
                     writer.percent(probability, Rounding::Nearest)
                 ),
                 bounds_si: ends.map(|end| end.widened_si),
-                errors_si: ends.map(|end| end.error.total_si()),
+                errors_si,
+                rounded_to_si: errors_si,
                 unit: &bound.unit,
             })
         }
@@ -127,6 +162,7 @@ fn main<'r>(
                 subject: format!("The {share} band of the {subject}"),
                 bounds_si: reaches.map(|(_, reach_si)| reach_si),
                 errors_si: [error_at_si(before, curve, reaches[0]), error_at_si(after, other, reaches[1])],
+                rounded_to_si: [curve, other].map(|curve| curve.numerical_error_si),
                 unit: &curve.unit,
             })
         }

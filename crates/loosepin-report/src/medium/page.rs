@@ -57,25 +57,18 @@ pub(crate) struct Section {
     pub id: &'static str,
     pub title: String,
     pub body: Markup,
-    /// Whether a folded page prints it although it is closed.
-    pub is_printed: bool,
 }
 
 impl Section {
     pub fn new(id: &'static str, title: impl Into<String>, body: Markup) -> Self {
-        Section { id, title: title.into(), body, is_printed: true }
-    }
-
-    /// The same section; on paper only where a reader has opened it.
-    pub fn printed_if_open(self) -> Self {
-        Section { is_printed: false, ..self }
+        Section { id, title: title.into(), body }
     }
 
     /// The section with its heading as the handle that opens and closes it. It is written open, so that it can be read without scripts.
     fn folded(&self) -> Markup {
         html! {
             section id=(self.id) aria-labelledby={ (self.id) "-title" } {
-                details class=(if self.is_printed { "fold printed" } else { "fold" }) open {
+                details.fold open {
                     summary { h2 id={ (self.id) "-title" } { (self.title) } }
                     (self.body)
                 }
@@ -177,6 +170,8 @@ impl Page {
         html! {
             div.folds {
                 div.fold-all { button type="button" { "Open all sections" } }
+                // Written by the script when the page is printed.
+                p.left-out hidden {}
                 @for section in &self.sections { (section.folded()) }
             }
         }

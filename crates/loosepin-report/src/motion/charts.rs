@@ -6,9 +6,9 @@ use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
-use crate::words::wording::{capitalised, named_words};
+use crate::words::wording::{capitalised, count, named_words};
 use loosepin_result::kinematics::{MechanicalAdvantage, TransmissionAngle};
-use loosepin_result::motion::{MotionRecord, OutputMotion, outputs_beside_paths};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
@@ -131,7 +131,7 @@ pub(super) enum Mover<'r> {
 
 /// All of them, outputs first.
 pub(super) fn movers(record: &MotionRecord) -> impl Iterator<Item = Mover<'_>> {
-    let outputs = outputs_beside_paths(&record.outputs, &record.paths).map(Mover::Output);
+    let outputs = record.outputs.iter().filter(|output| !output.is_of_path()).map(Mover::Output);
     outputs.chain(record.paths.iter().map(Mover::Path))
 }
 
@@ -278,20 +278,21 @@ pub(super) fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngl
     chart
 }
 
+/// Whether an output ever moves.
 fn has_advantage(each: &MechanicalAdvantage) -> bool {
-    each.value_si.iter().any(|value| value.is_finite() && (value - 1.0).abs() > 1e-9)
+    each.value_si.iter().any(|value| value.is_finite())
 }
 
 /// Charts show mechanical advantages up to this many times the least one: they grow beyond all limits towards dead centres.
 const SHOWN_ADVANTAGE: f64 = 6.0;
 
 pub(super) fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage, writer: &NumberWriter) -> Chart {
-    let MechanicalAdvantage { name, unit, value_si } = each;
+    let MechanicalAdvantage { name, unit, value_si, least_si } = each;
     let mut chart = angle_chart(record, name_of("mechanical-advantage", name), writer);
     chart.set_vertical_axis("mechanical advantage", unit, writer);
     chart.height = 220;
     chart.entries.push(Entry::line("mechanical advantage", Role::First, false, value_si, unit, writer));
-    let least = value_si.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = least_si.unwrap_or_else(|| value_si.iter().copied().fold(f64::INFINITY, f64::min));
     let most = value_si.iter().copied().fold(0.0, f64::max);
     let shown = most.min(SHOWN_ADVANTAGE * least);
     chart.y_range = Some([0.0, 1.05 * writer.scaled(shown, unit)]);
@@ -303,8 +304,14 @@ pub(super) fn advantage_chart(record: &MotionRecord, each: &MechanicalAdvantage,
     } else {
         String::new()
     };
-    chart.caption = html! { strong { "Mechanical advantage at " (name) } ": at least " (least_words) "." (cut) };
-    chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: at least {least_words}.");
+    let positions = || count(value_si.len() as u64, &writer.with_tag(&Tag::Count("positions")));
+    let range = match least_si {
+        Some(_) => format!("at least {least_words}"),
+        // Older records do not know it between their positions.
+        None => format!("the smallest of the {} positions is {least_words}", positions()),
+    };
+    chart.caption = html! { strong { "Mechanical advantage at " (name) } ": " (range) "." (cut) };
+    chart.alternative = format!("Chart of the mechanical advantage at {name} over one cycle: {range}.");
     chart
 }
 

@@ -17,13 +17,13 @@ use super::answer::{has_clearance, has_scatter, headline_sentences, singular_pla
 use super::charts::{clearance, clearance_chart, ideal_motion, transmission};
 use super::contributors::contributors_section;
 use super::efforts::efforts_section;
-use super::paths::paths_section;
+use super::paths::{first_path_figure, paths_section};
 use super::ranges::ranges_section;
 use super::scatter::{scatter_chart, scatter_section};
 
-/// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the
-/// outputs, the quasi-static worst case and standard deviations of the clearances, and what each joint contributes.
-/// Text from files is escaped.
+/// The page of an ideal motion as one HTML text that needs no network: the answer, the mechanism and the chart that it is about; then
+/// sections that open: paths, ranges, the quasi-static worst case and standard deviations of the clearances, what each joint contributes,
+/// position, velocity and acceleration of the outputs. Text from files is escaped.
 pub fn motion_page(record: &MotionRecord) -> String {
     let writer = &NumberWriter::for_page(&record.display_units);
     let play = record.outputs.iter().find(|output| has_clearance(output));
@@ -31,10 +31,11 @@ pub fn motion_page(record: &MotionRecord) -> String {
     let below = match (play, scatter) {
         (Some(output), _) => clearance_chart(record, output, writer).figure(),
         (None, Some(output)) => scatter_chart(record, output, writer).figure(),
-        (None, None) => Markup::default(),
+        (None, None) => first_path_figure(record, writer),
     };
+    let is_path_shown = play.is_none() && scatter.is_none();
     let sections = [
-        page_section(paths_section(record, writer)),
+        page_section(paths_section(record, usize::from(is_path_shown), writer)),
         page_section(ranges_section(record, writer)),
         play.map(|_| Section::new("clearance", "Effect of play", clearance(record, writer))),
         page_section(contributors_section(record, writer)),
@@ -61,7 +62,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
         beside: mechanism_figure(&record.drawing, &record.drive),
         below,
         more: Markup::default(),
-        is_folded: false,
+        is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: "motion".to_owned(),
         version: record.version.clone(),

@@ -21,7 +21,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
     let sections = [
         Some(answer),
         ranges_section(record, writer),
-        paths_section(record, writer),
+        paths_section(record, 0, writer),
         efforts_section(record, writer),
         contributors_section(record, writer),
         scatter_section(record, None, writer),

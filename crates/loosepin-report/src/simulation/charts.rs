@@ -66,6 +66,7 @@ pub(super) fn paths(record: &SimulationRecord, writer: &NumberWriter) -> Option<
             point: &path.point,
             xy_m: [&x.value_si, &y.value_si],
             ideal_m: [&x.ideal_si, &y.ideal_si],
+            tolerance_m: record.settings.tolerance_m,
             drive_angle_rad: angles.map(|angle_rad| angle_rad - before_rad).collect(),
         };
         Some(run_path_figure(&course, writer))

@@ -93,6 +93,13 @@ pub struct EpistemicContributor {
     pub quasi_static_share: Option<f64>,
 }
 
+impl RandomContributor {
+    /// Whether `band_share` is estimated from the share of the variance by linear scatter without play: no runs gave a total index.
+    pub fn is_linear_estimate(&self) -> bool {
+        self.band_share.is_finite() && self.total.centre.is_nan()
+    }
+}
+
 // Shares that no runs have shown are no numbers. Two records in which the same shares are missing are equal.
 
 fn same(one: f64, other: f64) -> bool {

@@ -7,7 +7,20 @@ use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 /// A point that is somewhere slower than this share of its mean speed has no direction there.
-pub(super) const MIN_SHARE_OF_SPEED: f64 = 0.01;
+const MIN_SHARE_OF_SPEED: f64 = 0.01;
+/// Speeds below this share of the speed of the cycle times the size of the mechanism are round-off of a point that stands still.
+const ROUND_OFF_OF_SPEED: f64 = 1e-9;
+
+/// The speed up to which a motion is round-off, m/s, of a mechanism of this size in a cycle of this speed.
+pub(super) fn round_off_m_s(speed_rad_s: f64, size_m: f64) -> f64 {
+    ROUND_OFF_OF_SPEED * speed_rad_s.abs() * size_m
+}
+
+/// The speed up to which a point has no direction, m/s, by all of its speeds.
+pub(super) fn speed_of_no_direction_m_s(speeds_m_s: &[f64], round_off_m_s: f64) -> f64 {
+    let mean_m_s = speeds_m_s.iter().sum::<f64>() / speeds_m_s.len() as f64;
+    round_off_m_s.max(MIN_SHARE_OF_SPEED * mean_m_s)
+}
 
 /// One number of the quasi-static answer: a position, or a part of the error of a path.
 pub(super) struct AccuracyOutput {
@@ -15,6 +28,8 @@ pub(super) struct AccuracyOutput {
     pub words: String,
     pub unit: SiUnit,
     pub kind: AccuracyOutputKind,
+    /// The path that it is a coordinate of.
+    pub coordinate_of: Option<String>,
     pub path_error: Option<PathMotion>,
 }
 
@@ -31,8 +46,12 @@ pub(super) enum AccuracyOutputKind {
 
 impl AccuracyOutput {
     /// The positions, and behind the coordinates of a path the parts of its error, where its direction is known all the way.
-    /// `speeds` gives the speeds of a point by the places of its coordinates.
-    pub fn all(outputs: &[PositionOutput], speeds: impl Fn([usize; 2]) -> Vec<f64>) -> Vec<AccuracyOutput> {
+    /// `speeds_m_s` gives the speeds of a point by the places of its coordinates.
+    pub fn all(
+        outputs: &[PositionOutput],
+        speeds_m_s: impl Fn([usize; 2]) -> Vec<f64>,
+        round_off_m_s: f64,
+    ) -> Vec<AccuracyOutput> {
         let mut parts = Vec::new();
         for (place, output) in outputs.iter().enumerate() {
             let PositionOutput { name, words, unit, .. } = output.clone();
@@ -41,12 +60,13 @@ impl AccuracyOutput {
                 words,
                 unit,
                 kind: AccuracyOutputKind::Position(place),
+                coordinate_of: output.path.as_ref().map(|path| path.name.clone()),
                 path_error: None,
             });
             // Behind y, the second coordinate of a path.
             let (Some(path), Position::Point(_, Axis::Y)) = (&output.path, output.reading) else { continue };
             let coordinates = [place - 1, place];
-            if !has_direction(&speeds(coordinates)) {
+            if !has_direction(&speeds_m_s(coordinates), round_off_m_s) {
                 continue;
             }
             for (error, kind) in [
@@ -55,7 +75,8 @@ impl AccuracyOutput {
             ] {
                 let (name, unit) = (format!("{} {}", path.name, error.word()), output.unit.clone());
                 let path_error = Some(PathMotion { path: path.name.clone(), part: error });
-                parts.push(AccuracyOutput { name, words: error.words(&path.point), unit, kind, path_error });
+                let words = error.words(&path.point);
+                parts.push(AccuracyOutput { name, words, unit, kind, coordinate_of: None, path_error });
             }
         }
         parts
@@ -80,7 +101,7 @@ impl AccuracyOutputKind {
 }
 
 /// Whether a point moves all the way.
-fn has_direction(speeds: &[f64]) -> bool {
-    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
-    speeds.iter().all(|speed| *speed > MIN_SHARE_OF_SPEED * mean)
+fn has_direction(speeds_m_s: &[f64], round_off_m_s: f64) -> bool {
+    let least_m_s = speed_of_no_direction_m_s(speeds_m_s, round_off_m_s);
+    speeds_m_s.iter().all(|speed_m_s| *speed_m_s > least_m_s)
 }

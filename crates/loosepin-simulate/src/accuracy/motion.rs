@@ -1,6 +1,6 @@
 //! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
 
-use super::accuracy_output::{AccuracyOutput, AccuracyOutputKind};
+use super::accuracy_output::{AccuracyOutput, AccuracyOutputKind, round_off_m_s};
 use super::cycle::Cycle;
 use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
@@ -13,7 +13,7 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
-use crate::kinematics::{kinematic_properties, mechanical_advantages};
+use crate::kinematics::{MovedOutput, Walked, kinematic_properties, mechanical_advantages};
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
@@ -21,7 +21,7 @@ use loosepin_mechanics::model::{CycleSpan, PointId, Position, QuantityId, Values
 use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
-use loosepin_text::units::DisplayUnits;
+use loosepin_text::units::{DisplayUnits, SiUnit};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
@@ -146,10 +146,12 @@ fn motion_with(
 
     let outputs = position_outputs(mechanism);
     let mut readings: Vec<Position> = outputs.iter().map(|output| output.reading).collect();
-    let paths = points_of_paths(mechanism, &plan.paths, &mut readings);
+    let mut paths = points_of_paths(mechanism, &plan.paths, &mut readings);
     let jets: Vec<Vec<[f64; 3]>> = cycle.states.iter().map(|state| jets(mechanism, values, &readings, state)).collect();
+    let round_off_m_s = round_off_m_s(input.speed_rad_s, mechanism.size_m);
+    paths.take_directions(&jets, round_off_m_s);
     let mut overhangs = Overhangs::default();
-    let measured = Measured { outputs: &outputs, readings, paths, jets: &jets };
+    let measured = Measured { outputs: &outputs, readings, paths, jets: &jets, round_off_m_s };
     let mut recorder = Recorder::new(mechanism, values, &sample, reaches.clone(), measured, plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
@@ -185,11 +187,19 @@ fn motion_with(
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;
     }
+    let moved = recorder.moved_outputs();
     let paths = recorder.paths.into_paths();
     let mut kinematics = kinematic_properties(mechanism, values, &cycle.states, &input);
     // With several drives, or a phase in the place of an angle, no torque is the one that is balanced.
     if input.is_drive && mechanism.model.drives.len() == 1 {
-        kinematics.mechanical_advantages = mechanical_advantages(&recorder.outputs, &paths, input.speed_rad_s);
+        let walked = Walked { states: &cycle.states, input: &input };
+        let jet = |state: &IdealMotion<'_>, reading: Position| {
+            let acceleration = |slot| state.acceleration(slot);
+            reading.jet(&mechanism.ideal, state.kinematics(), acceleration, |point| {
+                point_m(&mechanism.model, values, point)
+            })
+        };
+        kinematics.mechanical_advantages = mechanical_advantages(mechanism, &moved, &walked, &jet);
     }
     let is_proven_between_angles = proofs.as_ref().is_some_and(|proofs| proofs.is_between_angles);
     Ok(MotionRecord {
@@ -258,6 +268,8 @@ struct Measured<'m> {
     paths: PathRecorder,
     /// Value, velocity and acceleration of each reading at each position.
     jets: &'m [Vec<[f64; 3]>],
+    /// Speeds up to this are round-off.
+    round_off_m_s: f64,
 }
 
 /// Fills the histories of all outputs, position by position.
@@ -284,7 +296,7 @@ impl<'a> Recorder<'a> {
         values: &'a Values,
         sample: &Sample<f64>,
         reaches: Vec<PlayReach>,
-        Measured { outputs, readings, paths, jets }: Measured<'_>,
+        Measured { outputs, readings, paths, jets, round_off_m_s }: Measured<'_>,
         plan: &MotionPlan,
         directions: &'a [(Scatter, DimensionDirection)],
     ) -> Self {
@@ -303,11 +315,12 @@ impl<'a> Recorder<'a> {
             })
             .collect();
         let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
-        let parts = AccuracyOutput::all(outputs, speeds);
+        let parts = AccuracyOutput::all(outputs, speeds, round_off_m_s);
         let motions = parts.iter().map(|output| OutputMotion {
             name: output.name.clone(),
             words: output.words.clone(),
             unit: output.unit.clone(),
+            coordinate_of: output.coordinate_of.clone(),
             path_error: output.path_error.clone(),
             value_si: Vec::new(),
             velocity_si: Vec::new(),
@@ -329,6 +342,26 @@ impl<'a> Recorder<'a> {
             correlated: correlated(directions, &plan.correlations),
             outputs: motions.collect(),
         }
+    }
+
+    /// The outputs that move by themselves, then the points of the paths.
+    fn moved_outputs(&self) -> Vec<MovedOutput> {
+        let own = |(output, kind): (&OutputMotion, &AccuracyOutputKind)| {
+            let AccuracyOutputKind::Position(place) = *kind else { return None };
+            let readings = vec![self.readings[place]];
+            (!output.is_of_path()).then(|| MovedOutput {
+                name: output.name.clone(),
+                unit: output.unit.clone(),
+                readings,
+            })
+        };
+        let of_outputs = self.outputs.iter().zip(&self.parts).filter_map(own);
+        let of_paths = self.paths.places().map(|(name, places)| MovedOutput {
+            name: name.to_owned(),
+            unit: SiUnit::LENGTH,
+            readings: places.map(|place| self.readings[place]).into(),
+        });
+        of_outputs.chain(of_paths).collect()
     }
 
     fn record(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<(), AccuracyError> {

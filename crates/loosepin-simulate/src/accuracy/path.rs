@@ -1,6 +1,6 @@
 //! Paths of points, with the zones in which play and scatter let them be, to first order: `loosepin_result::point_path`.
 
-use super::accuracy_output::MIN_SHARE_OF_SPEED;
+use super::accuracy_output::speed_of_no_direction_m_s;
 use super::play_reach::PlayReach;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::Mechanism;
@@ -12,9 +12,14 @@ pub(super) struct PathRecorder {
     paths: Vec<RecordedPath>,
     /// Unit vectors in the directions of the reach.
     directions: Vec<Vec2<f64>>,
+    /// Unit vectors among which the furthest reach of a point without direction is sought.
+    all_round: Vec<Vec2<f64>>,
     /// Standard deviations over semi-axes of the ellipse of the scatter: √(-2 ln(1 - share)).
     semi_axes: f64,
 }
+
+/// Directions over half a turn among which the furthest reach is sought: it is found to 1 - cos(90°/512), 5e-6.
+const ALL_ROUND: usize = 32 * REACH_DIRECTIONS;
 
 struct RecordedPath {
     /// Places of x and y among the readings.
@@ -54,17 +59,41 @@ pub(super) fn points_of_paths(mechanism: &Mechanism, points: &[PointId], reading
     };
     PathRecorder {
         paths: asked.into_iter().map(of_point).collect(),
-        directions: (0..REACH_DIRECTIONS)
-            .map(|direction| {
-                let (sine, cosine) = direction_rad(direction).sin_cos();
-                Vec2::new(cosine, sine)
-            })
+        directions: (0..REACH_DIRECTIONS).map(|direction| unit_vector(direction_rad(direction))).collect(),
+        all_round: (0..ALL_ROUND)
+            .map(|direction| unit_vector(std::f64::consts::PI * direction as f64 / ALL_ROUND as f64))
             .collect(),
         semi_axes: (-2.0 * (1.0 - ELLIPSE_SHARE).ln()).sqrt(),
     }
 }
 
+fn unit_vector(angle_rad: f64) -> Vec2<f64> {
+    let (sine, cosine) = angle_rad.sin_cos();
+    Vec2::new(cosine, sine)
+}
+
 impl PathRecorder {
+    /// Takes the directions of motion at all positions from value, velocity and acceleration of each reading. Where a point is slower than a
+    /// hundredth of its mean speed, or as slow as round-off, its motion has none.
+    pub fn take_directions(&mut self, jets: &[Vec<[f64; 3]>], round_off_m_s: f64) {
+        for RecordedPath { places: [x, y], path, .. } in &mut self.paths {
+            let velocities_m_s: Vec<Vec2<f64>> =
+                jets.iter().map(|readings| Vec2::new(readings[*x][1], readings[*y][1])).collect();
+            let speeds_m_s: Vec<f64> = velocities_m_s.iter().map(|velocity| velocity.length()).collect();
+            let least_m_s = speed_of_no_direction_m_s(&speeds_m_s, round_off_m_s);
+            for (velocity, speed_m_s) in velocities_m_s.iter().zip(speeds_m_s) {
+                let tangent = if speed_m_s > least_m_s { *velocity * (1.0 / speed_m_s) } else { Vec2::zero() };
+                path.tangent_x.push(tangent.x);
+                path.tangent_y.push(tangent.y);
+            }
+        }
+    }
+
+    /// Name of each path, and the places of its coordinates among the readings.
+    pub fn places(&self) -> impl Iterator<Item = (&str, [usize; 2])> {
+        self.paths.iter().map(|recorded| (recorded.path.name.as_str(), recorded.places))
+    }
+
     /// Takes a position: value, velocity and acceleration of each reading, and its gradients by play.
     pub fn record(&mut self, readings: &[[f64; 3]], gradients: &[Vec<Vec2<f64>>], reaches: &[PlayReach]) {
         for RecordedPath { places: [x, y], path, .. } in &mut self.paths {
@@ -86,13 +115,12 @@ impl PathRecorder {
                     .sum()
             };
             path.play_reach_m.extend(self.directions.iter().map(|direction| reach_m(*direction)));
-            let velocity_m_s = Vec2::new(readings[*x][1], readings[*y][1]);
-            let speed_m_s = velocity_m_s.length();
-            let [along_m, across_m] = if speed_m_s > 0.0 {
-                let tangent = velocity_m_s * (1.0 / speed_m_s);
-                [reach_m(tangent), reach_m(Vec2::new(-tangent.y, tangent.x))]
+            let position = path.play_along_m.len();
+            let [along_m, across_m] = if path.stands_still(position) {
+                [self.all_round.iter().map(|direction| reach_m(*direction)).fold(0.0, f64::max); 2]
             } else {
-                [0.0; 2]
+                let tangent = Vec2::new(path.tangent_x[position], path.tangent_y[position]);
+                [reach_m(tangent), reach_m(Vec2::new(-tangent.y, tangent.x))]
             };
             path.play_along_m.push(along_m);
             path.play_across_m.push(across_m);
@@ -131,23 +159,8 @@ impl PathRecorder {
         }
     }
 
-    /// The finished paths. Where a point is slower than a hundredth of its mean speed, its motion has no direction.
+    /// The finished paths.
     pub fn into_paths(self) -> Vec<PointPath> {
-        let finish = |RecordedPath { mut path, .. }: RecordedPath| {
-            let velocities_m_s: Vec<Vec2<f64>> =
-                path.velocity_x_m_s.iter().zip(&path.velocity_y_m_s).map(|(x, y)| Vec2::new(*x, *y)).collect();
-            let speeds: Vec<f64> = velocities_m_s.iter().map(|velocity| velocity.length()).collect();
-            let least = MIN_SHARE_OF_SPEED * speeds.iter().sum::<f64>() / speeds.len() as f64;
-            for (position, (velocity, speed)) in velocities_m_s.iter().zip(speeds).enumerate() {
-                let tangent = if speed > least { *velocity * (1.0 / speed) } else { Vec2::zero() };
-                path.tangent_x.push(tangent.x);
-                path.tangent_y.push(tangent.y);
-                if !(speed > least) {
-                    (path.play_along_m[position], path.play_across_m[position]) = (0.0, 0.0);
-                }
-            }
-            path
-        };
-        self.paths.into_iter().map(finish).collect()
+        self.paths.into_iter().map(|recorded| recorded.path).collect()
     }
 }

@@ -14,10 +14,11 @@ use loosepin_mechanics::model::{CycleInput, Model, PointId, Values};
 use loosepin_result::kinematics::{KinematicProperties, LoopProperties, MotionRange, TransmissionAngle};
 use loosepin_text::units::SiUnit;
 
-pub use advantage::mechanical_advantages;
+pub use advantage::{MovedOutput, mechanical_advantages};
 use loops::{GroundLoop, ground_loops};
 use quantity::{Angle, Quantity, Travel};
-use turning::{Walked, crossings};
+pub use turning::Walked;
+use turning::crossings;
 
 /// A swing below it is round-off of a body that only translates, rad, or of a joint that does not slide, as a share of the mechanism's size.
 const ROUND_OFF: f64 = 1e-9;

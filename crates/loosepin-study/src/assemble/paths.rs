@@ -1,19 +1,39 @@
-//! Ideal paths of outputs, with the zones in which play and scatter let their points be, to first order.
+//! Ideal paths of outputs and of further points, with the zones in which play and scatter let their points be, to first order.
 
 use crate::file::Study;
 use crate::written::input_file::InputFile;
 use loosepin_mechanics::model::Recorded;
 use loosepin_result::point_path::CyclePaths;
+use loosepin_text::diagnostics::Diagnostics;
 
 /// Positions in a turn.
 const POSITIONS: usize = 180;
 
-/// The paths; `None` if no output is one, or the drives alone do not move the mechanism: no finished study is lost for it.
+/// Positions that show whether a mechanism can be followed.
+const TRIED_POSITIONS: usize = 12;
+
+/// The paths; `None` if there are none, or the drives alone do not move the mechanism: no finished study is lost for it.
 pub fn paths(study: &Study) -> Option<CyclePaths> {
     let is_path = |output: &loosepin_mechanics::model::Output| matches!(output.kind.recorded(), Recorded::Path(_));
-    if !study.model.outputs.iter().any(is_path) {
+    if study.paths().is_empty() && !study.model.outputs.iter().any(is_path) {
         return None;
     }
-    let record = InputFile::Study(Box::new(study.clone())).ideal_motion(POSITIONS, &[]).ok()?;
+    let record = InputFile::Study(Box::new(study.clone())).ideal_motion_with_paths(POSITIONS, study.paths()).ok()?;
     Some(CyclePaths { drive: record.drive, drive_angle_rad: record.drive_angle_rad, paths: record.paths })
+}
+
+impl Study {
+    /// Adds the paths of points `BODY.POINT` to those of outputs: the result has them with the zones in which play and scatter let the points
+    /// be, to first order.
+    ///
+    /// # Errors
+    /// A point that the model does not have; a mechanism that its drives do not move alone.
+    pub fn add_paths(&mut self, points: &[String]) -> Result<(), Diagnostics> {
+        if points.is_empty() {
+            return Ok(());
+        }
+        InputFile::Study(Box::new(self.clone())).ideal_motion_with_paths(TRIED_POSITIONS, points)?;
+        self.state_paths(points);
+        Ok(())
+    }
 }

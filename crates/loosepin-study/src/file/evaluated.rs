@@ -167,6 +167,7 @@ impl Study {
             questions: QuestionSettings::default(),
             accuracy: Vec::new(),
             budget: None,
+            paths: Vec::new(),
             stated: Vec::new(),
             budget_place: None,
             warnings: Vec::new(),

@@ -162,7 +162,12 @@ impl Study {
         &self.source
     }
 
-    /// Arguments of the command line that state accuracy, budget and failed runs beside the file.
+    /// Points whose paths are shown besides those of outputs.
+    pub fn paths(&self) -> &[String] {
+        &self.paths
+    }
+
+    /// Arguments of the command line that state accuracy, budget, failed runs and paths beside the file.
     pub fn stated(&self) -> &[String] {
         &self.stated
     }
@@ -302,6 +307,7 @@ fn read(
         questions,
         accuracy,
         budget,
+        paths: Vec::new(),
         stated: Vec::new(),
         budget_place,
         warnings,

@@ -67,6 +67,8 @@ pub struct Study {
     pub accuracy: Vec<AccuracyTarget>,
     /// Budget at which the study ends although its bounds are not yet accurate enough.
     pub budget: Option<Budget>,
+    /// Points `BODY.POINT` whose paths are shown besides those of outputs.
+    pub(super) paths: Vec<String>,
     /// Statements of the command line besides the file.
     pub(super) stated: Vec<String>,
     /// Place of the budget.

@@ -22,7 +22,15 @@ impl InputFile {
         self.ideal_motion_until(positions, set, &[], &AtomicBool::new(false))
     }
 
-    /// As [`Self::ideal_motion`], with the paths of the points called `paths`, until `stop` is set.
+    /// As [`Self::ideal_motion`], with the paths of the points called `paths`.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`]; a path of a point that the model does not have.
+    pub fn ideal_motion_with_paths(&self, positions: usize, paths: &[String]) -> Result<MotionRecord, Diagnostics> {
+        self.ideal_motion_until(positions, &[], paths, &AtomicBool::new(false))
+    }
+
+    /// As [`Self::ideal_motion_with_paths`] with settings, until `stop` is set.
     ///
     /// # Errors
     /// As for [`Self::ideal_motion`]; a path of a point that the model does not have; that it was stopped.

@@ -47,5 +47,8 @@ pub fn study_inputs(study: &Study, accuracy: &[String], budget: Option<&str>) ->
     if let Some(budget) = budget {
         hasher.add("budget", budget);
     }
+    for point in study.paths() {
+        hasher.add("path", point);
+    }
     hasher.finish()
 }

@@ -93,7 +93,7 @@ fn analytic_the_headline_counts_each_error_once() {
     let same = |_: &mut [StudyResult; 2]| ();
     // 1 mm ± 0.01 mm against 1.3 mm ± 0.2 mm: they do not touch. Bounds of 1.01 and 1.5 mm.
     let apart = headline_of(1.3, [0.01, 0.2], same);
-    assert!(apart.contains("±1.01\u{a0}mm in A, ±1.50\u{a0}mm in B. The bound of B is 48.5\u{a0}% larger."), "{apart}");
+    assert!(apart.contains("±1.01\u{a0}mm in A, ±1.5\u{a0}mm in B. The bound of B is 48.5\u{a0}% larger."), "{apart}");
     // 1 mm ± 0.01 mm against 1.1 mm ± 0.2 mm: bounds of 1.01 and 1.3 mm, whose difference of 0.29 mm is more than both errors together.
     let touching = headline_of(1.1, [0.01, 0.2], same);
     let errors = "This difference may be numerical: the errors are 0.01\u{a0}mm in A, 0.2\u{a0}mm in B.";
@@ -105,31 +105,86 @@ fn analytic_the_headline_counts_each_error_once() {
     assert!(unknown.contains("This difference may be numerical"), "{unknown}");
 }
 
+/// The headline where the first requirement, which is the only one, has these verdicts and these bounds of the share inside.
+fn headline_of_verdicts(verdicts: [Verdict; 2], shares: [[f64; 2]; 2], change: impl Fn(&mut StudyResult)) -> String {
+    headline_of(1.1, [0.01, 0.2], |pair| {
+        for (result, (verdict, share)) in pair.iter_mut().zip(verdicts.into_iter().zip(shares)) {
+            result.requirements.truncate(1);
+            let requirement = &mut result.requirements[0];
+            (requirement.verdict, requirement.probability) = (verdict, share);
+            (requirement.lower_si, requirement.upper_si, requirement.probability_at_least) = (-0.7e-3, 0.7e-3, 0.9);
+        }
+        change(&mut pair[1]);
+    })
+}
+
 #[test]
-fn analytic_the_headline_begins_with_verdicts_that_differ() {
-    let verdicts = |verdicts: [Verdict; 2], change: fn(&mut StudyResult)| {
-        headline_of(1.1, [0.01, 0.2], |pair| {
-            for (result, verdict) in pair.iter_mut().zip(verdicts) {
-                result.requirements.truncate(1);
-                result.requirements[0].verdict = verdict;
-            }
-            change(&mut pair[1]);
-        })
-    };
-    let decided = verdicts([Verdict::Met, Verdict::NotMet], |_| ());
-    assert!(decided.starts_with("Requirements: met in A, not met in B. "), "{decided}");
+fn the_headline_begins_with_the_requirement_whose_verdict_differs_and_its_shares() {
+    let shares = [[0.93, 0.97], [0.31, 0.42]];
+    let decided = headline_of_verdicts([Verdict::Met, Verdict::NotMet], shares, |_| ());
+    let due = "Deviation of slider over the whole cycle: met in A, not met in B. Required: within ±0.7\u{a0}mm in at least \
+               90\u{a0}%; shares inside: 93\u{a0}% to 97\u{a0}% in A, 31\u{a0}% to 42\u{a0}% in B; they differ by more than their errors. \
+               The largest deviation";
+    assert!(decided.starts_with(due), "{decided}");
+    // Other limits, and a verdict that is open, say nothing of the errors.
+    let looser = headline_of_verdicts([Verdict::NotMet, Verdict::Met], shares, |after| {
+        (after.requirements[0].lower_si, after.requirements[0].upper_si) = (-1.4e-3, 1.4e-3);
+    });
     assert!(
-        decided
-            .ends_with("The verdicts differ in any case: the share of mechanisms within the limits is known better."),
-        "{decided}"
+        looser.contains(
+            "Required: within ±0.7\u{a0}mm in at least 90\u{a0}% in A, within ±1.4\u{a0}mm in at least 90\u{a0}% in B;"
+        ),
+        "{looser}"
     );
-    // Other limits, and a verdict that is open, decide nothing.
-    let other_limits = verdicts([Verdict::Met, Verdict::NotMet], |after| after.requirements[0].upper_si *= 2.0);
-    let open = verdicts([Verdict::Undecided, Verdict::NotMet], |_| ());
-    for headline in [other_limits, open] {
-        assert!(headline.starts_with("Requirements: ") && headline.ends_with("mm in B."), "{headline}");
+    let open = headline_of_verdicts([Verdict::Undecided, Verdict::NotMet], [[0.8, 0.95], shares[1]], |_| ());
+    assert!(open.contains(": undecided in A, not met in B."), "{open}");
+    for headline in [looser, open] {
+        assert!(!headline.contains("more than their errors") && headline.ends_with("mm in B."), "{headline}");
     }
-    assert!(!verdicts([Verdict::Met, Verdict::Met], |_| ()).contains("Requirements"));
+    let same = headline_of_verdicts([Verdict::Met, Verdict::Met], shares, |_| ());
+    assert!(!same.contains("Required"), "{same}");
+}
+
+#[test]
+fn verdicts_that_differ_are_in_the_headline_of_studies_without_a_bound_in_common() {
+    let headline = headline_of_verdicts([Verdict::Met, Verdict::NotMet], [[0.93, 0.97], [0.31, 0.42]], |after| {
+        after.bounds.clear();
+        after.curves.clear();
+    });
+    assert!(headline.starts_with("Deviation of slider over the whole cycle: met in A, not met in B."), "{headline}");
+    assert!(headline.ends_with("they differ by more than their errors."), "{headline}");
+}
+
+#[test]
+fn the_headline_counts_the_requirements_that_it_does_not_name() {
+    let mut pair = [worn_pin(), worn_pin()];
+    for (result, verdict) in pair.iter_mut().zip([Verdict::Met, Verdict::NotMet]) {
+        let own = result.requirements[0].clone();
+        result.requirements = [0.4e-3, 0.5e-3, 0.6e-3]
+            .map(|limit_m| {
+                let mut requirement = own.clone();
+                (requirement.lower_si, requirement.upper_si, requirement.verdict) = (-limit_m, limit_m, verdict);
+                requirement
+            })
+            .into();
+    }
+    let headline = compare_studies(&pair[0], &pair[1]).headline;
+    assert!(headline.starts_with("Requirements: met in A, not met in B. Deviation of slider"), "{headline}");
+    assert!(
+        headline.contains("±0.4") && headline.contains("±0.5") && !headline.contains("±0.6\u{a0}mm in at"),
+        "{headline}"
+    );
+    assert!(headline.contains(" 1 more requirement has another verdict."), "{headline}");
+}
+
+#[test]
+fn the_limit_of_a_study_is_rounded_as_its_own_sentence_has_it() {
+    let found = changed(|after| after.bounds[0].upper.widened_si *= 1.5);
+    let limit = |text: &str| {
+        let rest = text.split('±').nth(1).expect("a limit");
+        rest.chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect::<String>()
+    };
+    assert_eq!(limit(&found.headline), limit(&found.sides[0].words.join(" ")), "{found:?}");
 }
 
 #[test]

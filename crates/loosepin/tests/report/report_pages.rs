@@ -134,9 +134,11 @@ fn sections_of_a_study_are_written_open_and_can_be_closed() {
     let shown = |selector: &str| select(&page, &format!(".opening {selector}")).len();
     assert_eq!((shown(".verdict"), shown("figure.mechanism"), shown("[data-chart]")), (1, 1, 1));
     assert_eq!(shown("#contributors-overview tbody tr"), 4, "an input a row");
-    // The other pages are as they were.
+    // A motion has the same form, a run has a list of links.
     let motion = parsed("motion", &motion_page(&report_fixture::motion::worn_pin()));
-    assert!(select(&motion, ".fold").is_empty() && !select(&motion, "nav").is_empty());
+    assert!(select(&motion, ".folds > section > details.fold[open]").len() >= 4 && select(&motion, "nav").is_empty());
+    let run = parsed("simulation", &simulation_page(&report_fixture::simulation::worn_pin()));
+    assert!(select(&run, ".fold").is_empty() && !select(&run, "nav").is_empty());
 }
 
 #[test]

@@ -2,8 +2,9 @@
 
 use crate::silent::{run, run_on};
 use loosepin::model::Model;
-use loosepin::study::Study;
 use loosepin::study::result::{PathError, StudyResult};
+use loosepin::study::{InputFile, Study, study_inputs};
+use std::sync::atomic::AtomicBool;
 
 const MODEL: &str = r#"
 name = "crank-rocker with eccentric pins"
@@ -301,4 +302,33 @@ fn a_path_whose_point_stands_still_has_no_direction() {
         assert!(said.starts_with("output 'tool normal': its point hardly moves after "), "{said}");
     }
     assert!(refused(&model, &ASK.replace("normal", "magnitude")).is_ok(), "a distance needs no direction");
+}
+
+/// A further point has the path of the quasi-static answer in the record of a study, and is an input of it.
+#[test]
+fn identity_a_further_path_is_that_of_the_motion_without_dynamics() {
+    let plain = read(MODEL, ASK).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let mut study = plain.clone();
+    study.add_paths(&["coupler.head".to_owned()]).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let found = conduct_study(&study).paths.expect("paths");
+    let names: Vec<&str> = found.paths.iter().map(|path| path.name.as_str()).collect();
+    assert_eq!(names, ["tool", "coupler.head"]);
+    let file = InputFile::Study(Box::new(plain.clone()));
+    let motion = file.motion_answer(&[], &["coupler.head".to_owned()], &AtomicBool::new(false)).expect("it moves");
+    let due = motion.paths.iter().find(|path| path.name == "coupler.head").expect("the point");
+    // The record of a motion has each degree, that of a study every second one.
+    assert_eq!((found.paths[1].positions(), due.positions()), (181, 361));
+    for k in 0..found.paths[1].positions() {
+        let apart_m = [found.paths[1].x_m[k] - due.x_m[2 * k], found.paths[1].y_m[k] - due.y_m[2 * k]];
+        assert!(apart_m.iter().all(|apart_m| apart_m.abs() < 1e-12), "{k}: {apart_m:?}");
+    }
+    assert_ne!(study_inputs(&study, &[], None).to_string(), study_inputs(&plain, &[], None).to_string());
+    let refused = |points: &[&str]| {
+        let points: Vec<String> = points.iter().map(|point| (*point).to_owned()).collect();
+        plain.clone().add_paths(&points).expect_err("no such point").to_string()
+    };
+    assert_eq!(
+        refused(&["coupler.haed"]),
+        "--path:1:1: error[E0401]: --path: there is no point 'coupler.haed'\nhint: did you mean 'coupler.head'?"
+    );
 }

@@ -42,9 +42,9 @@ class PointPath(Record):
     play_reach_m: Array
     """Furthest displacement by play in the directions 0°, 11.25°, ... 168.75° from the x axis, to either side; shape (angles, 16)."""
     play_along_m: Array
-    """Furthest displacement by play along the motion, to either side."""
+    """Furthest displacement by play along the motion, to either side; where the point stands still, in any direction."""
     play_across_m: Array
-    """Furthest displacement by play across the motion, to either side."""
+    """Furthest displacement by play across the motion, to either side; where the point stands still, in any direction."""
     scatter_major_m: Array
     """Larger semi-axis of the ellipse that holds 95 % of the scatter, for the random inputs of a study."""
     scatter_minor_m: Array

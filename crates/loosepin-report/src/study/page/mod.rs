@@ -29,9 +29,6 @@ use crate::words::wording::{
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
 
-/// More comparisons of the treatments are printed only where the reader has opened them: the page has about four sheets.
-const MAX_PRINTED_TREATMENTS: usize = 2;
-
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
 /// journals' paths, failed runs, energy residuals, and how all of it was computed. Text from files is escaped.
@@ -58,34 +55,28 @@ fn page(result: &StudyResult) -> Page {
         own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),
         own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
             curves::other_charts(result, writer)
-        })
-        .map(Section::printed_if_open),
-        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer))
-            .map(Section::printed_if_open),
-        page_section(contributors_section(result, writer)).map(Section::printed_if_open),
+        }),
+        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
+        page_section(contributors_section(result, writer)),
         page_section(allowed_section(result, writer)),
         page_section(answers_section(result, writer)),
-        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer))
-            .map(Section::printed_if_open),
+        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
         page_section(requirements(result, writer)),
         page_section(bounds_section(result, writer)),
-        page_section(places_section(result, writer)).map(Section::printed_if_open),
-        page_section(treatments_section(result, writer)).map(|section| {
-            if result.treatments.len() <= MAX_PRINTED_TREATMENTS { section } else { section.printed_if_open() }
-        }),
+        page_section(places_section(result, writer)),
+        page_section(treatments_section(result, writer)),
         page_section(promise_section(result, writer)),
-        page_section(degrees_section(result, writer)).map(Section::printed_if_open),
-        page_section(percentiles_section(result, writer)).map(Section::printed_if_open),
+        page_section(degrees_section(result, writer)),
+        page_section(percentiles_section(result, writer)),
         page_section(rare_section(result, writer)),
-        page_section(surrogate_section(result, writer)).map(Section::printed_if_open),
+        page_section(surrogate_section(result, writer)),
         page_section(accuracy_section(result, writer)),
         page_section(runs_section(result, writer)),
         own("energy", "Energy check", result.energy.is_some(), &|| {
             result.energy.as_ref().map(|energy| provenance::energy(energy, writer)).unwrap_or_default()
-        })
-        .map(Section::printed_if_open),
+        }),
         page_section(provenance::method_section(result, writer)),
-        study_repeat_section(result, writer).map(Section::printed_if_open),
+        study_repeat_section(result, writer),
     ];
     Page {
         title: result.name.clone(),
@@ -124,6 +115,28 @@ fn short_hash(hash: &str) -> String {
     hash.chars().take(8).collect()
 }
 
+/// Outputs besides the first one whose sentences the first page shows; it has four screens at most. The others open.
+const MAX_FURTHER: usize = 3;
+
+/// A sentence on each further output, and the condition of all of them last.
+fn further_markup(further: &[String]) -> Markup {
+    let Some((conditions, outputs)) = further.split_last() else { return Markup::default() };
+    let (shown, folded) = outputs.split_at(outputs.len().min(MAX_FURTHER));
+    html! {
+        ul.further {
+            @for sentence in shown { li { (sentence) } }
+            @if folded.is_empty() { li { (conditions) } }
+        }
+        @if !folded.is_empty() {
+            details.fold open {
+                summary { (folded.len()) @if folded.len() == 1 { " more output" } @else { " more outputs" } }
+                ul.further { @for sentence in folded { li { (sentence) } } }
+            }
+            ul.further { li { (conditions) } }
+        }
+    }
+}
+
 fn answer_markup(answer: &StudyAnswer) -> Markup {
     let caveats = html! {
         @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
@@ -137,10 +150,10 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         @for requirement in &answer.requirements { p { (requirement) } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
-        @if !answer.further.is_empty() { ul.further { @for sentence in &answer.further { li { (sentence) } } } }
+        (further_markup(&answer.further))
         @if answer.verdict.is_none() { (caveats) }
         p.error { (answer.error) }
-        details.fold.printed open {
+        details.fold open {
             summary { "Runs and assumptions" }
             ul.details { @for detail in &answer.details { li { (detail) } } }
         }

@@ -86,6 +86,9 @@ fn not_reached(missing: usize, all: usize) -> String {
     }
 }
 
+/// Runs that a study can make: at a thousand in a second they take eleven days.
+const MAX_RUNS: u64 = 1_000_000_000;
+
 fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutcome, writer: &NumberWriter) -> String {
     let value = |value_si: f64| writer.rounded(value_si, &target.unit, ERROR_DIGITS, Rounding::Up);
     let subject = format!(
@@ -102,14 +105,7 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
     if !target.reached_si.is_finite() {
         return format!("{subject}: no finite error, required {asked}. Too few runs finished.");
     }
-    let foreseen = match target.runs_needed {
-        Some(runs) => format!(
-            "About {} would reach it; {} were made.",
-            counted(rounded_up(runs), "run", writer),
-            writer.count(record.runs)
-        ),
-        None => "More runs hardly helped so far, so the number of runs needed is not known.".to_owned(),
-    };
+    let foreseen = runs_needed_words(target.runs_needed, record.runs, writer);
     let surrogate =
         if record.is_learned() { format!(", surrogate {}", value(target.surrogate_si)) } else { String::new() };
     format!(
@@ -118,6 +114,18 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
         value(target.sampling_si),
         value(target.optimisation_si),
     )
+}
+
+/// How many runs would reach an accuracy, and how many were made.
+fn runs_needed_words(runs_needed: Option<u64>, made: u64, writer: &NumberWriter) -> String {
+    let runs = match runs_needed {
+        Some(runs) if runs > MAX_RUNS => {
+            format!("It is not reachable with runs: more than {} would be needed", writer.count(MAX_RUNS))
+        }
+        Some(runs) => format!("About {} would reach it", counted(rounded_up(runs), "run", writer)),
+        None => return "More runs hardly helped so far, so the number of runs needed is not known.".to_owned(),
+    };
+    format!("{runs}; {} were made.", writer.count(made))
 }
 
 /// `runs` with two digits, upwards.
@@ -131,7 +139,21 @@ fn rounded_up(runs: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::rounded_up;
+    use super::{rounded_up, runs_needed_words};
+    use crate::numbers::number::NumberWriter;
+    use loosepin_text::units::DisplayUnits;
+
+    #[test]
+    fn so_many_runs_that_nobody_makes_them_are_not_a_number() {
+        let units = DisplayUnits::default();
+        let words = |runs| runs_needed_words(runs, 700, &NumberWriter::for_terminal(&units));
+        assert_eq!(words(Some(6300)), "About 6300 runs would reach it; 700 were made.");
+        assert_eq!(
+            words(Some(40_000_000_000)),
+            "It is not reachable with runs: more than 1000000000 would be needed; 700 were made."
+        );
+        assert!(words(None).starts_with("More runs hardly helped"));
+    }
 
     #[test]
     fn runs_are_rounded_upwards() {

@@ -8,7 +8,7 @@ use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::output_summary::output_summaries;
 use crate::words::wording::{capitalised, counted, listed, response_words};
-use loosepin_result::study::{Contributors, ResponsePoint, ShareRange, StudyResult};
+use loosepin_result::study::{Contributors, RandomContributor, ResponsePoint, ShareRange, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
 /// Inputs that [`contributors_overview`] shows.
@@ -33,6 +33,7 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
     let left = all.len().saturating_sub(MAX_SHOWN);
     let tag = Tag::contributors(one, "band width", "");
     let width = writer.with_tag(&tag).rounded(one.band_width_si, &one.unit, 3, Rounding::Nearest);
+    let has_estimates = one.random.iter().any(RandomContributor::is_linear_estimate);
     (!all.is_empty()).then(|| {
         html! {
             section.contributors id="contributors-overview" aria-labelledby="contributors-overview-title" {
@@ -52,6 +53,7 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
                 p.quiet {
                     (capitalised(&response_words(result, (&one.output, one.of, one.at), writer))) ": the band of "
                     (band_probability(writer)) " of mechanisms is " (width) " wide. "
+                    @if has_estimates { "Shares of tolerances are estimates by linear scatter without play. " }
                     @if left > 0 { "Inputs with smaller shares: " a href="#contributors" { "Sensitivity" } "." }
                     @else { "Details: " a href="#contributors" { "Sensitivity" } "." }
                 }
@@ -133,13 +135,14 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
     let rows: Vec<Vec<Cell>> = random.chain(epistemic).map(shown).collect();
     Table {
         title: response_words(result, (&one.output, one.of, one.at), writer).into(),
-        caption: caption(one, writer).into(),
+        caption: caption(result, one, writer).into(),
         ..Table::new(columns, rows)
     }
 }
 
 /// Meaning and error of the numbers.
-fn caption(one: &Contributors, writer: &NumberWriter) -> String {
+fn caption(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> String {
+    let name = |path: &String| plain_name(path, &result.inputs);
     let error = one.epistemic.iter().map(|input| input.error).fold(0.0, f64::max);
     let mut caption = format!(
         "The band is {} wide{}. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
@@ -156,11 +159,17 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
             writer.with_tag(&Tag::Given("confidence")).percent(one.confidence, Rounding::Nearest)
         ));
     }
-    if one.points.is_empty() && one.random.iter().any(|input| input.band_share.is_finite()) {
-        caption.push_str(
-            " For a random input it is estimated without further runs: from its share of the variance by linear scatter without play. \
-             Sobol' indices need further runs: \"contributors\" among the statistics.",
-        );
+    let linear: Vec<_> = one.random.iter().filter(|input| input.is_linear_estimate()).collect();
+    if !linear.is_empty() {
+        let subject = if linear.len() == one.random.len() {
+            "a random input".to_owned()
+        } else {
+            listed(&linear.iter().flat_map(|input| &input.paths).map(name).collect::<Vec<String>>())
+        };
+        caption.push_str(&format!(
+            " For {subject} it is estimated without further runs: from its share of the variance by linear scatter without play. \
+             Sobol' indices need further runs: \"contributors\" among the statistics."
+        ));
     }
     caption.push_str(
         " Quasi-static share, without dynamics: share of the variance by linear scatter without play, or share of the worst case of \

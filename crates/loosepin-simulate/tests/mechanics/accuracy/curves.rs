@@ -1,7 +1,7 @@
 //! Curves over the angle of the drive against closed forms: path, velocity, acceleration, transmission angle, mechanical advantage.
 
 use super::motion::plan;
-use super::{Built, build_case};
+use super::{Built, build_case, build_text};
 use loosepin_result::motion::MotionRecord;
 use loosepin_simulate::accuracy::{MotionPlan, motion};
 
@@ -118,6 +118,63 @@ fn analytic_rates_pressure_angle_and_advantage_of_a_slider_crank() {
             assert!(found == due || (found - due).abs() < 1e-9 * due, "{k}: {found} is not {due}");
         }
     }
+}
+
+/// Golden section on the speed of a slider in closed form: its largest magnitude per rad of the crank.
+fn largest_slider_speed_m(r: f64, l: f64) -> f64 {
+    let speed = |theta: f64| {
+        let (s, c) = theta.sin_cos();
+        r * s + r * r * s * c / (l * l - r * r * s * s).sqrt()
+    };
+    let share = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let [mut from, mut to] = [0.5, 2.0];
+    for _ in 0..80 {
+        let [first, second] = [to - share * (to - from), from + share * (to - from)];
+        if speed(first) > speed(second) { to = second } else { from = first }
+    }
+    speed(0.5 * (from + to))
+}
+
+#[test]
+fn analytic_the_least_mechanical_advantage_lies_between_the_positions() {
+    let built = build_case("slider_crank_5000");
+    let paths = built.mechanism.model.points_of_paths(&["slider.pin".to_owned()]).expect("a point");
+    let coarse = MotionPlan { paths, ..plan(&built, 40) };
+    let record = motion(&built.mechanism, &built.values, &coarse).expect("it turns");
+    let due = 1.0 / largest_slider_speed_m(0.05, 0.12);
+    for name in ["slider", "slider.pin"] {
+        let each = record.kinematics.mechanical_advantages.iter().find(|each| each.name == name).expect(name);
+        let least = each.least_si.expect("it is known");
+        // The speed changes by the square of the error of the angle.
+        assert!((least - due).abs() < 1e-11 * due, "{least} is not {due}");
+        let sampled = each.value_si.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(sampled > due * (1.0 + 1e-4), "no position is the one: {sampled}");
+    }
+}
+
+/// Crank and rocker of a parallelogram turn alike: A = 1, as that of the drive with itself. The drive alone has none.
+#[test]
+fn analytic_the_rocker_of_a_parallelogram_has_a_mechanical_advantage_and_the_drive_none() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/four_bar_coupler_path/model.toml");
+    let mut text = std::fs::read_to_string(path).expect("a case");
+    for (from, to) in [
+        ("coupler_length = \"260 mm\"", "coupler_length = \"300 mm\""),
+        ("rocker_length = \"180 mm\"", "rocker_length = \"80 mm\""),
+        ("rocker = \"94 deg\"", "rocker = \"34 deg\""),
+    ] {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    text.push_str("\n[output.own]\nangle_of = \"crank\"\n\n[output.follower]\nangle_of = \"rocker\"\n");
+    text.push_str("\n[output.back]\nangle_of = \"ground\"\nrelative_to = \"crank\"\n");
+    let built = build_text(&text);
+    let record = motion(&built.mechanism, &built.values, &plan(&built, 72)).expect("it turns");
+    let advantages = &record.kinematics.mechanical_advantages;
+    let names: Vec<&str> = advantages.iter().map(|each| each.name.as_str()).collect();
+    assert_eq!(names, ["follower", "tool"]);
+    assert!(advantages[0].value_si.iter().all(|value| (value - 1.0).abs() < 1e-9), "{:?}", advantages[0].value_si);
+    // Each point of the coupler moves on a circle as large as that of the crank.
+    assert!(advantages[1].value_si.iter().all(|value| (value * 0.08 - 1.0).abs() < 1e-9));
 }
 
 #[test]

@@ -72,6 +72,35 @@ fn identity_the_bands_of_a_path_are_the_extents_of_its_zone() {
     }
 }
 
+/// The foot of the rocker is a hole about a pin of the ground: it stands still, and play takes it 0.21 mm to any side.
+#[test]
+fn analytic_a_point_that_stands_still_has_no_direction_and_strays_by_its_play() {
+    let built = build_case("four_bar_ground_journal");
+    let paths = vec![point(&built, "rocker.foot")];
+    let record = motion(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 72) }).expect("it turns");
+    let [path] = &record.paths[..] else { panic!("one path") };
+    assert!(path.always_stands_still() && path.has_zone());
+    // The directions that are tried are 0.35° apart.
+    const BETWEEN_DIRECTIONS: f64 = 5e-6;
+    for k in 0..path.positions() {
+        for found in [path.play_along_m[k], path.play_across_m[k], path.along_and_across_m(k)[0]] {
+            assert!((found / 0.21e-3 - 1.0).abs() < BETWEEN_DIRECTIONS, "{k}: {found}");
+        }
+    }
+    assert!(record.kinematics.mechanical_advantages.iter().all(|each| each.name != "rocker.foot"));
+    // A slider stands still at its dead centres alone; there it may be as far off as along its way.
+    let built = build_case("slider_crank_worn_pin");
+    let paths = vec![point(&built, "slider.pin")];
+    let record = motion(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 72) }).expect("it turns");
+    let path = &record.paths[0];
+    let still: Vec<usize> = (0..path.positions()).filter(|k| path.stands_still(*k)).collect();
+    assert!(!still.is_empty() && still.len() < 4, "{still:?}");
+    for k in 0..path.positions() {
+        let due_m = if still.contains(&k) { path.play_along_m[k] } else { 0.0 };
+        assert!((path.play_across_m[k] - due_m).abs() < 1e-12 && path.play_along_m[k] > 0.0, "{k}");
+    }
+}
+
 /// Largest distance beyond the polygon, and the least share of a side that no displacement reaches, over displacements of all joints on the
 /// borders of their play and within, the loops closed exactly.
 fn brute_force(built: &Built, path: &PointPath, of: PointId, position: usize, angle_rad: f64) -> [f64; 2] {

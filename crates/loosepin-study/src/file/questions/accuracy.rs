@@ -151,6 +151,12 @@ impl Study {
         self.stated.extend(["--most-failed".to_owned(), share.to_string()]);
     }
 
+    /// Notes points whose paths are shown, which the command line names.
+    pub(crate) fn state_paths(&mut self, points: &[String]) {
+        self.paths.extend_from_slice(points);
+        self.stated.extend(points.iter().flat_map(|point| ["--path".to_owned(), point.clone()]));
+    }
+
     fn parse_accuracy(&self, text: &str) -> Result<AccuracyTarget, (AccuracyProblem, Range<usize>)> {
         let asked = askable(&self.asks, |output| self.outputs[output].dimension);
         let (named, value) = match text.split_once('=') {

@@ -92,6 +92,19 @@ pub fn with_list() -> StudyResult {
     result
 }
 
+/// The study of the worn pin with so many outputs that all do the same.
+pub fn with_outputs(count: usize) -> StudyResult {
+    let mut result = worn_pin();
+    let (outputs, bounds, curves) = (result.outputs.clone(), result.bounds.clone(), result.curves.clone());
+    for number in 2..=count {
+        let name = |own: &str| format!("{own}_{number}");
+        result.outputs.extend(outputs.iter().map(|own| OutputDescription { name: name(&own.name), ..own.clone() }));
+        result.bounds.extend(bounds.iter().map(|own| BoundRecord { output: name(&own.output), ..own.clone() }));
+        result.curves.extend(curves.iter().map(|own| DeviationCurve { output: name(&own.output), ..own.clone() }));
+    }
+    result
+}
+
 /// The study of the worn pin.
 pub fn worn_pin() -> StudyResult {
     let poses = angles_rad(1.0, POSES);
