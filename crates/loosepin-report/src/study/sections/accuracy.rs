@@ -147,7 +147,7 @@ mod tests {
     fn so_many_runs_that_nobody_makes_them_are_not_a_number() {
         let units = DisplayUnits::default();
         let words = |runs| runs_needed_words(runs, 700, &NumberWriter::for_terminal(&units));
-        assert_eq!(words(Some(6300)), "About 6300 runs would reach it; 700 were made.");
+        assert_eq!(words(Some(6300)), "About 6300\u{a0}runs would reach it; 700 were made.");
         assert_eq!(
             words(Some(40_000_000_000)),
             "It is not reachable with runs: more than 1000000000 would be needed; 700 were made."
