@@ -117,7 +117,7 @@ def test_two_results_are_compared_side_by_side(studio, conducted):
     assert studio.browser.evaluate("[...document.querySelectorAll('.choose select')[1].options].find((one) => one.disabled && one.value !== '').value") == results["worn"]
     # The verdicts first. At the poses at which the bands are widest the errors are smaller than the difference; elsewhere they are not.
     headline = studio.browser.evaluate(HEADLINE)
-    assert headline.startswith("Requirements: not met in A, met in B. ") and headline.endswith("smaller."), headline
+    assert headline.startswith("Deviation of slider over the whole cycle: not met in A, met in B. ") and headline.endswith("smaller."), headline
     assert studio.browser.evaluate("document.querySelectorAll('.compare svg.chart .curves .fill').length") == 2
     inputs = studio.browser.evaluate(ROWS % ".inputs")
     told = {row[0].split("\n")[-1]: row[1:] for row in inputs}
