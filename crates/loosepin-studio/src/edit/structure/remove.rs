@@ -57,12 +57,7 @@ pub fn removed(model: &EditedText, study: Option<&EditedText>, what: &Named) -> 
     loop {
         let before = gone.len();
         for mention in named.iter().filter(|mention| !mention.is_own) {
-            match holder(mention).filter(|_| is_gone(&gone, &mention.of)) {
-                Some(holder) => {
-                    gone.insert(holder);
-                }
-                None => {}
-            }
+            gone.extend(holder(mention).filter(|_| is_gone(&gone, &mention.of)));
         }
         if gone.len() == before {
             break;
