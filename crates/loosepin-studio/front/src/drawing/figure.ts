@@ -26,12 +26,11 @@ const parsedStyle = asParsed.trim().slice(0, -2);
 /** What may be taken over of a parsed text. */
 export const filtered: Filter = {
   isAllowed: (element) => element.namespaceURI === namespace && isAllowedElement(element.localName),
-  attributesOf: (element) =>
-    [...element.attributes].flatMap((attribute): [string, string][] => {
-      const name = attribute.name === parsedStyle ? 'style' : attribute.name === 'xlink:href' ? 'href' : attribute.name;
-      const value = attribute.value.includes(parsedStyle) ? attribute.value.replaceAll(asParsed, asWritten) : attribute.value;
-      return isAllowedAttribute(element.localName, name, value) ? [[name, value]] : [];
-    }),
+  written: (attribute) => {
+    const name = attribute.name === parsedStyle ? 'style' : attribute.name === 'xlink:href' ? 'href' : attribute.name;
+    return [name, attribute.value.includes(parsedStyle) ? attribute.value.replaceAll(asParsed, asWritten) : attribute.value];
+  },
+  isAllowedAttribute,
   textOf: (node) => (node.nodeValue ?? '').replaceAll(asParsed, asWritten),
 };
 
@@ -39,7 +38,9 @@ export const filtered: Filter = {
 export function copied(element: Element): SVGElement | null {
   if (!filtered.isAllowed(element)) return null;
   const copy = document.createElementNS(namespace, element.localName);
-  for (const [name, value] of filtered.attributesOf(element)) {
+  for (const attribute of element.attributes) {
+    const [name, value] = filtered.written(attribute);
+    if (!isAllowedAttribute(element.localName, name, value)) continue;
     if (name === 'style') copy.style.cssText = value;
     else copy.setAttribute(name, value);
   }

@@ -1,16 +1,18 @@
 // Brings a picture that is shown up to a new one without taking its elements away: the focus stays, and little is laid out anew.
 
-/** What may be taken over of nodes that come from elsewhere. */
+/** How nodes that come from elsewhere are written, and what may be taken over of them. */
 export interface Filter {
   isAllowed(element: Element): boolean;
-  attributesOf(element: Element): [name: string, value: string][];
+  written(attribute: Attr): [name: string, value: string];
+  isAllowedAttribute(element: string, name: string, value: string): boolean;
   textOf(node: Node): string;
 }
 
 /** For nodes of the page itself. */
 const unfiltered: Filter = {
   isAllowed: () => true,
-  attributesOf: (element) => [...element.attributes].map(({ name, value }) => [name, value]),
+  written: ({ name, value }) => [name, value],
+  isAllowedAttribute: () => true,
   textOf: (node) => node.nodeValue ?? '',
 };
 
@@ -19,15 +21,19 @@ const foreignLayers = new Set(['traces', 'zones-now', 'labels']);
 /** Set by what moves the picture. */
 const moved = 'transform';
 
-function mergeAttributes(shown: SVGElement, attributes: [string, string][]): void {
-  for (const [name, value] of attributes) {
+function mergeAttributes(shown: SVGElement, found: Element, filter: Filter): void {
+  const names = new Set<string>();
+  for (const attribute of found.attributes) {
+    const [name, value] = filter.written(attribute);
+    names.add(name);
+    // What is shown was allowed before.
     if (shown.getAttribute(name) === value) continue;
+    if (!filter.isAllowedAttribute(found.localName, name, value)) names.delete(name);
     // The policy of the page forbids `style` to be set as text.
-    if (name === 'style') shown.style.cssText = value;
+    else if (name === 'style') shown.style.cssText = value;
     else shown.setAttribute(name, value);
   }
-  if (shown.attributes.length === attributes.length) return;
-  const names = new Set(attributes.map(([name]) => name));
+  if (shown.attributes.length === names.size) return;
   for (const { name } of [...shown.attributes]) {
     if (!names.has(name) && name !== moved) shown.removeAttribute(name);
   }
@@ -43,7 +49,7 @@ function mergeInto(shown: Node | undefined, found: Node, filter: Filter): boolea
   }
   if (!(shown instanceof SVGElement) || !(found instanceof Element)) return false;
   if (shown.localName !== found.localName || !filter.isAllowed(found)) return false;
-  mergeAttributes(shown, filter.attributesOf(found));
+  mergeAttributes(shown, found, filter);
   if (foreignLayers.has(found.getAttribute('class') ?? '')) return true;
   const [before, after] = [shown.childNodes, found.childNodes];
   return before.length === after.length && [...after].every((node, index) => mergeInto(before[index], node, filter));

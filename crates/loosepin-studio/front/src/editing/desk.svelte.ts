@@ -44,9 +44,10 @@ export class Desk {
   readonly viewport = new Viewport();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
-  /** The view in the panels about the canvas: during a drag they follow it a frame later, since both together would make a frame late. */
+  /** The view in the panels about the canvas. */
   panels = $state.raw<View | null>(null);
-  private panelsDue = 0;
+  /** What an answer to a drag changes beyond the canvas: in the next frame, since both together would make one late. */
+  private restDue = 0;
   diagnostics = $state.raw<DiagnosticView[]>([]);
   /** Counts the answers: diagnostics come anew with each. */
   answers = $state(0);
@@ -223,12 +224,12 @@ export class Desk {
     this.isRewriting = false;
   }
 
-  private follow(drag: Drag, reshaped: DragResult): void {
+  private follow(drag: Drag, reshaped: DragResult, mayEnd: boolean): void {
     this.dragged = { words: reshaped.words, refusal: reshaped.refusal };
     if (reshaped.refusal === null) {
       for (const which of ['model', 'study'] as const) this.rewrite(which, drag.textOf(which, reshaped), drag.name);
     }
-    if (drag.isEnding && !this.looker.isWaiting) {
+    if (mayEnd && drag.isEnding && !this.looker.isWaiting) {
       this.drag = null;
       if (drag.then && reshaped.refusal === null) {
         void this.restructure(drag.then, drag.name, reshaped.poses);
@@ -455,7 +456,7 @@ export class Desk {
   }
 
   private hear(seen: LookAnswer, version: number, isFinest: boolean): void {
-    const { documents, drag } = this;
+    const { drag } = this;
     this.isCut = seen.is_cut;
     if (seen.is_cut) {
       // Nothing is known of these texts: what was seen last stays, and is of other ones unless they were looked at before.
@@ -464,10 +465,21 @@ export class Desk {
       this.answers += 1;
       return;
     }
-    if (seen.reshaped) {
-      // The answer to a drag that is over.
-      if (!drag) return;
-      this.follow(drag, seen.reshaped);
+    cancelAnimationFrame(this.restDue);
+    // The answer to a drag that is over.
+    if (seen.reshaped && !drag) return;
+    if (seen.reshaped && drag && !drag.isEnding && seen.view) {
+      this.showCanvas(seen.view, seen.reshaped.angle_deg ?? null);
+      this.restDue = requestAnimationFrame(() => {
+        if (this.drag === drag) this.takeIn(seen, version, isFinest, false);
+      });
+    } else this.takeIn(seen, version, isFinest, true);
+  }
+
+  private takeIn(seen: LookAnswer, version: number, isFinest: boolean, mayEnd: boolean): void {
+    const { documents, drag } = this;
+    if (seen.reshaped && drag) {
+      this.follow(drag, seen.reshaped, mayEnd);
       // Places are in the texts as they are now.
       version = documents.version;
     }
@@ -482,31 +494,28 @@ export class Desk {
     this.isStale = seen.view === null;
     if (seen.view) {
       const isFirst = this.view === null;
-      this.view = seen.view;
+      this.showCanvas(seen.view, seen.reshaped?.angle_deg ?? null);
       if (version === documents.version) this.build.keepTo(seen.view.outline.parts.map(({ name }) => name));
       // On an empty sheet there is nothing to do but to draw.
       if (isFirst && this.build.isEmpty) this.build.choose('link');
       this.viewed = version;
-      const { view } = seen;
-      cancelAnimationFrame(this.panelsDue);
-      if (this.drag) this.panelsDue = requestAnimationFrame(() => this.fillPanels(view, version));
-      else this.fillPanels(view, version);
+      this.panels = seen.view;
+      this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
+      this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
       if (version === documents.version) this.keepPoses(seen.view);
-      if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
       if (this.build.isOn) {
         this.head.run(false);
         this.head.set(this.head.first);
       }
-      if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);
     }
     this.answers += 1;
   }
 
-  private fillPanels(view: View, version: number): void {
-    const { documents } = this;
-    this.panels = view;
-    this.limits = view.limits.map((limit) => documents.moved('study', limit, version));
-    this.quantities = view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
+  private showCanvas(view: View, angle: number | null): void {
+    this.view = view;
+    this.isStale = false;
+    if (view.drawing) this.head.follow(view.drawing.motion);
+    if (angle !== null) this.head.set(angle);
   }
 
   private async changed(path: string): Promise<void> {
