@@ -82,11 +82,11 @@ export class Build {
     return this.last;
   }
 
-  /** What stands at a typed place: the points that lie there, else the place itself. */
+  /** What stands at a typed place: the points that lie there, else the place itself. On the ground only a point of the ground will do. */
   typedAt(at: Point, isGround: boolean): Taken {
     const { view, head } = this.desk;
     const targets = view?.drawing ? targetsOf(view.outline.parts, view.drawing.motion, head.angle) : [];
-    const target = targets.find((one) => isSamePlace(one.at, at));
+    const target = targets.find((one) => isSamePlace(one.at, at) && (!isGround || one.points.some(({ body }) => body === ground)));
     return target ? { target } : { at, isGround };
   }
 
