@@ -9,6 +9,8 @@ problems! {
     /// An error in a model file. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum ModelProblem | Entry(EntryProblem) {
+        InSpace => Code::WrongKindOfFile,
+            says("this command works on planar models; a model in space is known to check and motion");
         NotAnActuator {
             entry: String,
             text: String,

@@ -5,6 +5,7 @@ mod chains;
 mod closed_forms;
 mod identities;
 mod known;
+mod model_files;
 mod quasi_static;
 mod refusals;
 mod searches;

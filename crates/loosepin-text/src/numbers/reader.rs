@@ -121,6 +121,40 @@ impl NumberReader {
         }
     }
 
+    /// The quantity in the text at an entry behind its first `skip` bytes, of a given dimension: of values with a word before them.
+    pub fn quantity_behind(
+        &mut self,
+        entry: &Entry<'_>,
+        skip: usize,
+        dimension: Dimension,
+        rule: Rule,
+    ) -> Option<QuantityId> {
+        let whole = self.reader.text(entry)?;
+        let text = whole.get(skip..)?;
+        match parse_expression(text, &self.parameters) {
+            Ok(expression) => {
+                self.parameters.mark_used(&expression.reads);
+                let measures = self.reader.measures(entry, expression.dimension, dimension);
+                if measures { self.add(entry, &expression, rule) } else { None }
+            }
+            Err(error) => {
+                let error = error.for_due(text, dimension);
+                let span = self.reader.inside(entry, whole, &(error.span.start + skip..error.span.end + skip));
+                self.reader.refuse(&error.problem, span)
+            }
+        }
+    }
+
+    /// Three quantities of a given dimension, along x, y and z, each with a path of its own.
+    pub fn three(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<[QuantityId; 3]> {
+        let [mut x, mut y, mut z] = self.reader.three(entry)?;
+        for (element, axis) in [(&mut x, "x"), (&mut y, "y"), (&mut z, "z")] {
+            element.path = entry.path.join(axis);
+        }
+        let [x, y, z] = [x, y, z].map(|element| self.quantity_of(&element, dimension, Rule::Finite));
+        Some([x?, y?, z?])
+    }
+
     /// Adds a quantity; reports where its value breaks the rule.
     pub fn add(&mut self, entry: &Entry<'_>, expression: &Expression, rule: Rule) -> Option<QuantityId> {
         let origin = if expression.reads.is_empty() {

@@ -40,11 +40,11 @@ use cycle::CycleTable;
 use drive::DriveTable;
 use initial::InitialTable;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
-use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::document::{Entry, Kind, Table, choice, quantity};
 use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
 use loosepin_text::numbers::UNREAD;
-use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::{choices, record};
 use reader::ModelReader;
 use spring::SPRING_KINDS;
 use std::path::Path;
@@ -57,11 +57,22 @@ record! {
     required guess: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ rocker = \"94 deg\" }";
 }
 
+/// What a mechanism moves in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Geometry {
+    Plane,
+    Space,
+}
+
+choices!(Geometry: "plane" => Self::Plane, "space" => Self::Space);
+
 record! {
     /// a planar mechanism with its nominal values
     struct ModelTable for PartReader;
     /// name of the mechanism
     required name: Option<String> = Kind::Text, "\"worn pin\"";
+    /// "plane" for a planar mechanism, which is meant if omitted; "space" for one in space, which has a format of its own
+    optional geometry: Geometry = choice::<Geometry>(), "\"plane\"";
     /// acceleration along -y; "0 m/s^2" for none; needed for runs
     optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
     /// temperature of parts with thermal_expansion above the temperature of their drawings
@@ -137,6 +148,11 @@ impl Model {
     pub fn from_source(source: Arc<Source>) -> Result<Model, Diagnostics> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
+        let space = toml.get_ref().get("geometry").filter(|value| value.get_ref().as_str() == Some("space"));
+        if let Some(space) = space {
+            // At once: all its tables would be wrong here.
+            return Err(Diagnostics::one(&ModelProblem::InSpace, Some(file.numbers.reader.place(space.span().into()))));
+        }
         let root = file.numbers.reader.root(toml.get_ref(), &ModelTable::KEYS);
         file.numbers.has_unknown_tables = root.has_unknown();
         file.read(root)
