@@ -2,15 +2,13 @@
 
 use super::direction::{Direction, vector};
 use super::parts::{
-    ModelCycleSpan, ModelGuess, ModelJoint, ModelJointForm, ModelMarker, ModelOutputKind, ModelPlay, PointId,
-    SpatialModel,
+    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelOutputKind, ModelPlay, PointId, SpatialModel,
 };
 use super::placing::placed;
 use super::problem::SpatialModelError;
 use crate::geometry::pose::Pose;
 use crate::geometry::quaternion::Quaternion;
 use crate::geometry::vector::Vec3;
-use crate::kind::SpatialKind;
 use crate::mechanism::body::Body;
 use crate::mechanism::drive::{Drive, DriveValue};
 use crate::mechanism::joint::Joint;
@@ -153,10 +151,7 @@ impl SpatialModel {
     }
 
     fn joint(&self, joint: &ModelJoint, values: &Values) -> Result<Joint, SpatialModelError> {
-        let kind = match joint.form {
-            ModelJointForm::Plain(kind) => kind,
-            ModelJointForm::Screw { pitch_m } => SpatialKind::screw(values[pitch_m]),
-        };
+        let kind = joint.form.with_pitch(|pitch_m| values[pitch_m]);
         let bearing = self.marker(&joint.bearing, values, &joint.name, "bearing")?;
         let journal = self.marker(&joint.journal, values, &joint.name, "journal")?;
         let play = joint.play.map(|play| spatial_play(play, values));

@@ -7,6 +7,7 @@
 //! | points, axes and names while a file is read | `reader.rs` |
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
+//! | its motion over a turn, with worst cases | `over_turn.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
@@ -16,6 +17,7 @@ mod direction;
 mod drive;
 mod joint;
 mod output;
+mod over_turn;
 mod parts;
 mod placing;
 mod problem;
@@ -28,5 +30,5 @@ pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
     ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
 };
-pub use problem::{SpatialModelError, SpatialModelProblem};
+pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};

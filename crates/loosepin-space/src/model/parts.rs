@@ -2,6 +2,7 @@
 
 use super::direction::Direction;
 use crate::kind::SpatialKind;
+use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::drive::JointCoordinate;
 use loosepin_text::diagnostics::{Diagnostic, Source, Span};
 use loosepin_text::numbers::{QuantityId, QuantityTable};
@@ -95,6 +96,21 @@ pub enum ModelJointForm {
         /// Advance in one turn, m.
         pitch_m: QuantityId,
     },
+}
+
+impl ModelJointForm {
+    /// The word for its kind.
+    pub fn word(&self) -> &'static str {
+        self.with_pitch(|_| 1.0).word()
+    }
+
+    /// The kind, with the pitch of a screw.
+    pub(super) fn with_pitch(&self, pitch_m: impl Fn(QuantityId) -> f64) -> SpatialKind {
+        match self {
+            Self::Plain(kind) => *kind,
+            Self::Screw { pitch_m: id } => SpatialKind::screw(pitch_m(*id)),
+        }
+    }
 }
 
 /// Where a joint is on a body.

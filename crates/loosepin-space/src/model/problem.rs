@@ -2,7 +2,7 @@
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};
-use loosepin_text::units::quoted;
+use loosepin_text::units::{format_number, quoted};
 
 problems! {
     /// An error in a model file. `entry` is a path in words.
@@ -83,6 +83,27 @@ problems! {
         StandsStill { path: String } => Code::DriveStandsStill,
             says("{} is zero, so the turns of its drive cannot be counted", describe_path(path)),
             hint("give it a speed, or count by duration");
+    }
+}
+
+problems! {
+    /// Why a mechanism in space has no motion.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpatialMotionProblem {
+        DoesNotClose { why: String } => Code::CannotClose,
+            says("{why}"),
+            hint("check lengths and axes; [assembly] guess says where bodies start");
+        NoAnswer {
+            output: String,
+            /// The input there, rad or s.
+            input: f64,
+            why: String,
+        } => Code::SingularPosition,
+            says("{output} at {}: {why}", format_number(*input));
+        NotWritten { folder: String, why: String } => Code::FolderNotUsable,
+            says("motion.csv cannot be written in {folder}: {why}");
+        OptionNotInSpace { option: &'static str } => Code::NotYetSupported,
+            says("{option} cannot be used with a model in space yet");
     }
 }
 

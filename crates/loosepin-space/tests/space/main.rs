@@ -6,6 +6,7 @@ mod closed_forms;
 mod identities;
 mod known;
 mod model_files;
+mod model_motions;
 mod quasi_static;
 mod refusals;
 mod searches;
