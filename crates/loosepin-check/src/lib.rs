@@ -9,6 +9,7 @@
 //! | couplings, springs, loads, controls | `elements.rs` |
 //! | the law behind a force that is asked about | `force_law.rs` |
 //! | names and numbers of a model | `names.rs` |
+//! | a mechanism in space | `space.rs` |
 //! | a study: its inputs, its questions, its time | `study.rs` |
 //!
 //! What is moved and run to know it: `trial.rs`.
@@ -22,8 +23,11 @@ mod force_law;
 mod joints;
 mod mechanism;
 mod names;
+mod space;
 mod study;
 mod trial;
+
+pub use space::check_space;
 
 use std::sync::atomic::AtomicBool;
 

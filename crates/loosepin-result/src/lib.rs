@@ -13,6 +13,7 @@ mod play_bounds;
 pub mod point_path;
 pub mod repeat;
 pub mod simulation;
+pub mod spatial_motion;
 pub mod study;
 pub mod sweep;
 

@@ -39,6 +39,7 @@ mod geometry;
 mod kind;
 mod mechanism;
 mod mobility;
+mod model;
 mod motion;
 mod output;
 mod play;
@@ -67,6 +68,11 @@ pub use mechanism::joint::Joint;
 pub use mechanism::marker::Marker;
 pub use mechanism::spatial_mechanism::SpatialMechanism;
 pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, RedundantShare, mobility};
+pub use model::{
+    CycleInput, Direction, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm,
+    ModelMarker, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel, SpatialModelError,
+    SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
+};
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
 pub use output::{JointOutput, PointOutput, RotationOutput, RotationSineOutput, SpatialOutput};

@@ -1,11 +1,12 @@
 //! From files to numbers: text with units to SI and back ([`units`]), TOML files walked by hand
-//! ([`document`]), diagnostics with their place, code and hint ([`diagnostics`]). The other way: what people read ([`article`]), dates
+//! ([`document`]), their numbers as quantities ([`numbers`]), diagnostics with their place, code and hint ([`diagnostics`]). The other way: what people read ([`article`]), dates
 //! ([`date`]).
 
 pub mod article;
 pub mod date;
 pub mod diagnostics;
 pub mod document;
+pub mod numbers;
 pub mod units;
 
 /// The version of loosepin, of all its crates, as `major.minor.patch`.

@@ -5,6 +5,7 @@
 //!
 //! * Mechanics: [`contact`], [`model`], [`mechanism`], [`dynamics`] (`loosepin-mechanics`), [`simulate`], [`accuracy`],
 //!   [`sweep`], [`measured`] (`loosepin-simulate`). They know nothing of probability.
+//! * Space: [`space`], mechanisms in space and what play does to them, without dynamics.
 //! * Uncertainty: [`uncertainty`], [`contributors`], [`reliability`] (`loosepin-uncertainty`), [`surrogate`], [`bounds`].
 //!   They know nothing of mechanisms.
 //! * [`study`] joins the two wings, [`identify`] goes from readings of a rig to play, [`cases`] holds the program against answers that are known, [`check`] says what a file is before anything runs, [`report`] reads results.
@@ -26,6 +27,7 @@ pub use loosepin_report as report;
 pub use loosepin_result as result;
 pub use loosepin_simulate as simulate;
 pub use loosepin_simulate::{accuracy, measured, sweep};
+pub use loosepin_space as space;
 pub use loosepin_store as store;
 pub use loosepin_store::results;
 pub use loosepin_study as study;

@@ -20,6 +20,7 @@ mod resume;
 mod serve;
 mod shards;
 mod simulate;
+mod space;
 mod study;
 mod study_queries;
 mod sweep;

@@ -98,6 +98,8 @@ fn with_flags(command: &str) -> String {
 /// A desk with the cases, with `loosepin` that notes what it is asked and says, and `cargo run` that is the same.
 fn desk() -> Desk {
     let desk = Desk::new();
+    fs::create_dir_all(desk.path("docs")).expect("a folder");
+    symlink(repository().join("docs/examples"), desk.path("docs/examples")).expect("a link");
     fs::create_dir_all(desk.path("cases").join(CASE)).expect("a folder");
     for entry in fs::read_dir(repository().join("cases")).expect("the cases") {
         let entry = entry.expect("a case");

@@ -3,8 +3,8 @@
 use super::drive::{Drive, Steady};
 use crate::model::parts::cycle::CycleSpan;
 use crate::model::parts::topology::Model;
-use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_math::Real;
+use loosepin_text::numbers::{QuantityId, Values};
 
 /// The input of a mechanism over its cycle: an angle that grows evenly with time, start + speed · t.
 ///

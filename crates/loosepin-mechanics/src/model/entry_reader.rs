@@ -1,8 +1,8 @@
 //! The reader of a model, as far as contacts, couplings and motions know it, beside what joints know.
 
 use super::joint::JointReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::Entry;
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Rule};
 
 /// A column of a table of points: its name in paths, and its dimension.
@@ -10,9 +10,6 @@ pub type Column = (&'static str, Dimension);
 
 /// The reader of a model. What returns nothing has reported.
 pub trait EntryReader: JointReader {
-    /// The quantity at an entry, of a given dimension.
-    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId>;
-
     /// A number that neither a study nor a setting may change, with its value.
     fn fixed_number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<(QuantityId, f64)>;
 

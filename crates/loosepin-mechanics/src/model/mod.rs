@@ -41,6 +41,7 @@ pub use load::{
     ActsOn, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TimeCourse, TorqueLoad,
 };
 pub use loosepin_text::document::describe_path;
+pub use loosepin_text::numbers::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use loosepin_text::units::Rule;
 pub use output::{
     ActuatorFacts, BeamFacts, Component, Derivative, Effort, EffortMeasure, JointForce, KindOfOutput, KindOfReading,
@@ -65,7 +66,6 @@ pub use problem::ModelProblem;
 pub use read::model_schema;
 pub use values::function::{Changing, Function};
 pub use values::path_error::PathError;
-pub use values::quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use values::set_values::{SetValues, measured_argument};
 pub use values::setting::{Setting, SettingError, SettingRange};
 pub use values::sizes::{MAX_BODIES, MAX_ENTRIES, MAX_JOINTS};

@@ -1,12 +1,11 @@
 //! Reader common to every kind of part: the part of the model's reader that all of them know.
 
 use super::ids::{BodyId, JointId, PointId};
-use crate::model::values::quantity::QuantityId;
-use loosepin_text::document::{DefaultValue, Entry, Reads, Table, Value};
-use loosepin_text::units::parse_quantity;
+use loosepin_text::document::{DefaultValue, Entry, Table, Value};
+use loosepin_text::numbers::{QuantityId, ReadsNumbers};
 
 /// The reader of a model with the parts that stand above. What returns nothing has reported.
-pub trait PartReader: Reads {
+pub trait PartReader: ReadsNumbers {
     /// A point, written `body.point`.
     fn point(&mut self, entry: &Entry<'_>) -> Option<PointId>;
 
@@ -16,33 +15,11 @@ pub trait PartReader: Reads {
     /// A joint, written `joint.NAME` or by its name alone.
     fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId>;
 
-    /// The quantity at an entry, of the dimension and rule that the table of keys demands.
-    fn quantity_at(&mut self, entry: &Entry<'_>) -> Option<QuantityId>;
-
-    /// The quantity behind a key; `None` if it is not written.
-    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId>;
-
-    /// The same with a value where it is not written, SI.
-    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId>;
-
     /// Name of a body.
     fn body_name(&self, body: BodyId) -> String;
 
     /// Name of a joint.
     fn joint_name(&self, joint: JointId) -> String;
-}
-
-impl<'t, R: PartReader + ?Sized> Value<'t, R> for QuantityId {
-    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
-        reader.quantity_at(entry)
-    }
-}
-
-impl<'t, R: PartReader + ?Sized> DefaultValue<'t, R, &'static str> for QuantityId {
-    fn default_value(reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
-        let usual = parse_quantity(usual).expect("the description of a table states a value with a unit");
-        reader.quantity_or(table, key, usual.value_si)
-    }
 }
 
 /// A quantity, written or usual, that is read after others: quantities keep the order in which they are read.

@@ -3,9 +3,9 @@
 use super::contact::Contact;
 use crate::contact::delivered_restitution;
 use crate::model::parts::topology::{Body, Model};
-use crate::model::values::quantity::{Origin, QuantityId, Values};
 use loosepin_text::diagnostics::{Code, Diagnostic, problems};
 use loosepin_text::document::describe_path;
+use loosepin_text::numbers::{Origin, QuantityId, Values};
 use loosepin_text::units::{Dimension, format_number, format_value, parse_quantity};
 
 mod usual;

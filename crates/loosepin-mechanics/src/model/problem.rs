@@ -2,50 +2,15 @@
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
-use loosepin_text::units::{Dimension, ReadableUnit, counted, format_number, quoted};
+use loosepin_text::numbers::EntryProblem;
+use loosepin_text::units::{Dimension, counted};
 
 problems! {
     /// An error in a model file. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
-    pub enum ModelProblem {
-        BadParameterName {
-            name: String,
-            /// Whether it is the name of a unit or a function.
-            is_reserved: bool,
-        } => Code::BadName,
-            says("a parameter cannot be called '{name}'"),
-            hint_of(Some(if *is_reserved {
-                format!(
-                    "'{name}' is a unit or a function in expressions; choose another name, for example {name}_value"
-                )
-            } else {
-                "names of parameters begin with a letter or _ and have letters, digits and _".to_owned()
-            }));
-        ParameterCycle {
-            /// The names, the first again at the end.
-            circle: Vec<String>,
-        } => Code::ParameterCycle,
-            says("parameters are defined by one another: {}", circle.join(" -> "));
-        UnknownReference {
-            entry: String,
-            /// A body, point, joint, contact, drive or control.
-            what: &'static str,
-            name: String,
-            nearest: Option<String>,
-            known: Vec<String>,
-        } => Code::UnknownReference,
-            says("{entry}: there is no {what} '{name}'"),
-            hint_of(Some(match nearest {
-                Some(nearest) => format!("did you mean '{nearest}'?"),
-                None if !known.is_empty() => format!("available: {}", listed(known, "and")),
-                None if *what == "point" => {
-                    format!("body '{}' has no points", name.split_once('.').map_or("", |(body, _)| body))
-                }
-                None => format!("the file defines no {what}"),
-            }));
-        NotAPoint { entry: String, text: String } => Code::UnknownReference,
-            says("{entry} is '{text}'; must be body.point"),
-            hint("for example \"crank.pin\": point 'pin' of body 'crank'");
+    pub enum ModelProblem | Entry(EntryProblem) {
+        InSpace => Code::WrongKindOfFile,
+            says("this command works on planar models; a model in space is known to check and motion");
         NotAnActuator {
             entry: String,
             text: String,
@@ -81,25 +46,6 @@ problems! {
         /// A material value for both parts and for one of them.
         MaterialTwice { entry: String, both: &'static str, one: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{both}' and '{one}' cannot be used together");
-        NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> } => Code::ConflictingKeys,
-            says("{entry}: '{key}' needs {}", quoted(needs)),
-            hint_of(match *key {
-                "thermal_expansion" => Some("give it here, or at the top of the file for all parts"),
-                "contact" if needs.contains(&"bearing_length") => {
-                    Some("the contact has a line-contact law, whose force is proportional to the length")
-                }
-                "contact" if needs.contains(&"corner_radius") => {
-                    Some("the stiffness of the contact comes from the materials: a sphere of that radius on a plane")
-                }
-                _ if needs.contains(&"radial_clearance") => {
-                    Some("or give 'diametral_clearance', which is twice the radial clearance")
-                }
-                "radial_clearance" | "diametral_clearance" | "clearance" => {
-                    Some("a joint without play has no clearance, or a clearance of \"0 mm\"")
-                }
-                _ => None,
-            }
-            .map(str::to_owned));
         FilmNeedsLength { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'contact' needs 'bearing_length'"),
             hint("the contact has a film of oil, whose force depends on the length of the bearing");
@@ -138,8 +84,6 @@ problems! {
             says("{entry}: joint '{joint}' does not wear"),
             hint("give it [joint.{joint}.wear]");
         /// A key without effect in this combination.
-        KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str } => Code::ConflictingKeys,
-            says("{entry}: '{key}' cannot be used with '{beside}'");
         RelativeToItself { entry: String, body: String } => Code::ConflictingKeys,
             says("{entry}: body '{body}' does not move relative to itself"),
             hint("use another body, or omit relative_to to measure from the ground");
@@ -149,10 +93,6 @@ problems! {
         DoesNotTurn { entry: String, joint: String } => Code::UnknownReference,
             says("{entry}: joint '{joint}' does not turn; a torsional spring needs a revolute joint"),
             hint("give a revolute joint, or two bodies as first and second");
-        /// A number under [parameter] that is used where something is measured.
-        ParameterWithoutUnit { name: String, value: f64, entry: String, due: Dimension } => Code::MissingUnit,
-            says("parameter '{name}' is {} without a unit; {entry} uses it as {due}", format_number(*value)),
-            hint("write its unit, for example {name} = \"{} {}\"", format_number(*value), ReadableUnit::default_for(*due).text);
         /// A clearance on the radius and one on the diameter.
         ClearanceTwice { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'radial_clearance' and 'diametral_clearance' cannot be used together"),

@@ -79,6 +79,23 @@ pub enum MechanismError {
     },
 }
 
+impl MechanismError {
+    /// The joint at fault, if it is one.
+    pub fn joint(&self) -> Option<&str> {
+        match self {
+            Self::NoGround | Self::BadPose { .. } | Self::NoJoint { .. } => None,
+            Self::NoBody { joint, .. }
+            | Self::SameBody { joint, .. }
+            | Self::BadMarker { joint }
+            | Self::NoPitch { joint }
+            | Self::PlayOfAnotherJoint { joint, .. }
+            | Self::BadPlay { joint, .. }
+            | Self::NoSuchCoordinate { joint, .. }
+            | Self::DrivenTwice { joint } => Some(joint),
+        }
+    }
+}
+
 impl fmt::Display for MechanismError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

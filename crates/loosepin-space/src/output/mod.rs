@@ -56,6 +56,14 @@ impl SpatialOutput {
         Vec3::AXES.map(|direction| PointOutput { body, point_m, direction }.into())
     }
 
+    /// The displacement of a point along a direction, if it is that.
+    pub fn point(&self) -> Option<PointOutput> {
+        match self {
+            Self::Point(own) => Some(*own),
+            _ => None,
+        }
+    }
+
     /// The components of a body's rotation vector.
     pub fn rotation(body: usize) -> [Self; 3] {
         Vec3::AXES.map(|axis| RotationOutput { body, axis }.into())

@@ -5,6 +5,8 @@ mod chains;
 mod closed_forms;
 mod identities;
 mod known;
+mod model_files;
+mod model_motions;
 mod quasi_static;
 mod refusals;
 mod searches;

@@ -517,9 +517,10 @@ contents. This folder has none, or the command that wrote it did not finish."
     FileExists "E0904" "a file already exists"
 "`loosepin new` writes model.toml and study.toml and does not overwrite your files. Give another folder, or move the files."
 
-    WrongKindOfFile "E0905" "a study was given instead of a model, or a model instead of a study"
+    WrongKindOfFile "E0905" "a file is of another kind than the command takes"
 "Some commands take a model (a mechanism with its nominal values), others a study (its uncertain inputs, and the questions). \
-A file with a key `model` at its top level is a study."
+A file with a key `model` at its top level is a study. A model with geometry = \"space\" is one of a mechanism in space, which `check` \
+and `motion` take."
 
     ResultNotStorable "E0906" "a result cannot be stored"
 "JSON, CSV or Parquet cannot represent a value of the result, or its columns do not match. This is a fault of loosepin: please \

@@ -20,6 +20,8 @@ pub enum Kind {
     Stiffness,
     /// Two lengths, x and y.
     Vector,
+    /// Three values of one kind, along x, y and z.
+    Three(&'static Kind),
     /// A bare number.
     Number {
         /// The range it must lie in.

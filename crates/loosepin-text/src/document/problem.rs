@@ -77,6 +77,7 @@ problems! {
                 _ if !example.is_empty() => Some(format!("for example {example}")),
                 TEXT_WITH_UNIT => Some("values with units are written as text, for example \"0.5 mm\"".to_owned()),
                 PAIR => Some("for example [\"50 mm\", \"0 mm\"]".to_owned()),
+                THREE => Some("for example [\"50 mm\", \"0 mm\", \"10 mm\"], along x, y and z".to_owned()),
                 _ => None,
             });
         ControlCharacter { entry: String, character: char } => Code::WrongType,
@@ -191,6 +192,9 @@ fn with_unit(found: &str, due: Dimension) -> String {
 
 /// The value that is due where two belong together, in words.
 pub(super) const PAIR: &str = "a list of two";
+
+/// The value that is due for a vector in space, in words.
+pub(super) const THREE: &str = "a list of three";
 
 /// The value that is due for a quantity, in words.
 pub(super) const TEXT_WITH_UNIT: &str = "text with a unit";

@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue};
 use super::entry::{Entry, Table, Written, shortened};
 use super::keys::{Keys, Kind};
 use super::path::{EntryPath, is_name};
-use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
+use super::problem::{DocumentProblem, MAX_FILE_BYTES, PAIR, TEXT_WITH_UNIT, THREE};
 use super::suggested_file::{file_of_like_name, files_inside};
 use super::synonyms::by_synonym;
 use crate::diagnostics::{
@@ -329,6 +329,22 @@ impl Reader {
             Err(elements) => {
                 let problem =
                     DocumentProblem::WrongLength { entry: entry.path.describe(), found: elements.len(), due: 2 };
+                self.refuse(&problem, entry.span)
+            }
+        }
+    }
+
+    /// The elements of a list of three.
+    pub fn three<'t>(&mut self, entry: &Entry<'t>) -> Option<[Entry<'t>; 3]> {
+        if !matches!(entry.value, DeValue::Array(_)) {
+            return self.wrong_type(entry, THREE);
+        }
+        let elements = self.list(entry)?;
+        match <[Entry<'t>; 3]>::try_from(elements) {
+            Ok(three) => Some(three),
+            Err(elements) => {
+                let problem =
+                    DocumentProblem::WrongLength { entry: entry.path.describe(), found: elements.len(), due: 3 };
                 self.refuse(&problem, entry.span)
             }
         }

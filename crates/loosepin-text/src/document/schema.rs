@@ -68,6 +68,7 @@ fn kind(due: &Kind) -> Value {
         Kind::Quantity { .. } | Kind::Stiffness => json!({ "type": "string", "minLength": 1 }),
         Kind::AnyQuantity => json!({ "type": ["number", "string"] }),
         Kind::Vector => json!({ "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2 }),
+        Kind::Three(each) => json!({ "type": "array", "items": kind(each), "minItems": 3, "maxItems": 3 }),
         Kind::Number { rule } => number(*rule),
         Kind::Count { least, most } => json!({ "type": "integer", "minimum": least, "maximum": most }),
         Kind::Choice(words) => json!({ "enum": words }),

@@ -2,8 +2,8 @@
 
 use crate::contact::{FILM_LAWS, FilmDescription};
 use crate::model::entry_reader::EntryReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Choice, Entry, choice, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 

@@ -3,8 +3,8 @@
 use crate::contact::compliance_1_pa;
 use crate::model::entry_reader::EntryReader;
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_text::document::{Entry, Table, quantity};
+use loosepin_text::numbers::{QuantityId, Values};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 

@@ -4,10 +4,10 @@ use super::kind::{Coupled, KindOfCoupling};
 use super::proportion::{OFFSET, Proportion};
 use super::reading::CouplingReader;
 use super::wheels::{Wheels, WheelsTable};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 use loosepin_text::{choices, record};
 

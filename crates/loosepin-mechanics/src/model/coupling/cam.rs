@@ -8,10 +8,10 @@ use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::span_of;
 use crate::model::parts::table_curve::{CSV, POINTS};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, format_value, listed};
 

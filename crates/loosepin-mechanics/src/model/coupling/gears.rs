@@ -7,10 +7,10 @@ use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
 use super::wheels::{Wheels, WheelsTable};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 use loosepin_text::{choices, record};
 

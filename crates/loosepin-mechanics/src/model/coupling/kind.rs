@@ -4,10 +4,10 @@ use super::play::CouplingPlay;
 use super::reading::CouplingReader;
 use super::teeth::Teeth;
 use crate::model::ids::JointId;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Table};
+use loosepin_text::numbers::QuantityId;
 
 /// A kind of coupling: how the coordinate of the second joint follows from that of the first, q_2 = f(q_1).
 ///

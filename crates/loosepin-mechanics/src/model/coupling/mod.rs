@@ -31,10 +31,10 @@ pub use teeth::{Mesh, Teeth};
 pub use wheels::Wheels;
 
 use super::ids::JointId;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table};
+use loosepin_text::numbers::QuantityId;
 use std::fmt::Write;
 
 /// A coupling of two joints: the coordinate of the second (angle of the journal's body from the bearing's, rad, or position of

@@ -3,9 +3,9 @@
 use super::reading::CouplingReader;
 use crate::model::ids::ContactId;
 use crate::model::joint::PlayKeys;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 

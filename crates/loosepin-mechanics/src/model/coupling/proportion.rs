@@ -3,10 +3,10 @@
 use super::kind::Curve;
 use super::reading::CouplingReader;
 use crate::model::ids::JointId;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// Numbers of ratio · q + offset.

@@ -6,10 +6,10 @@ use super::proportion::{OFFSET, Proportion, offset, sign, signed, words};
 use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
 use super::wheels::is_turned;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_text::{choices, record};
 

@@ -3,10 +3,10 @@
 use super::kind::{Coupled, KindOfCoupling};
 use super::proportion::{OFFSET, Proportion, offset, words};
 use super::reading::CouplingReader;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::Rule;
 

@@ -3,8 +3,8 @@
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::JointKind;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 /// The reader of a model, as far as couplings know it. What returns nothing has reported.

@@ -4,9 +4,9 @@ use super::reading::CouplingReader;
 use crate::model::ids::JointId;
 use crate::model::joint::span_of;
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use loosepin_math::{Real, Vec2};
 use loosepin_text::document::{Entry, Key, Table, optional, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// The teeth of gears, or of a rack and its pinion, whose force the two joints feel.

@@ -4,10 +4,10 @@ use super::proportion::{Proportion, offset, sign, signed, words};
 use super::reading::CouplingReader;
 use crate::model::ids::{BodyId, JointId};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 

@@ -2,9 +2,9 @@
 
 use super::kind::{KindOfDrive, MotionLaw, Steady, TimeDual};
 use super::table_motion::AtTime;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
+use loosepin_text::numbers::QuantityId;
 
 /// start + speed t. It is written with keys of the drive itself.
 #[derive(Debug, Clone)]

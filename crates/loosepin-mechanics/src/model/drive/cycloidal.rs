@@ -4,10 +4,10 @@ use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Wri
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::part_reader::DeferredQuantity;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 

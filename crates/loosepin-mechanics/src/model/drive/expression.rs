@@ -4,10 +4,10 @@ use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Wri
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::values::function::{Changing, Function};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Dual, Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::Dimension;
 use std::sync::Arc;

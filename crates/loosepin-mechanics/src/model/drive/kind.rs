@@ -2,10 +2,10 @@
 
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Dual, Real};
 use loosepin_text::document::{Keys, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Rule};
 
 /// Second-order dual number over time: value, rate and acceleration at once.

@@ -24,10 +24,10 @@ pub use table_motion::{AtTime, TableMotion, TablePiece};
 pub use time_table::TimeTable;
 
 use super::ids::JointId;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Keys, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 /// A joint coordinate prescribed over time: the journal body's angle from the bearing body's, rad, or the position of the

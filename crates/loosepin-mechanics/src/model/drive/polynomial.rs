@@ -4,10 +4,10 @@ use super::kind::{KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, polynomial_at};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 

@@ -4,10 +4,10 @@ use super::kind::{KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion, TablePiece, polynomial_at};
 use crate::model::parts::table_curve::{CSV, POINTS};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Table, choice};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 use loosepin_text::{choices, record};
 

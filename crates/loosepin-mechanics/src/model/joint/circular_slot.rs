@@ -4,9 +4,9 @@ use super::clearance::CircularSlotClearance;
 use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{ContactId, PointId};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 

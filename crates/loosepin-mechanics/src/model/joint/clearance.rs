@@ -1,7 +1,7 @@
 //! Parts of a play: a pin in a hole, a block in a guide, a pin in a straight or a circular slot.
 
 use crate::model::ids::ContactId;
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 
 /// The play of a revolute joint.
 #[derive(Debug, Clone)]

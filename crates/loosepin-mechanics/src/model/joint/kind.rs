@@ -3,9 +3,9 @@
 use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
 use crate::model::ids::{ContactId, PointId};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 /// A kind of joint between two bodies of the plane.

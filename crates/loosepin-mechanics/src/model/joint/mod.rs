@@ -24,9 +24,9 @@ pub use rigid::Rigid;
 pub use slot::Slot;
 
 use super::ids::{BodyId, PointId};
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 /// Makes the enum of all kinds, and hands every question on to the kind.

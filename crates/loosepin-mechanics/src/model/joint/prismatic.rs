@@ -5,10 +5,10 @@ use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointCon
 use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Keys, Kind, Table, Value, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 

@@ -2,10 +2,9 @@
 
 use crate::model::ids::{BodyId, ContactId};
 use crate::model::part_reader::PartReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::{Entry, EntryPath, Table, Value};
-use loosepin_text::units::{Dimension, Op, Rule};
+use loosepin_text::document::{Entry, Table, Value};
+use loosepin_text::numbers::QuantityId;
 
 /// Keys of a kind that go with its clearance.
 pub struct PlayKeys {
@@ -30,28 +29,6 @@ pub struct ContactFacts {
 
 /// The reader of a model, as far as joints know it. What returns nothing has reported.
 pub trait JointReader: PartReader {
-    /// A quantity that is not written, SI.
-    fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId;
-
-    /// A quantity that follows from others.
-    fn derived(
-        &mut self,
-        path: String,
-        dimension: Dimension,
-        rule: Rule,
-        ops: Vec<Op>,
-        reads: &[QuantityId],
-    ) -> QuantityId;
-
-    /// Reports that a key needs others.
-    fn report_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>);
-
-    /// Reports a key that means nothing beside another.
-    fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str);
-
-    /// Whether one quantity stays below another, whatever both are set to.
-    fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool;
-
     /// A contact.
     fn contact(&mut self, entry: &Entry<'_>) -> Option<ContactId>;
 

@@ -3,9 +3,9 @@
 use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PointConstraint, TreeAttachment};
 use super::reading::JointReader;
 use crate::model::ids::PointId;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 

@@ -2,7 +2,7 @@
 
 use crate::model::parts::load_table::LoadTable;
 use crate::model::values::function::Function;
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 
 /// How something changes with time.
 #[derive(Debug, Clone)]

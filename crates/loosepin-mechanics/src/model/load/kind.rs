@@ -3,10 +3,10 @@
 use super::size::{SizeKeys, SizeTable};
 use crate::model::ids::{BodyId, PointId};
 use crate::model::part_reader::PartReader;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, Vec2};
 use loosepin_text::document::{Keys, Table};
+use loosepin_text::numbers::QuantityId;
 
 /// A kind of force or torque from outside.
 ///

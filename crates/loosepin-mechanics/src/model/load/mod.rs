@@ -17,10 +17,10 @@ pub use torque::TorqueLoad;
 
 use super::ids::JointId;
 use super::part_reader::PartReader;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Keys, Table};
+use loosepin_text::numbers::QuantityId;
 
 /// Makes the enum of all kinds, and hands every question on to the kind.
 macro_rules! load_kinds {

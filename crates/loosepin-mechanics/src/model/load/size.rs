@@ -3,8 +3,8 @@
 use super::course::TimeCourse;
 use crate::model::part_reader::{DeferredQuantity, PartReader};
 use crate::model::parts::table_curve::{CSV, TableCurve};
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, Table, choice, optional, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 

@@ -6,10 +6,10 @@ use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::table_curve::POINTS;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
 use loosepin_math::{Real, Vec2};
 use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 

@@ -1,7 +1,7 @@
 //! Flexible links: bodies that bend and stretch between two of their points.
 
-use crate::model::values::quantity::QuantityId;
 use loosepin_flexible::{Frame, Rule};
+use loosepin_text::numbers::QuantityId;
 
 /// The flexible properties of a body. Its mass, its inertia and its centre of mass follow from it.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use crate::model::drive::DriveLaw;
 use crate::model::ids::JointId;
 use crate::model::load::TimeCourse;
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 
 /// A PID controller with its actuator. With the error e = reference - coordinate of the measured joint, the actuator acts in
 /// its own joint, along its coordinate, with

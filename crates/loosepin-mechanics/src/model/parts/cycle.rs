@@ -1,8 +1,8 @@
 //! The recorded part of a run, and the turn that it is counted by.
 
 use crate::model::ids::DriveId;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Key, Kind, Reads, count};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::Rule;
 

@@ -2,8 +2,8 @@
 
 use crate::contact::{FRICTION_KEYS, FRICTION_LAWS, FrictionDescription};
 use crate::model::joint::JointReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Choice, DefaultValue, Entry, Keys, Table, choice};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::{choices, record};
 
 /// Friction between the parts of a joint.

@@ -1,7 +1,7 @@
 //! The state in which a mechanism begins that its drives do not move alone.
 
 use crate::model::ids::{Axis, BodyId, JointId};
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 /// One number of the initial state.

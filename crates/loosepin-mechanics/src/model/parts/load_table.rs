@@ -1,8 +1,8 @@
 //! Loads given by points.
 
 use crate::model::parts::table_curve::TableCurve;
-use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::numbers::{QuantityId, Values};
 use loosepin_text::units::{Dimension, format_apart, format_number};
 
 /// Two numbers that differ by less than this share of the larger one are equal: digits of a file and conversions of units.

@@ -2,8 +2,8 @@
 
 use crate::model::ids::{ContactId, JointId, PlayId};
 use crate::model::parts::topology::Model;
-use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_text::document::describe_path;
+use loosepin_text::numbers::{QuantityId, Values};
 
 impl Model {
     /// The joints and then the couplings that may have play, in file order.

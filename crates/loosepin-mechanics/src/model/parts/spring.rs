@@ -2,7 +2,7 @@
 
 use crate::model::ids::{BodyId, PointId};
 use crate::model::parts::table_curve::TableCurve;
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 
 /// A spring with its damper between two bodies.
 #[derive(Debug, Clone)]

@@ -15,7 +15,7 @@ use crate::model::parts::initial::{InitialOffset, InitialValue};
 use crate::model::parts::spring::Spring;
 use crate::model::parts::wear::{JointWear, WearGeometry, WearLife};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{QuantityId, QuantityTable};
+use loosepin_text::numbers::{QuantityId, QuantityTable};
 use std::collections::HashMap;
 use std::sync::Arc;
 

@@ -1,8 +1,8 @@
 //! Wear of joints by Archard's law.
 
 use crate::model::part_reader::{DeferredQuantity, PartReader};
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, choice, count, optional, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 use loosepin_text::{choices, record};
 

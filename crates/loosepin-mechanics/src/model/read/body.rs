@@ -6,8 +6,8 @@ use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::topology::{Body, Point};
 use crate::model::read::beams::beam::BeamTable;
-use crate::model::values::quantity::{QuantityId, UNREAD};
 use loosepin_text::document::{DocumentProblem, Entry, Kind, Table, quantity};
+use loosepin_text::numbers::{QuantityId, UNREAD};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -44,8 +44,8 @@ const MASS_KEYS: [&str; 3] = ["mass", "inertia", "centre_of_mass"];
 impl ModelReader {
     /// Reads the table of bodies.
     pub fn read_bodies(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a body") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a body") {
+            self.numbers.remember(&entry);
             if entry.name == "ground" {
                 if let Some(own) = GroundTable::read(self, &entry) {
                     let elongation = self.elongation(&own.warmth);
@@ -68,8 +68,8 @@ impl ModelReader {
                 let table = &own.table;
                 let elongation = self.elongation(&own.warmth);
                 self.elongations.extend(elongation.map(|elongation| (id, elongation)));
-                body.mass_kg = own.mass.as_ref().and_then(|entry| self.quantity_at(entry));
-                let inertia = own.inertia.as_ref().and_then(|entry| self.quantity_at(entry));
+                body.mass_kg = own.mass.as_ref().and_then(|entry| self.numbers.quantity_at(entry));
+                let inertia = own.inertia.as_ref().and_then(|entry| self.numbers.quantity_at(entry));
                 body.inertia_kg_m2 = inertia.map(|inertia| self.thermally_scaled(inertia, elongation, 2));
                 let centre = own.centre_of_mass.as_ref().map(|entry| self.vector(entry));
                 body.centre_of_mass_m =
@@ -79,7 +79,7 @@ impl ModelReader {
                     for key in MASS_KEYS {
                         self.refuse_both(table, [key, "beam"]);
                     }
-                    self.refuse_beside(table, "thermal_expansion", "beam");
+                    self.numbers.refuse_beside(table, "thermal_expansion", "beam");
                     self.beam(entry, &mut body);
                 } else {
                     for key in MASS_KEYS.into_iter().filter(|key| !table.has(key)) {
@@ -101,7 +101,8 @@ impl ModelReader {
     fn refuse_both(&mut self, table: &Table<'_>, keys: [&'static str; 2]) {
         if let Some(entry) = table.get(keys[1]).filter(|_| table.has(keys[0])) {
             let (table, given) = (table.path.describe(), keys.to_vec());
-            self.reader
+            self.numbers
+                .reader
                 .report(&DocumentProblem::MoreThanOneOf { table, given: given.clone(), keys: given }, entry.key_span);
         }
     }
@@ -109,8 +110,8 @@ impl ModelReader {
     fn points(&mut self, entry: &Option<Entry<'_>>, elongation: Option<QuantityId>) -> Vec<Point> {
         let Some(entry) = entry else { return Vec::new() };
         let mut points = Vec::new();
-        for entry in self.reader.named(entry, "a point") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a point") {
+            self.numbers.remember(&entry);
             let position_m = self.vector(&entry).map(|length| self.thermally_expanded(length, elongation));
             points.push(Point { name: entry.name.to_owned(), position_m });
         }

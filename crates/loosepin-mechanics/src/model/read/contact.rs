@@ -8,8 +8,8 @@ use loosepin_text::document::Entry;
 impl ModelReader {
     /// Reads the table of contacts.
     pub fn read_contacts(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a contact") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a contact") {
+            self.numbers.remember(&entry);
             let own = ContactTable::read(self, &entry);
             let contact = own.and_then(|own| Contact::read(entry.name, &own, self));
             let id = contact.map(|contact| {

@@ -54,8 +54,8 @@ record! {
 impl ModelReader {
     /// Reads the table of controls.
     pub fn read_controls(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a control") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a control") {
+            self.numbers.remember(&entry);
             let control = ControlTable::read(self, &entry).and_then(|own| self.control(&entry, &own));
             let id = control.map(|control| {
                 self.controls.push(control);
@@ -75,7 +75,7 @@ impl ModelReader {
         if let Some(other) = other {
             let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
-            return self.reader.refuse(&problem, own.joint.span);
+            return self.numbers.reader.refuse(&problem, own.joint.span);
         }
         let measured = match &own.measured {
             Some(entry) => self.moving_joint(entry)?,
@@ -84,7 +84,7 @@ impl ModelReader {
         let [along, coordinate] = [joint, measured].map(|joint| self.coordinate_of(joint));
         let effort = if along == Dimension::LENGTH { Dimension::FORCE } else { Dimension::TORQUE };
         let mut number = |entry: &Option<Entry<'_>>, dimension: Dimension, rule: Rule| match entry {
-            Some(entry) => self.quantity_of(entry, dimension, rule).map(Some),
+            Some(entry) => self.numbers.quantity_of(entry, dimension, rule).map(Some),
             None => Some(None),
         };
         let by_error = effort.over(coordinate);
@@ -113,7 +113,7 @@ impl ModelReader {
     pub(super) fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
         let joint = self.joint(entry)?;
         if self.joints[joint.0].kind.coordinate().is_none() {
-            return self.reader.refuse(&self.does_not_move(entry.path.describe(), joint), entry.span);
+            return self.numbers.reader.refuse(&self.does_not_move(entry.path.describe(), joint), entry.span);
         }
         Some(joint)
     }
@@ -133,9 +133,9 @@ impl ModelReader {
         measured: JointId,
     ) -> Option<FeedForward> {
         let Some(entry) = &own.feed_forward else { return Some(FeedForward::None) };
-        if entry.is_text() && self.reader.text(entry) == Some(INVERSE_DYNAMICS) {
+        if entry.is_text() && self.numbers.reader.text(entry) == Some(INVERSE_DYNAMICS) {
             if joint != measured {
-                self.refuse_beside(&own.table, "measured", "feed_forward = \"inverse dynamics\"");
+                self.numbers.refuse_beside(&own.table, "measured", "feed_forward = \"inverse dynamics\"");
                 return None;
             }
             return Some(FeedForward::InverseDynamics);

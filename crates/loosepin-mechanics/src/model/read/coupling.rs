@@ -5,16 +5,16 @@ use crate::model::coupling::{CAM, COUPLING_KINDS, Coupling, CouplingReader};
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::{JointKind, span_of};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::Dimension;
 
 impl ModelReader {
     /// Reads the table of couplings.
     pub fn read_couplings(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a coupling") {
-            self.remember(&entry);
-            let found = self.table_of_kind(&entry, COUPLING_KINDS);
+        for entry in self.numbers.reader.named(entry, "a coupling") {
+            self.numbers.remember(&entry);
+            let found = self.numbers.table_of_kind(&entry, COUPLING_KINDS);
             let coupling = found.and_then(|(word, table)| Coupling::read(word, &entry, &table, self));
             self.couplings.extend(coupling);
         }
@@ -23,9 +23,9 @@ impl ModelReader {
     /// Reads the table of cams.
     pub fn read_cams(&mut self, entry: &Entry<'_>) {
         let (word, keys) = CAM;
-        for entry in self.reader.named(entry, "a cam") {
-            self.remember(&entry);
-            let table = self.reader.table(&entry, keys);
+        for entry in self.numbers.reader.named(entry, "a cam") {
+            self.numbers.remember(&entry);
+            let table = self.numbers.reader.table(&entry, keys);
             let cam = table.and_then(|table| Coupling::read(word, &entry, &table, self));
             self.couplings.extend(cam);
         }
@@ -43,7 +43,8 @@ impl ModelReader {
         if let Some(due) = due.filter(|due| *due != found) {
             let name = self.joints[joint.0].name.clone();
             let due = if due == Dimension::LENGTH { "prismatic" } else { "revolute" };
-            self.reader
+            self.numbers
+                .reader
                 .report(&ModelProblem::WrongJoint { entry: entry.path.describe(), joint: name, due }, entry.span);
             return None;
         }
@@ -63,7 +64,7 @@ impl CouplingReader for ModelReader {
         if first == second {
             let name = self.joints[first.0].name.clone();
             let problem = ModelProblem::SameJoint { entry: table.path.describe(), joint: name };
-            return self.reader.refuse(&problem, span_of(entries[1], table));
+            return self.numbers.reader.refuse(&problem, span_of(entries[1], table));
         }
         Some([first, second])
     }
@@ -84,11 +85,11 @@ impl CouplingReader for ModelReader {
             what,
             what_touches,
         };
-        self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span))
+        self.numbers.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span))
     }
 
     fn nominal_value(&self, id: QuantityId) -> f64 {
-        self.quantities.nominal_value(id)
+        self.numbers.quantities.nominal_value(id)
     }
 
     fn joint_kind(&self, joint: JointId) -> &JointKind {

@@ -6,8 +6,8 @@ use crate::model::ids::JointId;
 use crate::model::part_reader::PartReader;
 use crate::model::parts::cycle::{Cycle, CycleNumbers, CycleSpan};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
@@ -25,7 +25,7 @@ impl ModelReader {
     /// Reads what is run and recorded.
     pub fn read_cycle(&mut self, entry: &Entry<'_>) -> Option<Cycle> {
         let CycleTable { drive, duration, numbers, .. } = CycleTable::read(self, entry)?;
-        self.remember(entry);
+        self.numbers.remember(entry);
         // A span of time has no turns to settle over.
         let no_transient = duration.is_some() && !numbers.table.has("transient_turns");
         let span = match duration {
@@ -38,8 +38,8 @@ impl ModelReader {
     }
 
     fn counted_drive(&mut self, entry: &Entry<'_>) -> Option<CycleSpan> {
-        let name = self.reader.text(entry)?;
-        let drive = self.named(entry, "drive", name, |file| &file.drive_names)?;
+        let name = self.numbers.reader.text(entry)?;
+        let drive = self.numbers.named(entry, "drive", name, &self.drive_names)?;
         let Drive { joint, law, .. } = &self.drives[drive.0];
         if law.period().is_some() {
             return Some(CycleSpan::Periods(drive));
@@ -51,7 +51,7 @@ impl ModelReader {
         } else {
             return Some(CycleSpan::Turns(drive));
         };
-        self.reader.refuse(&problem, entry.span)
+        self.numbers.reader.refuse(&problem, entry.span)
     }
 
     /// Whether a joint has an angle, whose turns can be counted.

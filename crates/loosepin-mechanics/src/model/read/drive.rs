@@ -7,8 +7,8 @@ use crate::model::joint::NotDriven;
 use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::values::function::{Changing, TIME};
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
@@ -55,8 +55,8 @@ pub(super) struct Prescribed<'e, 't> {
 impl ModelReader {
     /// Reads the table of drives.
     pub fn read_drives(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a drive") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a drive") {
+            self.numbers.remember(&entry);
             let drive = DriveTable::read(self, &entry).and_then(|own| self.drive(&entry, &own));
             let id = drive.map(|drive| {
                 self.drives.push(drive);
@@ -80,7 +80,7 @@ impl ModelReader {
         if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
             let other = other.name.clone();
             let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
-            return self.reader.refuse(&problem, joint_entry.span);
+            return self.numbers.reader.refuse(&problem, joint_entry.span);
         }
         let kind = &self.joints[joint.0].kind;
         let refused = kind.why_not_driven(&|clearance_m| self.is_nominally_zero(clearance_m));
@@ -89,22 +89,22 @@ impl ModelReader {
             (refused, _) => refused.unwrap_or(NotDriven::because("has no coordinate")),
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why, hint };
-        self.reader.refuse(&problem, joint_entry.span)
+        self.numbers.reader.refuse(&problem, joint_entry.span)
     }
 
     /// Whether a clearance is zero, by a value of its own.
     fn is_nominally_zero(&self, clearance_m: QuantityId) -> bool {
-        self.quantities[clearance_m].is_settable() && self.quantities.nominal_value(clearance_m) == 0.0
+        self.numbers.quantities[clearance_m].is_settable() && self.numbers.quantities.nominal_value(clearance_m) == 0.0
     }
 
     /// The motion of a joint: behind `motion`, or at constant speed from a start.
     pub(super) fn prescribed(&mut self, own: &Prescribed<'_, '_>, driven: &Driven) -> Option<DriveLaw> {
         if let Some(motion) = own.motion {
-            let (word, table) = self.table_of_kind(motion, MOTION_KINDS)?;
+            let (word, table) = self.numbers.table_of_kind(motion, MOTION_KINDS)?;
             return DriveLaw::read(word, &table, driven.dimension, self);
         }
         let rate = driven.dimension.over(Dimension::TIME);
-        let speed = own.speed.as_ref().and_then(|entry| self.quantity_of(entry, rate, Rule::Finite));
+        let speed = own.speed.as_ref().and_then(|entry| self.numbers.quantity_of(entry, rate, Rule::Finite));
         let (angle, position) = ((own.start_angle, "start_angle"), (own.start_position, "start_position"));
         let ((start, due), (other, found), kind) = match driven.dimension == Dimension::LENGTH {
             true => (position, angle, "prismatic"),
@@ -113,9 +113,9 @@ impl ModelReader {
         if let Some(other) = other {
             let joint = self.joints[driven.joint.0].name.clone();
             let problem = ModelProblem::WrongStart { entry: own.table.path.describe(), found, due, kind, joint };
-            self.reader.report(&problem, other.key_span);
+            self.numbers.reader.report(&problem, other.key_span);
         }
-        let start = start.as_ref().and_then(|entry| self.quantity_at(entry));
+        let start = start.as_ref().and_then(|entry| self.numbers.quantity_at(entry));
         Some(DriveLaw::steady_motion(Steady { speed: speed?, start: start? }))
     }
 }

@@ -16,17 +16,17 @@ impl ModelReader {
         rule: loosepin_text::units::Rule,
         variables: &[Variable],
     ) -> Option<Changing> {
-        let Written::Text(text) = self.reader.written(entry)? else {
-            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+        let Written::Text(text) = self.numbers.reader.written(entry)? else {
+            return self.numbers.quantity_of(entry, dimension, rule).map(Changing::Constant);
         };
-        let names = FunctionNames { parameters: &self.parameters, variables };
+        let names = FunctionNames { parameters: &self.numbers.parameters, variables };
         let expression = match parse_expression(text, &names) {
             Ok(expression) => expression,
             Err(error) => {
-                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
+                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.numbers.parameters.is_broken(name));
                 if !is_echo {
-                    let span = self.reader.inside(entry, text, &error.span);
-                    self.reader.report(&error.problem, span);
+                    let span = self.numbers.reader.inside(entry, text, &error.span);
+                    self.numbers.reader.report(&error.problem, span);
                 }
                 return None;
             }
@@ -34,18 +34,18 @@ impl ModelReader {
         let reads_variables = |slot: &usize| usize::MAX - slot < variables.len();
         let read: Vec<usize> = expression.reads.iter().copied().filter(reads_variables).collect();
         if read.is_empty() {
-            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+            return self.numbers.quantity_of(entry, dimension, rule).map(Changing::Constant);
         }
         for slot in read {
             let (name, _) = variables[usize::MAX - slot];
-            if self.parameters.find(name).is_some() {
+            if self.numbers.parameters.find(name).is_some() {
                 let problem = ModelProblem::NameTaken { entry: entry.path.describe(), name };
-                return self.reader.refuse(&problem, entry.span);
+                return self.numbers.reader.refuse(&problem, entry.span);
             }
         }
         let slots: Vec<usize> = expression.reads.iter().copied().filter(|slot| !reads_variables(slot)).collect();
-        self.parameters.mark_used(&slots);
-        if !self.reader.measures(entry, expression.dimension, dimension) {
+        self.numbers.parameters.mark_used(&slots);
+        if !self.numbers.reader.measures(entry, expression.dimension, dimension) {
             return None;
         }
         match Function::compile(&expression.ops, dimension, variables.len()) {
@@ -55,7 +55,7 @@ impl ModelReader {
                 let problem = match beyond {
                     Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
                 };
-                self.reader.refuse(&problem, entry.span)
+                self.numbers.reader.refuse(&problem, entry.span)
             }
         }
     }

@@ -5,8 +5,8 @@ use crate::model::ids::{Axis, BodyId, JointId};
 use crate::model::part_reader::PartReader;
 use crate::model::parts::initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
@@ -55,15 +55,15 @@ impl ModelReader {
     /// Reads the initial state, and where journals are in their bearings.
     pub fn read_initial(&mut self, entry: &Entry<'_>) -> (Vec<InitialValue>, Vec<InitialOffset>) {
         let Some(table) = InitialTable::read(self, entry) else { return Default::default() };
-        self.remember(entry);
+        self.numbers.remember(entry);
         let (mut values, mut offsets) = (Vec::new(), Vec::new());
         if let Some(bodies) = table.body {
-            for entry in self.reader.any_keys(&bodies) {
+            for entry in self.numbers.reader.any_keys(&bodies) {
                 self.initial_body(&entry, &mut values);
             }
         }
         if let Some(joints) = table.joint {
-            for entry in self.reader.any_keys(&joints) {
+            for entry in self.numbers.reader.any_keys(&joints) {
                 self.initial_joint(&entry, &mut values, &mut offsets);
             }
         }
@@ -71,11 +71,11 @@ impl ModelReader {
     }
 
     fn initial_body(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
-        self.remember(entry);
+        self.numbers.remember(entry);
         let own = InitialBody::read(self, entry);
         let (Some(own), Some(body)) = (own, self.body(&entry.at_key(), entry.name)) else { return };
         if body == BodyId(0) {
-            self.reader.report(&ModelProblem::InitialOfGround, entry.key_span);
+            self.numbers.reader.report(&ModelProblem::InitialOfGround, entry.key_span);
             return;
         }
         let of = InitialOf::BodyAngle(body);
@@ -86,7 +86,7 @@ impl ModelReader {
         }
         for (entry, is_rate, dimension) in [(own.position, false, D::LENGTH), (own.velocity, true, D::VELOCITY)] {
             let Some(entry) = entry else { continue };
-            let Some(pair) = self.reader.pair(&entry) else { continue };
+            let Some(pair) = self.numbers.reader.pair(&entry) else { continue };
             for (mut element, (axis, name)) in pair.into_iter().zip([(Axis::X, "x"), (Axis::Y, "y")]) {
                 element.path = entry.path.join(name);
                 self.initial_value(&element, InitialOf::BodyPosition(body, axis), is_rate, dimension, values);
@@ -95,13 +95,13 @@ impl ModelReader {
     }
 
     fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>, offsets: &mut Vec<InitialOffset>) {
-        self.remember(entry);
+        self.numbers.remember(entry);
         let own = InitialJoint::read(self, entry);
-        let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
+        let joint = self.numbers.named(&entry.at_key(), "joint", entry.name, &self.joint_names);
         let (Some(own), Some(joint)) = (own, joint) else { return };
         offsets.extend(self.initial_offset(&own, joint));
         let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
-            self.reader.report(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
+            self.numbers.reader.report(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
             return;
         };
         let of = InitialOf::joint(joint, coordinate);
@@ -118,7 +118,7 @@ impl ModelReader {
             } else {
                 let key = entry.name.to_owned();
                 let problem = ModelProblem::WrongCoordinate { entry: own.table.path.describe(), key };
-                self.reader.report(&problem, entry.key_span);
+                self.numbers.reader.report(&problem, entry.key_span);
             }
         }
     }
@@ -129,14 +129,14 @@ impl ModelReader {
         if self.joints[joint.0].kind.pin_clearance().is_none() {
             let (entry, key) = (own.table.path.describe(), written.name.to_owned());
             let problem = ModelProblem::OffsetWithoutPlay { entry, key, joint: self.joints[joint.0].name.clone() };
-            return self.reader.refuse(&problem, written.key_span);
+            return self.numbers.reader.refuse(&problem, written.key_span);
         }
         let mut vector = |written: &Option<Entry<'_>>, dimension: Dimension| {
             let written = written.as_ref()?;
-            let pair = self.reader.pair(written)?;
+            let pair = self.numbers.reader.pair(written)?;
             let parts = pair.into_iter().zip(["x", "y"]).map(|(mut element, axis)| {
                 element.path = written.path.join(axis);
-                self.quantity_of(&element, dimension, Rule::Finite)
+                self.numbers.quantity_of(&element, dimension, Rule::Finite)
             });
             let parts = parts.collect::<Option<Vec<QuantityId>>>()?;
             <[QuantityId; 2]>::try_from(parts).ok()
@@ -146,9 +146,9 @@ impl ModelReader {
         let place = match &own.start {
             Some(start) => {
                 for key in ["offset", "offset_velocity"] {
-                    self.refuse_beside(&own.table, key, "start");
+                    self.numbers.refuse_beside(&own.table, key, "start");
                 }
-                self.reader.choice(start, &[("resting", OffsetPlace::Resting)])?
+                self.numbers.reader.choice(start, &[("resting", OffsetPlace::Resting)])?
             }
             None => OffsetPlace::Given { offset_m, velocity_m_s },
         };
@@ -163,7 +163,7 @@ impl ModelReader {
         dimension: Dimension,
         values: &mut Vec<InitialValue>,
     ) {
-        let value = self.quantity_of(entry, dimension, Rule::Finite);
+        let value = self.numbers.quantity_of(entry, dimension, Rule::Finite);
         let number = value.map(InitialNumber::Given);
         values.extend(number.map(|number| InitialValue { path: entry.path.dotted(), of, is_rate, number }));
     }

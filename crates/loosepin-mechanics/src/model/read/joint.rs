@@ -7,16 +7,15 @@ use crate::model::parts::friction::Friction;
 use crate::model::parts::topology::{Joint, JointFriction};
 use crate::model::parts::wear::JointWear;
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::{Entry, EntryPath, Table};
-use loosepin_text::units::{Dimension, Op, Rule};
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::numbers::{DIAMETRAL, EntryProblem, QuantityId, RADIAL};
 
 impl ModelReader {
     /// Reads the table of joints.
     pub fn read_joints(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a joint") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a joint") {
+            self.numbers.remember(&entry);
             let kind = self.joint_kind(&entry);
             let id = kind.map(|(kind, friction, wear)| {
                 self.joints.push(Joint { name: entry.name.to_owned(), kind, friction, wear });
@@ -27,7 +26,7 @@ impl ModelReader {
     }
 
     fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>, Option<JointWear>)> {
-        let (word, table) = self.table_of_kind(entry, JOINT_KINDS)?;
+        let (word, table) = self.numbers.table_of_kind(entry, JOINT_KINDS)?;
         let (size_key, wears) = JointKind::friction_and_wear(word);
         let friction = size_key.map_or(Some(None), |key| self.joint_friction(&table, key));
         let kind = JointKind::read(word, &table, self);
@@ -36,24 +35,24 @@ impl ModelReader {
         let ((kind, friction), wear) = kind.zip(friction).zip(wear)?;
         if kind.play().is_some() && friction.is_some() {
             let beside = [RADIAL, DIAMETRAL].into_iter().find(|key| table.has(key)).unwrap_or("clearance");
-            let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
-            return self.reader.refuse(&problem, entry.key_span);
+            let problem = EntryProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
+            return self.numbers.reader.refuse(&problem, entry.key_span);
         }
         let [first, second] = kind.bodies();
         if first != second {
             return Some((kind, friction, wear));
         }
         let body = self.bodies[first.0].name.clone();
-        self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
+        self.numbers.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
     }
 
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a diagnostic.
     fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
-        let size_m = self.quantity(table, key);
+        let size_m = self.numbers.quantity(table, key);
         let friction = table.get("friction").map(|entry| Friction::of_joint(&entry, self));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
-                self.report_missing(table, key, vec![needs]);
+                self.numbers.report_missing(table, key, vec![needs]);
                 return None;
             }
         }
@@ -65,37 +64,10 @@ impl ModelReader {
 }
 
 impl JointReader for ModelReader {
-    fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId {
-        Self::default_quantity(self, path, dimension, rule, default_si)
-    }
-
-    fn derived(
-        &mut self,
-        path: String,
-        dimension: Dimension,
-        rule: Rule,
-        ops: Vec<Op>,
-        reads: &[QuantityId],
-    ) -> QuantityId {
-        Self::derived(self, path, dimension, rule, ops, reads)
-    }
-
-    fn report_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
-        Self::report_missing(self, table, key, needs);
-    }
-
-    fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
-        Self::refuse_beside(self, table, key, beside);
-    }
-
-    fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool {
-        Self::demand_order(self, smaller, larger, span)
-    }
-
     fn contact(&mut self, entry: &Entry<'_>) -> Option<ContactId> {
-        let name = self.reader.text(entry)?.to_owned();
+        let name = self.numbers.reader.text(entry)?.to_owned();
         self.used_contacts.push(name.clone());
-        self.named(entry, "contact", &name, |file| &file.contact_names)
+        self.numbers.named(entry, "contact", &name, &self.contact_names)
     }
 
     fn no_contact(&mut self) -> ContactId {

@@ -5,25 +5,26 @@ use super::reader::ModelReader;
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{BodyId, JointId};
 use crate::model::load::{ARGUMENTS, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable, TimeCourse};
-use crate::model::part_reader::{DeferredQuantity, PartReader};
+use crate::model::part_reader::DeferredQuantity;
 use crate::model::parts::load_table::{LoadTable, Piston};
 use crate::model::problem::ModelProblem;
 use crate::model::values::function::{TIME, Variable};
 use loosepin_text::document::{Entry, Table};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::units::{Dimension, Rule};
 
 impl ModelReader {
     /// Reads the table of loads.
     pub fn read_loads(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a load") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a load") {
+            self.numbers.remember(&entry);
             let load = self.load(&entry);
             self.loads.extend(load);
         }
     }
 
     fn load(&mut self, entry: &Entry<'_>) -> Option<Load> {
-        let (word, table) = self.table_of_kind(entry, LOAD_KINDS)?;
+        let (word, table) = self.numbers.table_of_kind(entry, LOAD_KINDS)?;
         let (kind, written) = LoadKind::read(word, table, self);
         let size = written.zip(LoadKind::size_of_kind(word));
         // Without the joint it is not known what the expression may read.
@@ -37,7 +38,10 @@ impl ModelReader {
         };
         let kind = kind?;
         if kind.acts_on().body() == BodyId(0) {
-            return self.reader.refuse(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
+            return self
+                .numbers
+                .reader
+                .refuse(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
         }
         let course = course?;
         if let Some((course, (own, keys))) = course.as_ref().zip(size) {
@@ -54,7 +58,7 @@ impl ModelReader {
         }
         let of_pressures: &[&'static str] = if own.pressures.is_some() { &["area", "back_pressure"] } else { &[] };
         for only in ["of", "period", "curve"].iter().chain(of_pressures) {
-            self.refuse_beside(&own.table, only, keys.key);
+            self.numbers.refuse_beside(&own.table, only, keys.key);
         }
         let entry = own.size.as_ref()?;
         if entry.is_table() {
@@ -71,10 +75,10 @@ impl ModelReader {
         {
             let entry = own.table.path.describe();
             let problem = match key_of_points(own) {
-                Some(_) => ModelProblem::KeyWithoutEffect { entry, key: "joint", beside: "of = \"time\"" },
+                Some(_) => EntryProblem::KeyWithoutEffect { entry, key: "joint", beside: "of = \"time\"" }.into(),
                 None => ModelProblem::JointNotRead { entry, key: keys.key },
             };
-            return self.reader.refuse(&problem, found.key_span);
+            return self.numbers.reader.refuse(&problem, found.key_span);
         }
         Some(())
     }
@@ -90,14 +94,14 @@ impl ModelReader {
         let PointsOfLoad { csv, of, period, curve, .. } = &own.rest;
         let piston = own.pressures.as_ref().map_or(Some(None), |pressures| self.piston(&own.table, pressures));
         let Some(argument) = of else {
-            self.report_missing(&own.table, given, vec!["of"]);
+            self.numbers.report_missing(&own.table, given, vec!["of"]);
             return None;
         };
-        let word = self.reader.choice(argument, &ARGUMENTS.map(|word| (word, word)))?;
+        let word = self.numbers.reader.choice(argument, &ARGUMENTS.map(|word| (word, word)))?;
         let Some(variable) = variables.iter().position(|(name, _)| *name == word) else {
             let names: Vec<&'static str> = variables.iter().map(|(name, _)| *name).collect();
             let problem = ModelProblem::NotOfJoint { entry: argument.path.describe(), word, names };
-            return self.reader.refuse(&problem, argument.span);
+            return self.numbers.reader.refuse(&problem, argument.span);
         };
         let piston = piston?;
         let column = if piston.is_some() { ("pressure", Dimension::PRESSURE) } else { (keys.key, keys.dimension) };
@@ -106,17 +110,17 @@ impl ModelReader {
         let period_span = period.as_ref().map_or(own.table.span, |entry| entry.span);
         let period = match period {
             Some(_) if word == "speed" => {
-                self.refuse_beside(&own.table, "period", "of = \"speed\"");
+                self.numbers.refuse_beside(&own.table, "period", "of = \"speed\"");
                 return None;
             }
-            Some(entry) => Some(self.quantity_of(entry, columns[0].1, Rule::Positive)?),
+            Some(entry) => Some(self.numbers.quantity_of(entry, columns[0].1, Rule::Positive)?),
             None => None,
         };
         let dimensions = columns.map(|(_, dimension)| dimension);
         let load = load.to_owned();
         let read = LoadTable { load, variable, points: points?, curve: (*curve)?, period, piston, dimensions };
-        if let Err(problem) = read.course(&self.quantities.nominal()) {
-            return self.reader.refuse(&problem, period_span);
+        if let Err(problem) = read.course(&self.numbers.quantities.nominal()) {
+            return self.numbers.reader.refuse(&problem, period_span);
         }
         Some(read)
     }
@@ -129,12 +133,12 @@ impl ModelReader {
     ) -> Option<Option<Piston>> {
         let Some(area) = area else {
             if matches!(back, DeferredQuantity::Written(_)) {
-                self.report_missing(table, "back_pressure", vec!["area"]);
+                self.numbers.report_missing(table, "back_pressure", vec!["area"]);
                 return None;
             }
             return Some(None);
         };
-        let area_m2 = self.quantity_at(area);
+        let area_m2 = self.numbers.quantity_at(area);
         let back_pressure_pa = back.quantity(self);
         Some(Some(Piston { area_m2: area_m2?, back_pressure_pa: back_pressure_pa? }))
     }

@@ -3,9 +3,9 @@
 use super::reader::ModelReader;
 use crate::model::contact::Contact;
 use crate::model::ids::ContactId;
-use crate::model::values::quantity::{Origin, Quantity};
 use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{DocumentProblem, Table};
+use loosepin_text::numbers::{Origin, Quantity};
 use loosepin_text::units::{Dimension, Rule};
 
 /// Path of the contact of joints that name none: no name of a file has brackets.
@@ -25,7 +25,7 @@ impl ModelReader {
             example: key.example,
             doc: key.doc,
         };
-        let place = self.reader.place(table.span);
+        let place = self.numbers.reader.place(table.span);
         self.missing_for_runs.push(Diagnostic::error(&problem, Some(place)));
     }
 
@@ -37,7 +37,7 @@ impl ModelReader {
         let number = |key: &str, dimension: Dimension| {
             let path = format!("contact.{NO_CONTACT}.{key}");
             let quantity = Quantity { path, dimension, rule: Rule::Finite, origin: Origin::Fixed, span: None };
-            self.quantities.add_number(quantity, 1.0)
+            self.numbers.quantities.add_number(quantity, 1.0)
         };
         self.contacts.push(Contact::missing(NO_CONTACT, number));
         ContactId(self.contacts.len() - 1)

@@ -15,14 +15,11 @@ mod joint;
 mod load;
 mod missing;
 mod output;
-mod parameter;
-mod parameters;
 mod part_reader;
 mod play;
 mod reader;
 mod spring;
 mod table_points;
-mod unitless;
 mod warm;
 mod wear;
 
@@ -36,7 +33,6 @@ use crate::model::part_reader::PartReader;
 use crate::model::parts::topology::{Guess, Model};
 use crate::model::parts::wear::LifeTable;
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::UNREAD;
 use crate::model::values::sizes::SIZES;
 use body::{BodyTable, GroundTable};
 use control::ControlTable;
@@ -44,10 +40,11 @@ use cycle::CycleTable;
 use drive::DriveTable;
 use initial::InitialTable;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
-use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::document::{Entry, Kind, Table, choice, quantity};
 use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
-use loosepin_text::record;
+use loosepin_text::numbers::UNREAD;
 use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::{choices, record};
 use reader::ModelReader;
 use spring::SPRING_KINDS;
 use std::path::Path;
@@ -60,11 +57,22 @@ record! {
     required guess: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ rocker = \"94 deg\" }";
 }
 
+/// What a mechanism moves in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Geometry {
+    Plane,
+    Space,
+}
+
+choices!(Geometry: "plane" => Self::Plane, "space" => Self::Space);
+
 record! {
     /// a planar mechanism with its nominal values
     struct ModelTable for PartReader;
     /// name of the mechanism
     required name: Option<String> = Kind::Text, "\"worn pin\"";
+    /// "plane" for a planar mechanism, which is meant if omitted; "space" for one in space, which has a format of its own
+    optional geometry: Geometry = choice::<Geometry>(), "\"plane\"";
     /// acceleration along -y; "0 m/s^2" for none; needed for runs
     optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
     /// temperature of parts with thermal_expansion above the temperature of their drawings
@@ -140,8 +148,13 @@ impl Model {
     pub fn from_source(source: Arc<Source>) -> Result<Model, Diagnostics> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
-        let root = file.reader.root(toml.get_ref(), &ModelTable::KEYS);
-        file.has_unknown_tables = root.has_unknown();
+        let space = toml.get_ref().get("geometry").filter(|value| value.get_ref().as_str() == Some("space"));
+        if let Some(space) = space {
+            // At once: all its tables would be wrong here.
+            return Err(Diagnostics::one(&ModelProblem::InSpace, Some(file.numbers.reader.place(space.span().into()))));
+        }
+        let root = file.numbers.reader.root(toml.get_ref(), &ModelTable::KEYS);
+        file.numbers.has_unknown_tables = root.has_unknown();
         file.read(root)
     }
 }
@@ -156,19 +169,19 @@ fn with_warnings(mut model: Model) -> Model {
 impl ModelReader {
     fn read(mut self, root: Table<'_>) -> Result<Model, Diagnostics> {
         if self.refuses_sizes(&root) {
-            return Err(self.reader.diagnostics);
+            return Err(self.numbers.reader.diagnostics);
         }
-        let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.reader.diagnostics) };
+        let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.numbers.reader.diagnostics) };
         let name = own.name.unwrap_or_default();
         if let Some(entry) = &own.parameter {
-            self.read_parameters(entry);
+            self.numbers.read_parameters(entry);
         }
         if own.gravity.is_none() {
             self.miss_for_runs(&own.table, "gravity");
         }
-        let gravity_m_s2 = self.quantity_or(&own.table, "gravity", 0.0).unwrap_or(UNREAD);
+        let gravity_m_s2 = self.numbers.quantity_or(&own.table, "gravity", 0.0).unwrap_or(UNREAD);
         self.has_temperature_rise = own.temperature_rise.is_some();
-        self.temperature_rise_k = own.temperature_rise.and_then(|entry| self.quantity_at(&entry));
+        self.temperature_rise_k = own.temperature_rise.and_then(|entry| self.numbers.quantity_at(&entry));
         for (entry, read) in [
             (&own.body, ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
             (&own.contact, ModelReader::read_contacts),
@@ -198,9 +211,9 @@ impl ModelReader {
         self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
         match cycle {
-            Some(cycle) if !self.reader.diagnostics.has_errors() => Ok(with_warnings(Model {
+            Some(cycle) if !self.numbers.reader.diagnostics.has_errors() => Ok(with_warnings(Model {
                 name,
-                quantities: self.quantities,
+                quantities: self.numbers.quantities,
                 gravity_m_s2,
                 bodies: self.bodies,
                 contacts: self.contacts,
@@ -219,12 +232,12 @@ impl ModelReader {
                 asked_paths: Vec::new(),
                 missing_for_runs: self.missing_for_runs,
                 warnings: self.warnings,
-                source: self.reader.source,
+                source: self.numbers.reader.source,
                 tables: self.tables,
-                places: self.places,
+                places: self.numbers.places,
             })),
             // What looks unused may be so only because of an error, so warnings wait until there is none.
-            _ => Err(self.reader.diagnostics),
+            _ => Err(self.numbers.reader.diagnostics),
         }
     }
 
@@ -233,10 +246,12 @@ impl ModelReader {
         let mut is_too_large = false;
         for (key, what, most) in SIZES {
             let Some(entry) = root.get(key).filter(Entry::is_table) else { continue };
-            let entries = self.reader.any_keys(&entry);
+            let entries = self.numbers.reader.any_keys(&entry);
             let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
             if let Some(surplus) = counted.get(most) {
-                self.reader.report(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
+                self.numbers
+                    .reader
+                    .report(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
                 is_too_large = true;
             }
         }
@@ -247,17 +262,17 @@ impl ModelReader {
         let contacts = self.contact_names.iter().map(|(name, _)| name);
         let unused_contacts = contacts.filter(|name| !self.used_contacts.contains(name));
         let mut paths: Vec<String> = unused_contacts.map(|name| format!("contact.{name}")).collect();
-        paths.extend(self.parameters.unused().map(|name| format!("parameter.{name}")));
+        paths.extend(self.numbers.parameters.unused().map(|name| format!("parameter.{name}")));
         if self.has_temperature_rise && !self.uses_temperature_rise {
             paths.push("temperature_rise".to_owned());
         }
-        if self.places.contains_key("wear") && !self.uses_life {
+        if self.numbers.places.contains_key("wear") && !self.uses_life {
             paths.push("wear".to_owned());
         }
         for path in paths {
-            let written = self.quantities.id(&path).and_then(|id| self.quantities[id].span);
-            let span = self.places.get(&path).copied().or(written);
-            let place = span.map(|span| self.reader.place(span));
+            let written = self.numbers.quantities.id(&path).and_then(|id| self.numbers.quantities[id].span);
+            let span = self.numbers.places.get(&path).copied().or(written);
+            let place = span.map(|span| self.numbers.reader.place(span));
             let problem = ModelProblem::Unused { entry: describe_path(&path) };
             self.warnings.push(Diagnostic::warning(&problem, place));
         }
@@ -266,10 +281,10 @@ impl ModelReader {
     fn read_guesses(&mut self, entry: &Entry<'_>) -> Vec<Guess> {
         let Some(AssemblyTable { guess, .. }) = AssemblyTable::read(self, entry) else { return Vec::new() };
         let mut guesses = Vec::new();
-        for entry in self.reader.any_keys(&guess) {
-            let angle_rad = self.quantity_of(&entry, Dimension::ANGLE, Rule::Finite);
+        for entry in self.numbers.reader.any_keys(&guess) {
+            let angle_rad = self.numbers.quantity_of(&entry, Dimension::ANGLE, Rule::Finite);
             match self.body(&entry.at_key(), entry.name) {
-                Some(BodyId(0)) => self.reader.report(&ModelProblem::GuessOfGround, entry.key_span),
+                Some(BodyId(0)) => self.numbers.reader.report(&ModelProblem::GuessOfGround, entry.key_span),
                 Some(body) => guesses.extend(angle_rad.map(|angle_rad| Guess { body, angle_rad })),
                 None => {}
             }

@@ -13,9 +13,9 @@ impl ModelReader {
     /// Reads the table of outputs.
     pub fn read_outputs(&mut self, entry: &Entry<'_>) -> Vec<Output> {
         let mut outputs = Vec::new();
-        for entry in self.reader.named(entry, "an output") {
-            self.remember(&entry);
-            let output = self.reader.table(&entry, &OUTPUT_KEYS).and_then(|table| {
+        for entry in self.numbers.reader.named(entry, "an output") {
+            self.numbers.remember(&entry);
+            let output = self.numbers.reader.table(&entry, &OUTPUT_KEYS).and_then(|table| {
                 let kind = self.output_kind(&table)?;
                 let unit = self.output_unit(&table, &kind)?;
                 Some(Output { name: entry.name.to_owned(), kind, unit })
@@ -28,7 +28,7 @@ impl ModelReader {
     fn output_kind(&mut self, table: &Table<'_>) -> Option<OutputKind> {
         let measure = OutputKind::measure_in(table)?;
         for key in OutputKind::keys_beside().filter(|key| !measure.beside.contains(key)) {
-            self.refuse_beside(table, key, measure.key.name);
+            self.numbers.refuse_beside(table, key, measure.key.name);
         }
         OutputKind::read(measure.key.name, table, self)
     }
@@ -39,11 +39,11 @@ impl ModelReader {
             let usual = kind.usual_unit().and_then(|unit| ReadableUnit::of_dimension(unit, due));
             return Some(usual.unwrap_or_else(|| ReadableUnit::default_for(due)));
         };
-        let text = self.reader.text(&entry)?;
+        let text = self.numbers.reader.text(&entry)?;
         let unit = ReadableUnit::of_dimension(text, due);
         if unit.is_none() {
             let problem = ModelProblem::WrongUnit { entry: entry.path.describe(), unit: text.to_owned(), due };
-            self.reader.report(&problem, entry.span);
+            self.numbers.reader.report(&problem, entry.span);
         }
         unit
     }
@@ -51,11 +51,11 @@ impl ModelReader {
 
 impl OutputReader for ModelReader {
     fn actuator(&mut self, entry: &Entry<'_>) -> Option<Actuator> {
-        let text = self.reader.text(entry)?;
+        let text = self.numbers.reader.text(entry)?;
         match text.split_once('.') {
-            Some(("drive", name)) => self.named(entry, "drive", name, |file| &file.drive_names).map(Actuator::Drive),
+            Some(("drive", name)) => self.numbers.named(entry, "drive", name, &self.drive_names).map(Actuator::Drive),
             Some(("control", name)) => {
-                self.named(entry, "control", name, |file| &file.control_names).map(Actuator::Control)
+                self.numbers.named(entry, "control", name, &self.control_names).map(Actuator::Control)
             }
             _ => {
                 let drives = self.drive_names.iter().map(|(name, _)| ("drive", name));
@@ -63,7 +63,7 @@ impl OutputReader for ModelReader {
                 let meant = named.find(|(_, name)| *name == text).map(|(what, name)| format!("{what}.{name}"));
                 let problem =
                     ModelProblem::NotAnActuator { entry: entry.path.describe(), text: text.to_owned(), meant };
-                self.reader.refuse(&problem, entry.span)
+                self.numbers.reader.refuse(&problem, entry.span)
             }
         }
     }

@@ -3,12 +3,18 @@
 use super::reader::ModelReader;
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::part_reader::PartReader;
-use crate::model::values::quantity::QuantityId;
-use loosepin_text::document::{Entry, Reader, Reads, Table};
+use loosepin_text::document::{Entry, Reader, Reads};
+use loosepin_text::numbers::{NumberReader, ReadsNumbers};
 
 impl Reads for ModelReader {
     fn document(&mut self) -> &mut Reader {
-        &mut self.reader
+        &mut self.numbers.reader
+    }
+}
+
+impl ReadsNumbers for ModelReader {
+    fn numbers(&mut self) -> &mut NumberReader {
+        &mut self.numbers
     }
 }
 
@@ -18,27 +24,14 @@ impl PartReader for ModelReader {
     }
 
     fn body(&mut self, entry: &Entry<'_>) -> Option<BodyId> {
-        let name = self.reader.text(entry)?;
+        let name = self.numbers.reader.text(entry)?;
         Self::body(self, entry, name)
     }
 
     fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
-        let text = self.reader.text(entry)?;
+        let text = self.numbers.reader.text(entry)?;
         let name = text.strip_prefix("joint.").unwrap_or(text);
-        self.named(entry, "joint", name, |file| &file.joint_names)
-    }
-
-    fn quantity_at(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
-        let (dimension, rule) = entry.due_quantity()?;
-        self.quantity_of(entry, dimension, rule)
-    }
-
-    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId> {
-        Self::quantity(self, table, key)
-    }
-
-    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId> {
-        Self::quantity_or(self, table, key, default_si)
+        self.numbers.named(entry, "joint", name, &self.joint_names)
     }
 
     fn body_name(&self, body: BodyId) -> String {

@@ -4,8 +4,8 @@ use super::reader::ModelReader;
 use crate::model::ids::ContactId;
 use crate::model::joint::PlayKeys;
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{Origin, QuantityId};
 use loosepin_text::document::Table;
+use loosepin_text::numbers::{Origin, QuantityId};
 use loosepin_text::units::{Dimension, Expression, Rule, run};
 
 /// The key of the contact: a clearance needs it where the model is run, and not for the motion without dynamics.
@@ -19,20 +19,20 @@ impl ModelReader {
         let has_no_contact = keys.needed.contains(&CONTACT) && !table.has(CONTACT);
         let Some(entry) = table.get(keys.clearance) else {
             if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
-                self.report_missing(table, key, vec![keys.clearance]);
+                self.numbers.report_missing(table, key, vec![keys.clearance]);
                 return None;
             }
             return Some(None);
         };
-        let expression = self.expression_due(&entry, Dimension::LENGTH)?;
+        let expression = self.numbers.expression_due(&entry, Dimension::LENGTH)?;
         if (!missing.is_empty() || has_no_contact) && is_literal_zero(&expression) {
             // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
-            self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
+            self.numbers.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
             return Some(None);
         }
-        let clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
+        let clearance_m = self.numbers.add(&entry, &expression, Rule::NonNegative)?;
         if !missing.is_empty() {
-            self.report_missing(table, keys.clearance, missing);
+            self.numbers.report_missing(table, keys.clearance, missing);
             return None;
         }
         if has_no_contact {
@@ -57,7 +57,7 @@ impl ModelReader {
         if let Some(what) = what {
             let (entry, contact) = (table.path.describe(), contact.name.clone());
             let problem = ModelProblem::NotForPlanes { entry, contact, what, what_touches };
-            return self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
+            return self.numbers.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
         }
         Some(())
     }

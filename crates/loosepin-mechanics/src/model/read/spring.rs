@@ -84,15 +84,15 @@ struct Pull<'e, 't> {
 impl ModelReader {
     /// Reads the table of springs.
     pub fn read_springs(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a spring") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a spring") {
+            self.numbers.remember(&entry);
             let spring = self.spring(&entry);
             self.springs.extend(spring);
         }
     }
 
     fn spring(&mut self, entry: &Entry<'_>) -> Option<Spring> {
-        let (word, table) = self.table_of_kind(entry, SPRING_KINDS)?;
+        let (word, table) = self.numbers.table_of_kind(entry, SPRING_KINDS)?;
         let (kind, elasticity, damping) = if word == LinearSpring::WORD {
             let own = LinearSpring::of(self, table)?;
             let columns = [("length", Dimension::LENGTH), ("force", Dimension::FORCE)];
@@ -109,12 +109,15 @@ impl ModelReader {
             let elasticity = self.elasticity(Pull { table, linear, preload, points, rest, columns });
             (self.torsional_spring(&own), elasticity, own.damping)
         };
-        let damping = damping.and_then(|entry| self.quantity_at(&entry));
+        let damping = damping.and_then(|entry| self.numbers.quantity_at(&entry));
         let kind = kind?;
         let [first, second] = kind.bodies();
         if first == second {
             let body = self.bodies[first.0].name.clone();
-            return self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
+            return self
+                .numbers
+                .reader
+                .refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
         }
         Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
     }
@@ -124,13 +127,13 @@ impl ModelReader {
             (Some(_), _) => "points",
             (None, Some(_)) => "csv",
             (None, None) => {
-                self.refuse_beside(own.table, "curve", "stiffness");
-                let [stiffness, free] = own.linear.map(|entry| self.quantity_at(entry.as_ref()?));
+                self.numbers.refuse_beside(own.table, "curve", "stiffness");
+                let [stiffness, free] = own.linear.map(|entry| self.numbers.quantity_at(entry.as_ref()?));
                 let preload = own.preload.quantity(self);
                 return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
             }
         };
-        self.refuse_beside(own.table, "preload", given);
+        self.numbers.refuse_beside(own.table, "preload", given);
         let points = self.table_points([own.points, &own.rest.csv], own.columns)?;
         Some(Elasticity::Table { points, curve: own.rest.curve? })
     }
@@ -139,13 +142,13 @@ impl ModelReader {
         let entry = own.table.path.describe();
         let Some(joint_entry) = &own.joint else {
             let (Some(first), Some(second)) = (&own.first, &own.second) else {
-                return self.reader.refuse(&ModelProblem::NoBodies { entry }, own.table.span);
+                return self.numbers.reader.refuse(&ModelProblem::NoBodies { entry }, own.table.span);
             };
             let [first, second] = [first, second].map(|entry| PartReader::body(self, entry));
             return Some(SpringKind::Torsional { first: first?, second: second? });
         };
         for key in ["first", "second"] {
-            self.refuse_beside(&own.table, key, "joint");
+            self.numbers.refuse_beside(&own.table, key, "joint");
         }
         let joint = self.joint(joint_entry)?;
         let kind = &self.joints[joint.0].kind;
@@ -154,6 +157,6 @@ impl ModelReader {
             return Some(SpringKind::Torsional { first, second });
         }
         let name = self.joints[joint.0].name.clone();
-        self.reader.refuse(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span)
+        self.numbers.reader.refuse(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span)
     }
 }

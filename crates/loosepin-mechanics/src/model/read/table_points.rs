@@ -3,26 +3,22 @@
 use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{Origin, Quantity, QuantityId, UNREAD};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_text::document::{Entry, read_beside};
+use loosepin_text::numbers::{Origin, Quantity, QuantityId, UNREAD};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
 /// A cubic spline needs two intervals to have a bend.
 const MIN_POINTS: usize = 3;
 
 impl EntryReader for ModelReader {
-    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
-        Self::quantity_of(self, entry, dimension, rule)
-    }
-
     fn fixed_number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<(QuantityId, f64)> {
-        let written = self.expression(entry)?;
-        if !self.reader.measures(entry, written.dimension, Dimension::NUMBER) {
+        let written = self.numbers.expression(entry)?;
+        if !self.numbers.reader.measures(entry, written.dimension, Dimension::NUMBER) {
             return None;
         }
-        let id = self.add_with_origin(entry, &written, rule, Origin::Fixed)?;
-        Some((id, self.quantities.nominal_value(id)))
+        let id = self.numbers.add_with_origin(entry, &written, rule, Origin::Fixed)?;
+        Some((id, self.numbers.quantities.nominal_value(id)))
     }
 
     fn table_points(&mut self, given: [&Option<Entry<'_>>; 2], columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
@@ -35,26 +31,26 @@ impl EntryReader for ModelReader {
 
 impl ModelReader {
     fn points_of_list(&mut self, list: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
-        let elements = self.reader.list(list)?;
+        let elements = self.numbers.reader.list(list)?;
         if elements.len() < MIN_POINTS {
             let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: MIN_POINTS };
-            return self.reader.refuse(&problem, list.span);
+            return self.numbers.reader.refuse(&problem, list.span);
         }
         let mut points: Vec<[QuantityId; 2]> = Vec::new();
         let mut is_sound = true;
         for element in &elements {
-            let Some([mut first, mut second]) = self.reader.pair(element) else {
+            let Some([mut first, mut second]) = self.numbers.reader.pair(element) else {
                 is_sound = false;
                 continue;
             };
             let [(first_name, first_dimension), (second_name, second_dimension)] = columns;
             first.path = element.path.join(first_name);
             second.path = element.path.join(second_name);
-            let first_id = self.quantity_of(&first, first_dimension, Rule::Finite).unwrap_or(UNREAD);
-            let second_id = self.quantity_of(&second, second_dimension, Rule::Finite).unwrap_or(UNREAD);
+            let first_id = self.numbers.quantity_of(&first, first_dimension, Rule::Finite).unwrap_or(UNREAD);
+            let second_id = self.numbers.quantity_of(&second, second_dimension, Rule::Finite).unwrap_or(UNREAD);
             is_sound &= first_id != UNREAD && second_id != UNREAD;
             if is_sound && let Some([before, _]) = points.last() {
-                is_sound &= self.demand_order(*before, first_id, first.span);
+                is_sound &= self.numbers.demand_order(*before, first_id, first.span);
             }
             points.push([first_id, second_id]);
         }
@@ -62,14 +58,14 @@ impl ModelReader {
     }
 
     fn points_of_file(&mut self, entry: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
-        let name = self.reader.text(entry)?;
-        let source = match read_beside(&self.reader.source, name) {
+        let name = self.numbers.reader.text(entry)?;
+        let source = match read_beside(&self.numbers.reader.source, name) {
             Ok(source) => source,
             Err(diagnostics) => {
                 // The place that names the file is where a person looks for the slip.
                 for diagnostic in diagnostics.sorted() {
-                    let place = diagnostic.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
-                    self.reader.diagnostics.push(Diagnostic { place: Some(place), ..diagnostic.clone() });
+                    let place = diagnostic.place.clone().unwrap_or_else(|| self.numbers.reader.place(entry.span));
+                    self.numbers.reader.diagnostics.push(Diagnostic { place: Some(place), ..diagnostic.clone() });
                 }
                 return None;
             }
@@ -77,7 +73,7 @@ impl ModelReader {
         self.tables.push(source.clone());
         let path = entry.path.dotted();
         let report = |reader: &mut Self, problem: ModelProblem, span: std::ops::Range<usize>| {
-            reader.reader.diagnostics.push(Diagnostic::error(&problem, Some(Place::new(&source, span))));
+            reader.numbers.reader.diagnostics.push(Diagnostic::error(&problem, Some(Place::new(&source, span))));
         };
         let mut units: Option<[String; 2]> = None;
         let mut points: Vec<[QuantityId; 2]> = Vec::new();
@@ -127,14 +123,14 @@ impl ModelReader {
                     origin: Origin::Fixed,
                     span: None,
                 };
-                ids[side] = self.quantities.add_number(quantity, value.value_si);
+                ids[side] = self.numbers.quantities.add_number(quantity, value.value_si);
             }
             if is_sound
                 && let Some([before, _]) = points.last()
-                && let Err(problem) = self.quantities.demand_order(*before, ids[0])
+                && let Err(problem) = self.numbers.quantities.demand_order(*before, ids[0])
             {
                 let place = Place::new(&source, cells[0].clone());
-                self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
+                self.numbers.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
                 is_sound = false;
             }
             points.push(ids);

@@ -4,9 +4,9 @@
 use super::reader::ModelReader;
 use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Op, Rule};
 
@@ -29,22 +29,22 @@ impl ModelReader {
         const RISE: &str = "temperature_rise";
         let has_own_rise = own.temperature_rise.is_some();
         let [expansion, own_rise] = [&own.thermal_expansion, &own.temperature_rise]
-            .map(|entry| entry.as_ref().and_then(|entry| self.quantity_at(entry)));
+            .map(|entry| entry.as_ref().and_then(|entry| self.numbers.quantity_at(entry)));
         let needs = match (own.thermal_expansion.is_some(), has_own_rise || self.has_temperature_rise) {
             (true, false) => Some([EXPANSION, RISE]),
             (false, _) if has_own_rise => Some([RISE, EXPANSION]),
             _ => None,
         };
         if let Some([key, needed]) = needs {
-            self.report_missing(&own.table, key, vec![needed]);
+            self.numbers.report_missing(&own.table, key, vec![needed]);
             return None;
         }
         let (expansion, rise_k) = (expansion?, own_rise.or(self.temperature_rise_k)?);
         let ops = vec![Op::Load(expansion.0), Op::Load(rise_k.0), Op::Multiply];
         self.uses_temperature_rise |= !has_own_rise;
         let path = own.table.path.join("elongation").dotted();
-        let elongation = self.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]);
-        self.quantities.add_elongation(elongation);
+        let elongation = self.numbers.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]);
+        self.numbers.quantities.add_elongation(elongation);
         Some(elongation)
     }
 
@@ -65,12 +65,14 @@ impl ModelReader {
         for _ in 0..power {
             ops.extend([Op::Number(1.0), Op::Load(elongation.0), Op::Add, Op::Multiply]);
         }
-        let quantity = &self.quantities[own];
+        let quantity = &self.numbers.quantities[own];
         let (path, dimension, rule) = (format!("{}_when_warm", quantity.path), quantity.dimension, quantity.rule);
         let span = quantity.span;
-        let id = self.derived(path, dimension, rule, ops, &[own, elongation]);
-        if let (Err(problem), Some(span)) = (self.quantities[id].check(self.quantities.nominal_value(id)), span) {
-            self.reader.report(&problem, span);
+        let id = self.numbers.derived(path, dimension, rule, ops, &[own, elongation]);
+        if let (Err(problem), Some(span)) =
+            (self.numbers.quantities[id].check(self.numbers.quantities.nominal_value(id)), span)
+        {
+            self.numbers.reader.report(&problem, span);
         }
         id
     }
@@ -105,14 +107,14 @@ impl ModelReader {
         // 0 where c is zero, 1 where it is above.
         ops.extend([Op::Load(clearance.0), Op::Number(LARGE_1_M), Op::Multiply, Op::Number(1.0), Op::Minimum]);
         ops.extend([Op::Multiply, Op::Add]);
-        let path = format!("{}_when_warm", self.quantities[clearance].path);
+        let path = format!("{}_when_warm", self.numbers.quantities[clearance].path);
         let reads: Vec<QuantityId> =
             outer.iter().copied().chain([clearance]).chain(elongations.into_iter().flatten()).collect();
-        let id = self.derived(path, Dimension::LENGTH, Rule::NonNegative, ops, &reads);
-        self.quantities.add_warm(id, clearance);
-        match self.quantities[id].check(self.quantities.nominal_value(id)) {
+        let id = self.numbers.derived(path, Dimension::LENGTH, Rule::NonNegative, ops, &reads);
+        self.numbers.quantities.add_warm(id, clearance);
+        match self.numbers.quantities[id].check(self.numbers.quantities.nominal_value(id)) {
             Ok(()) => Some(id),
-            Err(problem) => self.reader.refuse(&problem, span),
+            Err(problem) => self.numbers.reader.refuse(&problem, span),
         }
     }
 }

@@ -3,15 +3,14 @@
 use super::reader::ModelReader;
 use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
-use crate::model::part_reader::PartReader;
 use crate::model::parts::wear::{
     ActsBack, CycleJumps, FoundationChoice, JointWear, JointWearTable, LifeLimit, LifeTable, SurfaceWear, WearGeometry,
     WearLife, WearMeasure, WearPressure,
 };
 use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::QuantityId;
 use crate::model::{Contact, Joint, Output, Recorded};
 use loosepin_text::document::{Entry, EntryPath, Table, describe_path};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Keys of a joint that go with the worn shape alone, and that of the unworn one.
@@ -23,10 +22,10 @@ impl ModelReader {
     pub(super) fn joint_wear(&mut self, table: &Table<'_>, clearance: Option<&Clearance>) -> Option<Option<JointWear>> {
         let Some(entry) = table.get("wear") else { return Some(None) };
         let wear = JointWearTable::read(self, &entry)?;
-        self.remember(&entry);
+        self.numbers.remember(&entry);
         for key in FOUNDATION_KEYS.into_iter().chain([PRESSURE_KEY]) {
             if let Some(entry) = wear.table.get(key) {
-                self.remember(&entry);
+                self.numbers.remember(&entry);
             }
         }
         let [bearing, journal] = [&wear.bearing, &wear.journal].map(|surface| match surface {
@@ -35,20 +34,20 @@ impl ModelReader {
         });
         let foundation = match &wear.foundation_stiffness {
             Some(entry) => {
-                self.refuse_beside(&wear.table, "foundation", "foundation_stiffness");
-                self.quantity_at(entry).map(FoundationChoice::Given).or(wear.foundation)
+                self.numbers.refuse_beside(&wear.table, "foundation", "foundation_stiffness");
+                self.numbers.quantity_at(entry).map(FoundationChoice::Given).or(wear.foundation)
             }
             None => wear.foundation,
         };
         let wear_path = wear.table.path.describe();
         if wear.bearing.is_none() && wear.journal.is_none() {
             let problem = ModelProblem::NothingWears { entry: wear_path };
-            return self.reader.refuse(&problem, entry.key_span);
+            return self.numbers.reader.refuse(&problem, entry.key_span);
         }
         for key in ["radial_clearance", "bearing_length"] {
             let is_there = table.has(key) || (key == "radial_clearance" && table.has("diametral_clearance"));
             if !is_there {
-                self.report_missing(table, "wear", vec![key]);
+                self.numbers.report_missing(table, "wear", vec![key]);
                 return None;
             }
         }
@@ -57,7 +56,7 @@ impl ModelReader {
         let name = contact.name.clone();
         if contact.is_literal() {
             let problem = ModelProblem::WearByLiteral { entry: wear_path, contact: name };
-            return self.reader.refuse(&problem, entry.key_span);
+            return self.numbers.reader.refuse(&problem, entry.key_span);
         }
         let bearing_length_m = clearance.bearing_length_m?;
         Some(Some(JointWear {
@@ -73,17 +72,17 @@ impl ModelReader {
     fn coefficient(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
         let SurfaceWear { table, coefficient, archard, hardness } = SurfaceWear::read(self, entry)?;
         if let Some(coefficient) = coefficient {
-            self.refuse_beside(&table, "hardness", "coefficient");
+            self.numbers.refuse_beside(&table, "hardness", "coefficient");
             return coefficient.filter(|_| hardness.is_none());
         }
         if archard.is_some() && hardness.is_none() {
-            self.report_missing(&table, "archard", vec!["hardness"]);
+            self.numbers.report_missing(&table, "archard", vec!["hardness"]);
             return None;
         }
         let (archard, hardness) = (archard??, hardness??);
         let ops = vec![Op::Load(archard.0), Op::Load(hardness.0), Op::Divide];
         let path = table.path.join("coefficient").dotted();
-        Some(self.derived(path, Dimension::WEAR_COEFFICIENT, Rule::NonNegative, ops, &[archard, hardness]))
+        Some(self.numbers.derived(path, Dimension::WEAR_COEFFICIENT, Rule::NonNegative, ops, &[archard, hardness]))
     }
 
     /// For how long wear is stated. `None` if no joint wears.
@@ -92,7 +91,7 @@ impl ModelReader {
         let life = match entry {
             Some(entry) => {
                 let life = LifeTable::read(self, entry)?;
-                self.remember(entry);
+                self.numbers.remember(entry);
                 self.uses_life = wears;
                 life
             }
@@ -116,7 +115,7 @@ impl ModelReader {
         for key in ["jumps", "tolerance", "limit_of", "limit"] {
             if let Some(entry) = table.get(key) {
                 let problem = ModelProblem::OnlyWorn { entry: table.path.describe(), key };
-                return self.reader.refuse(&problem, entry.key_span);
+                return self.numbers.reader.refuse(&problem, entry.key_span);
             }
         }
         self.fixed_joints()?;
@@ -129,17 +128,17 @@ impl ModelReader {
         for (name, contact, pressure, _) in self.wearing_joints() {
             let path = format!("joint.{name}.wear");
             for key in FOUNDATION_KEYS {
-                if let Some(span) = self.places.get(&format!("{path}.{key}")).copied() {
-                    self.reader.report(&ModelProblem::OnlyWorn { entry: describe_path(&path), key }, span);
+                if let Some(span) = self.numbers.places.get(&format!("{path}.{key}")).copied() {
+                    self.numbers.reader.report(&ModelProblem::OnlyWorn { entry: describe_path(&path), key }, span);
                     is_sound = false;
                 }
             }
             let has_materials = self.contacts[contact].law.materials().is_some();
-            let span = self.places.get(&path).copied()?;
+            let span = self.numbers.places.get(&path).copied()?;
             if pressure == WearPressure::HertzLine && !has_materials {
                 let contact = self.contacts[contact].name.clone();
                 let problem = ModelProblem::WearNeedsMaterials { entry: describe_path(&path), contact };
-                self.reader.report(&problem, span);
+                self.numbers.reader.report(&problem, span);
                 is_sound = false;
             }
         }
@@ -164,18 +163,18 @@ impl ModelReader {
             if let Some(what) = not_for_foundations(contact, foundation) {
                 let contact = contact.name.clone();
                 let problem = ModelProblem::WornContact { entry: table.path.describe(), joint, contact, what };
-                return self.reader.refuse(&problem, span);
+                return self.numbers.reader.refuse(&problem, span);
             }
             let path = format!("joint.{joint}.wear");
-            if let Some(span) = self.places.get(&format!("{path}.{PRESSURE_KEY}")).copied() {
+            if let Some(span) = self.numbers.places.get(&format!("{path}.{PRESSURE_KEY}")).copied() {
                 let problem = ModelProblem::OnlyFixed { entry: describe_path(&path), key: PRESSURE_KEY };
-                return self.reader.refuse(&problem, span);
+                return self.numbers.reader.refuse(&problem, span);
             }
         }
         let tolerance = life.tolerance.quantity(self);
         let jumps = match life.jumps {
             Some(count) => {
-                self.refuse_beside(table, "tolerance", "jumps");
+                self.numbers.refuse_beside(table, "tolerance", "jumps");
                 CycleJumps::Equal(count?)
             }
             None => CycleJumps::Controlled(tolerance?),
@@ -195,8 +194,8 @@ impl ModelReader {
             };
             let problem =
                 ModelProblem::MeasureOfWornGeometry { output: output.name.clone(), measure: measure.word(), needs };
-            if let Some(span) = self.places.get(&format!("output.{}", output.name)).copied() {
-                self.reader.report(&problem, span);
+            if let Some(span) = self.numbers.places.get(&format!("output.{}", output.name)).copied() {
+                self.numbers.reader.report(&problem, span);
             }
         }
     }
@@ -208,18 +207,18 @@ impl ModelReader {
             (Some(of), Some(limit)) => (of, limit),
             (of, _) => {
                 let [key, needed] = if of.is_some() { ["limit_of", "limit"] } else { ["limit", "limit_of"] };
-                self.report_missing(&life.table, key, vec![needed]);
+                self.numbers.report_missing(&life.table, key, vec![needed]);
                 return None;
             }
         };
-        let name = self.reader.text(of)?;
+        let name = self.numbers.reader.text(of)?;
         let name = name.strip_prefix("output.").unwrap_or(name).to_owned();
         let has_history = |output: &Output| matches!(output.kind.recorded(), Recorded::Number(_));
         let Some(output) = outputs.iter().position(|output| output.name == name && has_history(output)) else {
             let problem = ModelProblem::NoLimitedOutput { entry: of.path.describe(), output: name };
-            return self.reader.refuse(&problem, of.span);
+            return self.numbers.reader.refuse(&problem, of.span);
         };
-        let limit = self.quantity_of(limit, outputs[output].kind.dimension(), Rule::Positive)?;
+        let limit = self.numbers.quantity_of(limit, outputs[output].kind.dimension(), Rule::Positive)?;
         Some(Some(LifeLimit { output, limit }))
     }
 }

@@ -1,7 +1,7 @@
 //! Functions of time and of joints, written as expressions in a model file and evaluated inside the equations of motion.
 
-use crate::model::values::quantity::QuantityId;
 use loosepin_math::Real;
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Names, Op, run};
 
 /// Whole and half exponents up to this are powers by multiplication.

@@ -6,7 +6,6 @@ pub(in crate::model) mod law_choice;
 pub(in crate::model) mod path_error;
 pub(in crate::model) mod path_hint;
 pub(in crate::model) mod point_argument;
-pub(in crate::model) mod quantity;
 pub(in crate::model) mod set_values;
 pub(in crate::model) mod setting;
 pub(in crate::model) mod sizes;

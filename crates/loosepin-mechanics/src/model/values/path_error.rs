@@ -1,7 +1,7 @@
 //! Why a path names no quantity that can be set.
 
-use crate::model::values::quantity::{DIAMETRAL, RADIAL};
 use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::numbers::{DIAMETRAL, RADIAL};
 use loosepin_text::units::quoted;
 
 problems! {

@@ -2,9 +2,9 @@
 
 use crate::model::parts::topology::Model;
 use crate::model::values::path_error::PathError;
-use crate::model::values::quantity::RADIAL;
 use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::document::describe_path;
+use loosepin_text::numbers::RADIAL;
 use loosepin_text::units::listed;
 
 /// Names that a hint lists, at most.

@@ -2,8 +2,8 @@
 
 use crate::model::ids::{BodyId, PointId};
 use crate::model::parts::topology::{Body, Model};
-use crate::model::problem::ModelProblem;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
+use loosepin_text::numbers::EntryProblem;
 
 /// The argument that names points whose paths are recorded.
 const PATH: &str = "--path";
@@ -29,12 +29,12 @@ impl Model {
         if diagnostics.is_empty() { Ok(points) } else { Err(diagnostics) }
     }
 
-    fn point_called(&self, name: &str) -> Result<PointId, ModelProblem> {
+    fn point_called(&self, name: &str) -> Result<PointId, EntryProblem> {
         let entry = PATH.to_owned();
         let Some((body_name, point_name)) = name.split_once('.') else {
-            return Err(ModelProblem::NotAPoint { entry, text: name.to_owned() });
+            return Err(EntryProblem::NotAPoint { entry, text: name.to_owned() });
         };
-        let unknown = |nearest: Option<String>, known: Vec<String>| ModelProblem::UnknownReference {
+        let unknown = |nearest: Option<String>, known: Vec<String>| EntryProblem::UnknownReference {
             entry: entry.clone(),
             what: "point",
             name: name.to_owned(),

@@ -3,9 +3,9 @@
 use crate::model::contact::{LawError, NormalDescription};
 use crate::model::ids::ContactId;
 use crate::model::parts::topology::Model;
-use crate::model::values::quantity::{Origin, QuantityError, QuantityId, Values};
 use crate::model::values::setting::{Setting, SettingError, measured};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
+use loosepin_text::numbers::{Origin, QuantityError, QuantityId, Values};
 use loosepin_text::units::{Dimension, Rule, format_refused};
 
 /// Settings read from text, and the values of the model that follow from them.

@@ -4,7 +4,7 @@ use crate::model::contact::LawError;
 use crate::model::ids::PlayId;
 use crate::model::parts::topology::Model;
 use crate::model::values::path_error::PathError;
-use crate::model::values::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
+use loosepin_text::numbers::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, problems};

@@ -1,7 +1,7 @@
 //! Names of the parts of a model and its numbers, as sentences have them.
 
 use crate::model::ids::{Actuator, BodyId, JointId, PointId};
-use crate::model::values::quantity::QuantityId;
+use loosepin_text::numbers::QuantityId;
 
 /// Names of the parts of a model, as sentences have them.
 pub trait PartNames {

@@ -7,9 +7,9 @@ use crate::model::parts::topology::Body;
 use crate::model::read::beams::beam_mass::{Line, LumpTable};
 use crate::model::read::beams::section::{Section, SectionTable};
 use crate::model::read::reader::ModelReader;
-use crate::model::values::quantity::{QuantityId, UNREAD};
 use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::document::{Entry, Kind, choice, count, quantity};
+use loosepin_text::numbers::{QuantityId, UNREAD};
 use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 use loosepin_text::{choices, record};
 
@@ -108,7 +108,7 @@ const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_ti
 impl ModelReader {
     /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a diagnostic.
     pub(in crate::model) fn beam(&mut self, entry: &Entry<'_>, body: &mut Body) {
-        self.remember(entry);
+        self.numbers.remember(entry);
         body.beam = BeamTable::read(self, entry).and_then(|own| self.beam_of(entry, &own, body));
     }
 
@@ -120,7 +120,7 @@ impl ModelReader {
         let numbers =
             [&own.youngs_modulus, &own.density, &own.damping_ratio, &own.condense_above, &own.retardation_time];
         let [modulus_pa, density_kg_m3, damping_ratio, condense_above_hz, retardation_s] =
-            numbers.map(|entry| self.quantity_at(entry.as_ref()?));
+            numbers.map(|entry| self.numbers.quantity_at(entry.as_ref()?));
         let formulation = self.formulation(own);
         let (from, to, Section { area_m2, second_moment_m4, height_m }) = (from?, to?, section?);
         let (modulus_pa, density_kg_m3, formulation) = (modulus_pa?, density_kg_m3?, formulation?);
@@ -129,10 +129,10 @@ impl ModelReader {
         let span_of_to = own.to.as_ref().map_or(entry.span, |entry| entry.span);
         let words = table.path.describe();
         if from == to {
-            return self.reader.refuse(&BeamProblem::SamePoint { entry: words }, span_of_to);
+            return self.numbers.reader.refuse(&BeamProblem::SamePoint { entry: words }, span_of_to);
         }
         if lateral_shapes + axial_shapes == 0 {
-            return self.reader.refuse(&BeamProblem::NoShapes { entry: words }, entry.key_span);
+            return self.numbers.reader.refuse(&BeamProblem::NoShapes { entry: words }, entry.key_span);
         }
 
         let path = |key: &str| table.path.join(key).dotted();
@@ -144,21 +144,22 @@ impl ModelReader {
         let across = |axis: usize| [Op::Load(end[axis].0), Op::Load(start[axis].0), Op::Subtract];
         let square = |axis: usize| [across(axis).to_vec(), across(axis).to_vec(), vec![Op::Multiply]].concat();
         let ops = [square(0), square(1), vec![Op::Add, Op::SquareRoot]].concat();
-        let length_m = self.derived(path("length"), Dimension::LENGTH, Rule::Positive, ops, &[start, end].concat());
-        if let Err(problem) = self.quantities[length_m].check(self.quantities.nominal_value(length_m)) {
-            return self.reader.refuse(&problem, span_of_to);
+        let length_m =
+            self.numbers.derived(path("length"), Dimension::LENGTH, Rule::Positive, ops, &[start, end].concat());
+        if let Err(problem) = self.numbers.quantities[length_m].check(self.numbers.quantities.nominal_value(length_m)) {
+            return self.numbers.reader.refuse(&problem, span_of_to);
         }
         let load = |id: QuantityId| Op::Load(id.0);
         let over_length =
             |what: QuantityId| vec![load(modulus_pa), load(what), Op::Multiply, load(length_m), Op::Divide];
-        let axial_stiffness_n_m = self.derived(
+        let axial_stiffness_n_m = self.numbers.derived(
             path("axial_stiffness"),
             Dimension::SPRING_STIFFNESS,
             Rule::Positive,
             over_length(area_m2),
             &[modulus_pa, area_m2, length_m],
         );
-        let bending_stiffness_n_m = self.derived(
+        let bending_stiffness_n_m = self.numbers.derived(
             path("bending_stiffness"),
             Dimension::TORQUE,
             Rule::Positive,
@@ -168,12 +169,12 @@ impl ModelReader {
         let ops = vec![load(density_kg_m3), load(area_m2), Op::Multiply, load(length_m), Op::Multiply];
         let reads = [density_kg_m3, area_m2, length_m];
         let own_mass = if lumps.is_empty() { format!("body.{}.mass", body.name) } else { path("mass") };
-        let mass_kg = self.derived(own_mass, Dimension::MASS, Rule::Positive, ops, &reads);
+        let mass_kg = self.numbers.derived(own_mass, Dimension::MASS, Rule::Positive, ops, &reads);
         // Sizes that are allowed one by one may have products that no number holds.
         for id in [area_m2, second_moment_m4, axial_stiffness_n_m, bending_stiffness_n_m, mass_kg] {
-            if let Err(problem) = self.quantities[id].check(self.quantities.nominal_value(id)) {
-                let span = self.quantities[id].span.unwrap_or(entry.span);
-                return self.reader.refuse(&problem, span);
+            if let Err(problem) = self.numbers.quantities[id].check(self.numbers.quantities.nominal_value(id)) {
+                let span = self.numbers.quantities[id].span.unwrap_or(entry.span);
+                return self.numbers.reader.refuse(&problem, span);
             }
         }
         self.set_rigid_numbers(body, &Line { mass_kg, length_m, ends: [start, end] }, &lumps);
@@ -210,7 +211,7 @@ impl ModelReader {
         let mut fits = true;
         for (key, found) in others.iter().filter_map(|key| Some((*key, own.table.get(key)?))) {
             let problem = BeamProblem::OfOtherFormulation { entry: own.table.path.describe(), key, formulation: word };
-            self.reader.report(&problem, found.key_span);
+            self.numbers.reader.report(&problem, found.key_span);
             fits = false;
         }
         let nodal = Formulation::AbsoluteNodal { elements, rule: integration.0 };
@@ -219,7 +220,7 @@ impl ModelReader {
 
     /// Index of the point that an entry names.
     pub(in crate::model) fn end(&mut self, entry: &Entry<'_>, body: &Body) -> Option<usize> {
-        let name = self.reader.text(entry)?;
+        let name = self.numbers.reader.text(entry)?;
         if let Some(index) = body.points.iter().position(|point| point.name == name) {
             return Some(index);
         }
@@ -229,6 +230,6 @@ impl ModelReader {
             point: name.to_owned(),
             known: body.points.iter().map(|point| format!("'{}'", point.name)).collect(),
         };
-        self.reader.refuse(&problem, entry.span)
+        self.numbers.reader.refuse(&problem, entry.span)
     }
 }

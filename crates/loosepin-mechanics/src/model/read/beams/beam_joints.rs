@@ -30,7 +30,7 @@ impl ModelReader {
         found.extend(self.controls.iter().map(|control| beside(format!("control.{}", control.name))));
         for (path, problem) in found {
             let span = self.span_of(&path);
-            self.reader.report(&problem, span);
+            self.numbers.reader.report(&problem, span);
         }
     }
 
@@ -100,7 +100,7 @@ impl ModelReader {
     fn span_of(&self, path: &str) -> Span {
         let mut path = path;
         loop {
-            if let Some(span) = self.places.get(path) {
+            if let Some(span) = self.numbers.places.get(path) {
                 return *span;
             }
             match path.rsplit_once('.') {

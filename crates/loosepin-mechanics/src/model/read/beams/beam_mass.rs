@@ -4,8 +4,8 @@ use crate::model::part_reader::PartReader;
 use crate::model::parts::beam::LumpedMass;
 use crate::model::parts::topology::Body;
 use crate::model::read::reader::ModelReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Op, Rule};
 
@@ -43,7 +43,7 @@ impl ModelReader {
             let mut ops = vec![load(own_kg)];
             ops.extend(lumps.iter().flat_map(|lump| [load(lump.mass_kg), Op::Add]));
             reads = [&[own_kg][..], &lumps.iter().map(|lump| lump.mass_kg).collect::<Vec<_>>()].concat();
-            mass_kg = self.derived(of_body("mass"), Dimension::MASS, Rule::Positive, ops, &reads);
+            mass_kg = self.numbers.derived(of_body("mass"), Dimension::MASS, Rule::Positive, ops, &reads);
         }
         let points = lumps.iter().map(|lump| body.points[lump.point].position_m).collect::<Vec<_>>();
         let centre = [("x", 0), ("y", 1)].map(|(name, axis)| {
@@ -60,7 +60,7 @@ impl ModelReader {
                 reads.extend([own_kg, mass_kg]);
             }
             let path = of_body(&format!("centre_of_mass.{name}"));
-            self.derived(path, Dimension::LENGTH, Rule::Finite, ops, &reads)
+            self.numbers.derived(path, Dimension::LENGTH, Rule::Finite, ops, &reads)
         });
         // J + m |r - c|² of each.
         let mut ops: Vec<Op> = about_middle.collect();
@@ -80,7 +80,7 @@ impl ModelReader {
                 reads.extend(lump.inertia_kg_m2.into_iter().chain(*point));
             }
         }
-        let inertia = self.derived(of_body("inertia"), Dimension::INERTIA, Rule::Positive, ops, &reads);
+        let inertia = self.numbers.derived(of_body("inertia"), Dimension::INERTIA, Rule::Positive, ops, &reads);
         body.mass_kg = Some(mass_kg);
         body.inertia_kg_m2 = Some(inertia);
         body.centre_of_mass_m = Some(centre);
@@ -89,8 +89,8 @@ impl ModelReader {
     /// The lumps of a beam; those with a diagnostic are left out.
     pub(in crate::model) fn lumps(&mut self, entry: &Entry<'_>, body: &Body) -> Vec<LumpedMass> {
         let mut lumps = Vec::new();
-        for entry in self.reader.named(entry, "a lump") {
-            self.remember(&entry);
+        for entry in self.numbers.reader.named(entry, "a lump") {
+            self.numbers.remember(&entry);
             let Some(LumpTable { at, mass, inertia, .. }) = LumpTable::read(self, &entry) else { continue };
             if let (Some(point), Some(mass_kg)) = (at.and_then(|entry| self.end(&entry, body)), mass) {
                 lumps.push(LumpedMass {

@@ -3,8 +3,8 @@
 use crate::model::part_reader::PartReader;
 use crate::model::parts::beam_problem::BeamProblem;
 use crate::model::read::reader::ModelReader;
-use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, EntryPath, quantity};
+use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 use std::f64::consts::PI;
@@ -52,12 +52,12 @@ impl ModelReader {
             for ((given, entry), (needs, needed)) in [(first, second), (second, first)] {
                 if let (Some(entry), None, false) = (entry, needed, own.table.has_unknown()) {
                     let problem = BeamProblem::HalfSection { entry: own.table.path.describe(), given, needs };
-                    return self.reader.refuse(&problem, entry.key_span);
+                    return self.numbers.reader.refuse(&problem, entry.key_span);
                 }
             }
         }
         let mut numbers = |first: &Entry<'_>, second: &Option<Entry<'_>>| {
-            let (first, second) = (self.quantity_at(first), self.quantity_at(second.as_ref()?));
+            let (first, second) = (self.numbers.quantity_at(first), self.numbers.quantity_at(second.as_ref()?));
             Some([first?, second?])
         };
         let power = |id: QuantityId, exponent: usize| {
@@ -74,13 +74,13 @@ impl ModelReader {
             let on = |exponent: usize| [vec![Op::Load(width.0)], power(height, exponent), vec![Op::Multiply]].concat();
             ([(on(1), vec![width, height]), (times(on(3), 1.0 / 12.0), vec![width, height])], height)
         } else if let Some(diameter) = &own.diameter {
-            let diameter = self.quantity_at(diameter)?;
+            let diameter = self.numbers.quantity_at(diameter)?;
             let of = |exponent: usize, factor: f64| (times(power(diameter, exponent), factor), vec![diameter]);
             ([of(2, PI / 4.0), of(4, PI / 64.0)], diameter)
         } else if let Some(outer) = &own.outer_diameter {
             let [outer, inner] = numbers(outer, &own.inner_diameter)?;
             let span = own.inner_diameter.as_ref().map_or(own.table.span, |entry| entry.span);
-            if !self.demand_order(inner, outer, span) {
+            if !self.numbers.demand_order(inner, outer, span) {
                 return None;
             }
             let of = |exponent: usize, factor: f64| {
@@ -93,7 +93,7 @@ impl ModelReader {
             return Some(Section { area_m2, second_moment_m4, height_m: None });
         };
         let mut derived = |key: &str, dimension: Dimension, (ops, reads): Derived| {
-            self.derived(beam.join(key).dotted(), dimension, Rule::Positive, ops, &reads)
+            self.numbers.derived(beam.join(key).dotted(), dimension, Rule::Positive, ops, &reads)
         };
         Some(Section {
             area_m2: derived("area", Dimension::AREA, area),

@@ -1,22 +1,21 @@
 //! Every number of a model in one table: path, unit, rule, and the expression that gives it.
 
+use crate::diagnostics::{Code, Span, problems};
+use crate::document::describe_path;
+use crate::units::{Dimension, Expression, Op, Rule, format_apart, format_refused, run};
 use std::collections::HashMap;
 
-use loosepin_text::diagnostics::{Code, Span, problems};
-use loosepin_text::document::describe_path;
-use loosepin_text::units::{Dimension, Expression, Op, Rule, format_apart, format_refused, run};
-
 /// Key of the clearance of a revolute joint that is radius of the hole minus radius of the pin.
-pub(in crate::model) const RADIAL: &str = "radial_clearance";
+pub const RADIAL: &str = "radial_clearance";
 /// Key of the same clearance where it is stated as the difference of the diameters: twice as large.
-pub(in crate::model) const DIAMETRAL: &str = "diametral_clearance";
+pub const DIAMETRAL: &str = "diametral_clearance";
 
 /// Index of a quantity in a [`QuantityTable`] and of its value in [`Values`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct QuantityId(pub usize);
 
 /// Stands where a quantity could not be read. No model with diagnostics is handed out, so it is never looked up.
-pub(in crate::model) const UNREAD: QuantityId = QuantityId(0);
+pub const UNREAD: QuantityId = QuantityId(0);
 
 /// One number of the model.
 #[derive(Debug, Clone)]
@@ -212,12 +211,12 @@ impl QuantityTable {
     }
 
     /// Notes that `id` is the share by which a body is longer than drawn.
-    pub(in crate::model) fn add_elongation(&mut self, id: QuantityId) {
+    pub fn add_elongation(&mut self, id: QuantityId) {
         self.elongations.push(id);
     }
 
     /// Notes that `warm` is the clearance of warm parts whose drawing states `stated`.
-    pub(in crate::model) fn add_warm(&mut self, warm: QuantityId, stated: QuantityId) {
+    pub fn add_warm(&mut self, warm: QuantityId, stated: QuantityId) {
         self.stated.insert(warm, stated);
     }
 
@@ -244,7 +243,7 @@ impl QuantityTable {
     }
 
     /// Adds a number.
-    pub(in crate::model) fn add_number(&mut self, quantity: Quantity, value_si: f64) -> QuantityId {
+    pub fn add_number(&mut self, quantity: Quantity, value_si: f64) -> QuantityId {
         let id = QuantityId(self.quantities.len());
         self.ids.insert(quantity.path.clone(), id);
         self.quantities.push(quantity);
@@ -253,7 +252,7 @@ impl QuantityTable {
     }
 
     /// Adds a value given by an expression over quantities added before.
-    pub(in crate::model) fn add_expression(&mut self, quantity: Quantity, expression: &Expression) -> QuantityId {
+    pub fn add_expression(&mut self, quantity: Quantity, expression: &Expression) -> QuantityId {
         let value_si = run(&expression.ops, &mut self.nominal);
         let id = self.add_number(quantity, value_si);
         self.program.extend_from_slice(&expression.ops);
@@ -262,18 +261,17 @@ impl QuantityTable {
     }
 
     /// Demands that one quantity be below another; says whether the values of the file obey.
-    pub(in crate::model) fn demand_order(
-        &mut self,
-        smaller: QuantityId,
-        larger: QuantityId,
-    ) -> Result<(), QuantityError> {
+    ///
+    /// # Errors
+    /// [`QuantityError::OutOfOrder`] if they do not.
+    pub fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId) -> Result<(), QuantityError> {
         let order = Order { smaller, larger };
         self.orders.push(order);
         self.check_order(order, &self.nominal())
     }
 
     /// The value in the file.
-    pub(in crate::model) fn nominal_value(&self, id: QuantityId) -> f64 {
+    pub fn nominal_value(&self, id: QuantityId) -> f64 {
         self.nominal[id.0]
     }
 }

@@ -1,14 +1,13 @@
 //! Named parameters: each is read after those that its expression uses.
 
-use super::reader::ModelReader;
-use crate::model::problem::ModelProblem;
+use super::problem::EntryProblem;
+use super::reader::NumberReader;
+use crate::document::{Entry, Written};
+use crate::units::{Rule, is_parameter_name, is_reserved_name, referenced_names};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
-use loosepin_text::document::{Entry, Written};
-use loosepin_text::units::{Rule, is_parameter_name, is_reserved_name, referenced_names};
-
-impl ModelReader {
+impl NumberReader {
     /// Reads the table of parameters.
     pub fn read_parameters(&mut self, entry: &Entry<'_>) {
         let entries = self.reader.any_keys(entry);
@@ -34,7 +33,7 @@ impl ModelReader {
         self.remember(entry);
         let name = entry.name;
         if !is_parameter_name(name) {
-            let problem = ModelProblem::BadParameterName { name: name.to_owned(), is_reserved: is_reserved_name(name) };
+            let problem = EntryProblem::BadParameterName { name: name.to_owned(), is_reserved: is_reserved_name(name) };
             self.reader.report(&problem, entry.key_span);
             self.parameters.broken.insert(name.to_owned());
             return;
@@ -73,7 +72,7 @@ impl ModelReader {
             {
                 let circle = &walk[begin..];
                 let names = circle.iter().chain(circle.first()).map(|step| entries[*step].name.to_owned()).collect();
-                self.reader.report(&ModelProblem::ParameterCycle { circle: names }, entries[circle[0]].span);
+                self.reader.report(&EntryProblem::ParameterCycle { circle: names }, entries[circle[0]].span);
             }
         }
     }

@@ -1,12 +1,12 @@
 //! Numbers under `[parameter]` that lack their unit: reported where they stand, not where they are used.
 
 use super::parameters::Parameters;
-use super::reader::ModelReader;
-use crate::model::problem::ModelProblem;
-use crate::model::values::quantity::{Origin, QuantityId};
-use loosepin_text::diagnostics::Diagnostic;
-use loosepin_text::document::{Entry, Written};
-use loosepin_text::units::{Dimension, Names, parse_expression, referenced_names};
+use super::problem::EntryProblem;
+use super::quantity::{Origin, QuantityId};
+use super::reader::NumberReader;
+use crate::diagnostics::Diagnostic;
+use crate::document::{Entry, Written};
+use crate::units::{Dimension, Names, parse_expression, referenced_names};
 use std::collections::HashSet;
 
 /// The parameters, those without a unit taken for something else.
@@ -26,7 +26,7 @@ impl Names for Taken<'_> {
     }
 }
 
-impl ModelReader {
+impl NumberReader {
     /// Whether the text at an entry, which does not measure what is due, would measure it if numbers under `[parameter]` had units.
     /// Then these are reported, each once.
     pub(super) fn blames_parameter(&mut self, entry: &Entry<'_>, due: Dimension) -> bool {
@@ -49,7 +49,7 @@ impl ModelReader {
             if !self.parameters.blame(&name) {
                 continue;
             }
-            let problem = ModelProblem::ParameterWithoutUnit {
+            let problem = EntryProblem::ParameterWithoutUnit {
                 name,
                 value: self.quantities.nominal_value(id),
                 entry: entry.path.describe(),

@@ -1,11 +1,11 @@
 //! The parameters read so far.
 
-use loosepin_text::units::{Dimension, Names};
+use crate::units::{Dimension, Names};
 use std::collections::{HashMap, HashSet};
 
 /// The parameters read so far.
 #[derive(Debug, Default)]
-pub(super) struct Parameters {
+pub struct Parameters {
     /// Slot and dimension of each.
     pub known: HashMap<String, (usize, Dimension)>,
     /// In file order.

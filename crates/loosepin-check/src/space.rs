@@ -1,0 +1,162 @@
+//! Description of a mechanism in space.
+
+use loosepin_space::{
+    IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, Position, RedundantDirection, SpatialMechanism,
+    SpatialModel, SpatialMotionProblem, assemble, mobility,
+};
+use loosepin_text::article::{Article, Fact, Section};
+use loosepin_text::diagnostics::Diagnostics;
+use loosepin_text::numbers::{QuantityId, Values};
+use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value, listed};
+
+/// Singular values below this share of the largest are reported as nearly redundant.
+const NEARLY_REDUNDANT: f64 = 1e-6;
+
+/// Closes the loops of a model in space over its turn, and reports its bodies, joints, freedoms and play.
+///
+/// # Errors
+/// What keeps it from moving.
+pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
+    let values = model.quantities.nominal();
+    let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
+    let (start, closing) = if model.cycle.is_some() {
+        let positions = model.positions(&mechanism, &values)?;
+        let count = positions.len();
+        (positions.into_iter().next(), format!("The loops close over the whole turn, at {count} positions."))
+    } else {
+        let found = assemble(&mechanism, &model.drive_values(&values, 0.0));
+        let start = found.map_err(|error| {
+            let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
+            Diagnostics::one(&problem, None)
+        })?;
+        (Some(start), "The loops close at the start; without [cycle] they are not moved.".to_owned())
+    };
+    let mut sections = vec![bodies(model, &values), joints(model, &values)];
+    if let Some(start) = start {
+        sections.push(freedoms(model, &mechanism, &start));
+    }
+    sections.push(Section::of_sentences("closing", [closing]));
+    Ok(Article { title: model.name.clone(), sections })
+}
+
+fn bodies(model: &SpatialModel, values: &Values) -> Section {
+    let moving = model.bodies.iter().skip(1);
+    let facts = moving.map(|body| {
+        let mass = body.mass_kg.map_or("no mass".to_owned(), |mass| format_value(values[mass], Dimension::MASS));
+        let points = counted_or_no(body.points.len(), "point", "points");
+        Fact::new(&body.name, [format!("{mass}, {points}")])
+    });
+    let count = model.bodies.len().saturating_sub(1);
+    let heading = format!("{} in space, on the ground", counted_or_no(count, "moving body", "moving bodies"));
+    Section::of_facts("bodies", heading, facts)
+}
+
+fn joints(model: &SpatialModel, values: &Values) -> Section {
+    let facts = model.joints.iter().enumerate().map(|(number, joint)| {
+        let kind = joint.form.word();
+        let [journal, bearing] = [&joint.journal, &joint.bearing].map(|marker| model.point_name(marker.point));
+        let mut lines = vec![format!("{kind}: {journal} in {bearing}")];
+        lines.extend(model.drives.iter().filter(|drive| drive.joint == number).map(|drive| {
+            let (speed, start) = match drive.coordinate {
+                JointCoordinate::Angle => (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE),
+                JointCoordinate::Slide => (Dimension::VELOCITY, Dimension::LENGTH),
+            };
+            let (speed, start) = (format_value(values[drive.speed], speed), format_value(values[drive.start], start));
+            format!("driven by '{}' at {speed}, from {start}", drive.name)
+        }));
+        lines.extend(joint.play.map(|play| play_words(play, values)));
+        Fact::new(&joint.name, lines)
+    });
+    let facts: Vec<Fact> = facts.collect();
+    Section::of_facts("joints", counted_or_no(facts.len(), "joint", "joints"), facts)
+}
+
+fn play_words(play: ModelPlay, values: &Values) -> String {
+    let length = |id: QuantityId| format_value(values[id], Dimension::LENGTH);
+    let bearing = |clearance: QuantityId, over: QuantityId| {
+        let slope = 2.0 * values[clearance] / values[over];
+        let lean = format!("{} mrad", format_number(1e-3 * (1e6 * slope).round()));
+        format!(
+            "radial clearance {} in a bearing of length {}; the journal leans by up to {lean}",
+            length(clearance),
+            length(over)
+        )
+    };
+    match play {
+        ModelPlay::Ball { radial_clearance_m } => format!("play: radial clearance {}", length(radial_clearance_m)),
+        ModelPlay::Shaft { bearing_length_m, radial_clearance_m } => {
+            format!("play: {}", bearing(radial_clearance_m, bearing_length_m))
+        }
+        ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => format!(
+            "play: {}; axial clearance {}",
+            bearing(radial_clearance_m, bearing_length_m),
+            length(axial_clearance_m)
+        ),
+    }
+}
+
+/// Degrees of freedom, idle ones, and rows that repeat others.
+fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position) -> Section {
+    let found = mobility(mechanism, start);
+    let mut lines = vec![format!(
+        "{}, {}: {}",
+        counted_or_no(found.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+        counted_or_no(found.drives, "drive", "drives"),
+        determined(&found)
+    )];
+    lines.extend(found.idle.iter().map(|idle| idle_words(model, idle)));
+    if !found.redundant.is_empty() {
+        let count = found.redundant.len();
+        lines.push(format!(
+            "{} of the joints {} others: {}",
+            counted_or_no(count, "constraint", "constraints"),
+            if count == 1 { "repeats" } else { "repeat" },
+            listed(&taking_part(model, &found.redundant), "and")
+        ));
+        lines.push(
+            "their play must meet as many conditions together; single reactions of these joints are not determined"
+                .to_owned(),
+        );
+    }
+    if found.smallest_counted < NEARLY_REDUNDANT {
+        lines.push(format!(
+            "a constraint is nearly redundant: smallest singular value {} of the largest; numbers with few digits do that",
+            format_number(found.smallest_counted)
+        ));
+    }
+    Section::of_sentences("mobility", lines)
+}
+
+fn determined(found: &Mobility) -> String {
+    let repeated = found.repeated_drives;
+    match (found.undriven_freedoms, repeated) {
+        (0, 0) => "the motion is determined".to_owned(),
+        (0, _) => format!(
+            "{} what the joints or other drives hold",
+            if repeated == 1 { "a drive repeats" } else { "drives repeat" }
+        ),
+        (free, _) => format!("{} without a drive", counted_or_no(free, "freedom is left", "freedoms are left")),
+    }
+}
+
+/// The joints that take part in redundant rows, each once.
+fn taking_part(model: &SpatialModel, redundant: &[RedundantDirection]) -> Vec<String> {
+    let joints = model.joints.iter().enumerate();
+    let takes_part = |number: usize| redundant.iter().any(|own| own.shares.iter().any(|share| share.joint == number));
+    joints.filter(|(number, _)| takes_part(*number)).map(|(_, joint)| format!("'{}'", joint.name)).collect()
+}
+
+fn idle_words(model: &SpatialModel, idle: &IdleMotion) -> String {
+    let names: Vec<String> = idle.bodies.iter().map(|body| format!("'{}'", model.bodies[*body].name)).collect();
+    let along = [idle.direction.x, idle.direction.y, idle.direction.z];
+    let along = along.map(|own| format_number(1e-3 * (1e3 * own).round())).join(", ");
+    let does = match idle.kind {
+        IdleKind::Turn { .. } => "turns alone",
+        IdleKind::Slide => "slides",
+        IdleKind::Helix { .. } => "moves as a screw",
+    };
+    format!(
+        "one freedom is idle: {} {does}, along ({along}) at the start, and moves nothing else",
+        listed(&names, "and")
+    )
+}

@@ -1,0 +1,50 @@
+//! Models in space, as far as commands know them.
+
+use std::path::Path;
+
+use loosepin::diagnostics::Diagnostics;
+use loosepin::document::read_source;
+use loosepin::files::write_new_files;
+use loosepin::report::spatial_motion_text;
+use loosepin::results::MOTION_FILE;
+use loosepin::simulate::spatial_motion_csv;
+use loosepin::space::{SpatialModel, SpatialMotionProblem, is_spatial};
+
+use super::inputs::warn;
+use crate::arguments::MotionArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// The model of a file that says that it is one in space.
+///
+/// # Errors
+/// What is wrong with it; a file that cannot be read.
+pub fn read_space(path: &Path) -> Result<Option<SpatialModel>, Diagnostics> {
+    let source = read_source(path)?;
+    if is_spatial(&source) { SpatialModel::from_source(&source).map(Some) } else { Ok(None) }
+}
+
+/// Shows the ideal motion in space and the worst cases of play; with `--out`, `motion.csv` in a new folder has them at each position.
+pub fn move_in_space(arguments: &MotionArguments, model: &SpatialModel) -> Ending {
+    let options = [
+        ("--set", !arguments.set.is_empty()),
+        ("--path", !arguments.path.is_empty()),
+        ("--force", arguments.output.force),
+    ];
+    if let Some((option, _)) = options.into_iter().find(|(_, is_given)| *is_given) {
+        return Err(Failure::of(&SpatialMotionProblem::OptionNotInSpace { option }));
+    }
+    warn(&model.warnings);
+    let record = model.motion_record(&model.quantities.nominal())?;
+    console::print(&spatial_motion_text(&record))?;
+    if let Some(folder) = &arguments.output.folder {
+        write_new_files(folder, &[(MOTION_FILE, spatial_motion_csv(&record).as_bytes())]).map_err(|error| {
+            Failure::of(&SpatialMotionProblem::NotWritten {
+                folder: folder.display().to_string(),
+                why: error.to_string(),
+            })
+        })?;
+        console::message(&format!("wrote {}", folder.join(MOTION_FILE).display()));
+    }
+    Ok(Done::Well)
+}

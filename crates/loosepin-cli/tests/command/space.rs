@@ -1,0 +1,46 @@
+//! Models in space: what `check` and `motion` say, what is written, and what the other commands refuse.
+
+use super::command_line::{Columns, Desk};
+
+const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slider-crank.toml");
+
+fn desk() -> Desk {
+    let desk = Desk::new();
+    desk.write("model.toml", SLIDER_CRANK);
+    desk
+}
+
+#[test]
+fn a_motion_in_space_writes_its_table_once() {
+    let desk = desk();
+    let said = desk.succeed(&["motion", "model.toml", "--out", "one"]);
+    assert!(said.output.starts_with("spatial slider-crank\n\n37 positions over a turn"), "{}", said.output);
+    let motion = Columns::from_csv(&desk.read("one/motion.csv"));
+    let names = ["crank_rad", "slider_m", "slider_first_order_worst_case_m", "slider_standard_deviation_m"];
+    assert_eq!(motion.names(), names);
+    for (angle, place) in motion.column(names[0]).iter().zip(motion.column(names[1])) {
+        let (y, z) = (0.1 - 0.08 * angle.sin(), 0.12 + 0.08 * angle.cos());
+        assert!((place - (0.09 - y * y - z * z).sqrt()).abs() < 1e-12, "{angle} {place}");
+    }
+    // Independent program, at 0 deg.
+    assert!((motion.column(names[2])[0] - 0.00100158563062).abs() < 1e-14);
+    assert!(!desk.run(&["motion", "model.toml", "--out", "one"]).messages.is_empty());
+}
+
+#[test]
+fn what_does_not_know_space_refuses_it() {
+    let desk = desk();
+    let place =
+        format!("model.toml:{}:12", SLIDER_CRANK.lines().position(|line| line.starts_with("geometry")).unwrap() + 1);
+    let message = format!(
+        "{place}: error[E0905]: this command works on planar models; a model in space is known to check and motion"
+    );
+    desk.fail(&["simulate", "model.toml"], &message);
+    desk.fail(
+        &["motion", "model.toml", "--set", "a=1"],
+        "error[E0207]: --set cannot be used with a model in space yet",
+    );
+    desk.write("study.toml", "model = \"model.toml\"\n");
+    let study = desk.run(&["check", "study.toml"]);
+    assert!(study.messages.contains("this command works on planar models"), "{}", study.messages);
+}

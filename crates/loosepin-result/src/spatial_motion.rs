@@ -1,0 +1,72 @@
+//! The motion of a mechanism in space over a turn, and what play does to it, without dynamics. SI.
+
+use loosepin_text::units::SiUnit;
+
+/// The motion over a turn, with the worst cases of each output.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialMotionRecord {
+    /// Name of the model.
+    pub model: String,
+    /// Name of the drive whose angle is the input, or `time`.
+    pub input: String,
+    /// Unit of the input: rad or s.
+    pub input_unit: SiUnit,
+    /// The input at each position.
+    pub inputs_si: Vec<f64>,
+    /// Whether a joint has play.
+    pub has_play: bool,
+    /// The outputs in their order.
+    pub outputs: Vec<SpatialOutputRecord>,
+}
+
+/// An output over the turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialOutputRecord {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub words: String,
+    /// Its unit: m or rad.
+    pub unit: SiUnit,
+    /// The ideal value at each position; empty of a path, which is no number. A turn counts from the first position.
+    pub ideal_si: Vec<f64>,
+    /// The worst case of first order at each position: the largest deviation to one side, which is that to the other; of a path the longest
+    /// displacement.
+    pub first_order_si: Vec<f64>,
+    /// Standard deviation with the journals anywhere in their play, all places alike; of a path the root of the mean square of the displacement.
+    /// Empty where the plays must meet conditions together, so that there is no closed form.
+    pub standard_deviation_si: Vec<f64>,
+    /// The worst position.
+    pub worst: SpatialWorstCase,
+}
+
+/// An output in the position in which its worst case of first order is largest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialWorstCase {
+    /// Number of the position.
+    pub sample: usize,
+    /// Largest deviation that a search found, loops closed exactly; of a path along the direction of the longest displacement.
+    pub largest_si: f64,
+    /// Smallest deviation that a search found.
+    pub smallest_si: f64,
+    /// Conditions that the plays must meet together so that the loops close.
+    pub conditions: usize,
+    /// What each joint with play contributes.
+    pub contributors: Vec<SpatialContributor>,
+}
+
+/// What the play of a joint contributes to a worst case of first order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialContributor {
+    /// The joint.
+    pub joint: String,
+    /// Its part; the parts of all joints add up to the worst case.
+    pub part_si: f64,
+    /// The largest effect of an offset of the journal without a lean. With the next it adds up to more than the part, since both share the
+    /// clearance.
+    pub offset_si: f64,
+    /// The largest effect of a lean of the journal without an offset; `None` of a ball.
+    pub lean_si: Option<f64>,
+    /// The effect of the axial clearance; `None` of a joint without stops.
+    pub axial_si: Option<f64>,
+}

@@ -1,0 +1,208 @@
+//! From values to a mechanism.
+
+use super::direction::{Direction, vector};
+use super::parts::{
+    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelOutputKind, ModelPlay, PointId, SpatialModel,
+};
+use super::placing::placed;
+use super::problem::SpatialModelError;
+use crate::geometry::pose::Pose;
+use crate::geometry::quaternion::Quaternion;
+use crate::geometry::vector::Vec3;
+use crate::mechanism::body::Body;
+use crate::mechanism::drive::{Drive, DriveValue};
+use crate::mechanism::joint::Joint;
+use crate::mechanism::marker::Marker;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::output::{PointOutput, RotationOutput, SpatialOutput};
+use crate::play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay};
+use loosepin_text::diagnostics::{Diagnostic, Place, Source};
+use loosepin_text::numbers::Values;
+use std::sync::Arc;
+
+/// What grows evenly over a turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleInput {
+    /// Name of the drive whose angle it is; `None` for the time.
+    pub drive: Option<String>,
+    /// At time zero, rad or s.
+    pub start: f64,
+    /// Its rate, rad/s; 1 for the time.
+    pub rate: f64,
+    /// Duration of the turn, s.
+    pub turn_s: f64,
+    /// Positions in the turn; the last is the first again.
+    pub samples: usize,
+}
+
+impl CycleInput {
+    /// Times at which the mechanism is looked at, s: evenly over the turn, both ends among them.
+    pub fn times_s(&self) -> Vec<f64> {
+        (0..=self.samples).map(|sample| self.turn_s * sample as f64 / self.samples as f64).collect()
+    }
+
+    /// The input at a time.
+    pub fn at(&self, time_s: f64) -> f64 {
+        self.start + self.rate * time_s
+    }
+}
+
+impl SpatialModel {
+    /// The mechanism with these values, its bodies placed for the start.
+    ///
+    /// # Errors
+    /// Directions of length zero or along the axis that they are across, and what [`SpatialMechanism::new`] refuses.
+    pub fn mechanism(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        let bodies = self.bodies.iter().map(|body| Body::new(body.name.clone(), Pose::GROUND)).collect();
+        let joints: Result<Vec<Joint>, SpatialModelError> =
+            self.joints.iter().map(|joint| self.joint(joint, values)).collect();
+        let drives = self.drives.iter().map(|drive| Drive { joint: drive.joint, coordinate: drive.coordinate });
+        let mechanism = SpatialMechanism::new(bodies, joints?, drives.collect()).map_err(|error| {
+            let path = error.joint().map(|joint| format!("joint.{joint}"));
+            SpatialModelError::NoMechanism { path: path.unwrap_or_default(), why: error.to_string() }
+        })?;
+        let mut guesses = vec![None; self.bodies.len()];
+        for guess in &self.guesses {
+            guesses[guess.body] = Some(pose(guess, values));
+        }
+        let starts: Vec<f64> = self.drives.iter().map(|drive| values[drive.start]).collect();
+        Ok(mechanism.with_start_poses(&placed(&mechanism, &guesses, &starts)))
+    }
+
+    /// What the drives prescribe at a time.
+    pub fn drive_values(&self, values: &Values, time_s: f64) -> Vec<DriveValue> {
+        let at = |speed: f64, start: f64| DriveValue::at_rate(start + speed * time_s, speed);
+        self.drives.iter().map(|drive| at(values[drive.speed], values[drive.start])).collect()
+    }
+
+    /// What a turn is counted by.
+    ///
+    /// # Errors
+    /// There is no `[cycle]`, or its drive stands still.
+    pub fn cycle_input(&self, values: &Values) -> Result<CycleInput, SpatialModelError> {
+        let Some(cycle) = &self.cycle else {
+            let names = self.drives.iter().map(|drive| format!("\"{}\"", drive.name)).collect();
+            return Err(SpatialModelError::NoCycle { names });
+        };
+        let samples = cycle.samples_per_turn;
+        let drive = match cycle.span {
+            ModelCycleSpan::Duration(duration) => {
+                return Ok(CycleInput { drive: None, start: 0.0, rate: 1.0, turn_s: values[duration], samples });
+            }
+            ModelCycleSpan::Drive(drive) => &self.drives[drive],
+        };
+        let rate = values[drive.speed];
+        if rate == 0.0 {
+            return Err(SpatialModelError::StandsStill { path: format!("drive.{}.speed", drive.name) });
+        }
+        let turn_s = std::f64::consts::TAU / rate.abs();
+        Ok(CycleInput { drive: Some(drive.name.clone()), start: values[drive.start], rate, turn_s, samples })
+    }
+
+    /// What an output reads off: one number, or the three components of the displacement of a point.
+    ///
+    /// # Errors
+    /// A direction of length zero.
+    pub fn outputs_of(&self, number: usize, values: &Values) -> Result<Vec<SpatialOutput>, SpatialModelError> {
+        let Some(output) = self.outputs.get(number) else { return Ok(Vec::new()) };
+        let unit =
+            |direction: Direction, key: &str| unit(direction, values, || format!("output.{}.{key}", output.name));
+        Ok(match output.kind {
+            ModelOutputKind::Position { point, along } => {
+                let (point_m, direction) = (self.position(point, values), unit(along, "along")?);
+                vec![PointOutput { body: point.body, point_m, direction }.into()]
+            }
+            ModelOutputKind::Path { point } => {
+                SpatialOutput::displacement(point.body, self.position(point, values)).to_vec()
+            }
+            ModelOutputKind::Turn { body, about } => {
+                vec![RotationOutput { body, axis: unit(about, "about")? }.into()]
+            }
+        })
+    }
+
+    /// A point in the frame of its body, m.
+    pub fn position(&self, point: PointId, values: &Values) -> Vec3 {
+        vector(self.bodies[point.body].points[point.point].position_m, values)
+    }
+
+    /// A point as the file names it.
+    pub fn point_name(&self, point: PointId) -> String {
+        let body = &self.bodies[point.body];
+        format!("{}.{}", body.name, body.points[point.point].name)
+    }
+
+    /// The diagnostic of an error, at its place in the file.
+    pub fn diagnostic(&self, error: &SpatialModelError) -> Diagnostic {
+        let path = error.path();
+        // Of a vector, its first number.
+        let ids = [path.to_owned(), format!("{path}.x")].into_iter().filter_map(|path| self.quantities.id(&path));
+        let of_number = ids.filter_map(|id| self.quantities[id].span).next();
+        // The table of what is at fault, where it is no entry of its own.
+        let tables = path.match_indices('.').map(|(end, _)| &path[..end]).chain([path]);
+        let of_table = tables.filter_map(|path| self.places.get(path).copied()).next_back();
+        let span = of_number.or(of_table);
+        Diagnostic::error(error, span.map(|span| Place::new(&self.source, span)))
+    }
+
+    /// The text of the file.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    fn joint(&self, joint: &ModelJoint, values: &Values) -> Result<Joint, SpatialModelError> {
+        let kind = joint.form.with_pitch(|pitch_m| values[pitch_m]);
+        let bearing = self.marker(&joint.bearing, values, &joint.name, "bearing")?;
+        let journal = self.marker(&joint.journal, values, &joint.name, "journal")?;
+        let play = joint.play.map(|play| spatial_play(play, values));
+        Ok(Joint { play, ..Joint::new(joint.name.clone(), kind, bearing, journal) })
+    }
+
+    fn marker(
+        &self,
+        marker: &ModelMarker,
+        values: &Values,
+        joint: &str,
+        side: &str,
+    ) -> Result<Marker, SpatialModelError> {
+        let axis = unit(marker.axis, values, || format!("joint.{joint}.{side}_axis"))?;
+        let (body, point_m) = (marker.point.body, self.position(marker.point, values));
+        let path = || format!("joint.{joint}.{side}_across");
+        let made = match marker.across {
+            None => Marker::along(body, point_m, axis),
+            Some(across) => Marker::new(body, point_m, axis, unit(across, values, path)?),
+        };
+        made.ok_or_else(|| SpatialModelError::AlongAxis { path: path(), axis: "the axis of the joint" })
+    }
+}
+
+fn unit(direction: Direction, values: &Values, path: impl Fn() -> String) -> Result<Vec3, SpatialModelError> {
+    direction.vector(values).normalised().ok_or_else(|| SpatialModelError::NoDirection { path: path() })
+}
+
+fn spatial_play(play: ModelPlay, values: &Values) -> SpatialPlay {
+    match play {
+        ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => RevolutePlay {
+            bearing_length_m: values[bearing_length_m],
+            radial_clearance_m: values[radial_clearance_m],
+            axial_clearance_m: values[axial_clearance_m],
+        }
+        .into(),
+        ModelPlay::Shaft { bearing_length_m, radial_clearance_m } => CylindricalPlay {
+            bearing_length_m: values[bearing_length_m],
+            radial_clearance_m: values[radial_clearance_m],
+        }
+        .into(),
+        ModelPlay::Ball { radial_clearance_m } => {
+            SphericalPlay { radial_clearance_m: values[radial_clearance_m] }.into()
+        }
+    }
+}
+
+/// Each turn is about an axis of the body as the turns before left it, so that it stands to the right of them.
+fn pose(guess: &ModelGuess, values: &Values) -> Pose {
+    let turn = guess.turned.iter().fold(Quaternion::IDENTITY, |turn, (axis, angle)| {
+        turn.compose(&Quaternion::from_rotation_vector(axis.vector(values) * values[*angle]))
+    });
+    Pose::new(vector(guess.at_m, values), turn.normalised())
+}

@@ -1,0 +1,54 @@
+//! Directions in the frame of a body.
+
+use crate::geometry::vector::Vec3;
+use loosepin_text::numbers::{QuantityId, Values};
+
+/// A direction in the frame of a body; its length does not matter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Direction {
+    /// A coordinate axis of the frame, or its opposite.
+    Coordinate(Vec3),
+    /// Three numbers.
+    Numbers([QuantityId; 3]),
+    /// From one point of the body to another, each with its coordinates.
+    Between([[QuantityId; 3]; 2]),
+}
+
+impl Direction {
+    /// The z axis of the frame.
+    pub(super) const Z: Direction = Self::Coordinate(Vec3::Z);
+
+    /// The words for coordinate axes.
+    pub(super) const WORDS: &'static [(&'static str, Direction)] = &[
+        ("x", Self::Coordinate(Vec3::X)),
+        ("y", Self::Coordinate(Vec3::Y)),
+        ("z", Self::Coordinate(Vec3::Z)),
+        ("-x", Self::Coordinate(Vec3::new(-1.0, 0.0, 0.0))),
+        ("-y", Self::Coordinate(Vec3::new(0.0, -1.0, 0.0))),
+        ("-z", Self::Coordinate(Vec3::new(0.0, 0.0, -1.0))),
+    ];
+
+    /// The direction called `word`.
+    pub(super) fn from_word(word: &str) -> Option<Self> {
+        Self::WORDS.iter().find(|(own, _)| *own == word).map(|(_, direction)| *direction)
+    }
+
+    /// The direction with these values, as long as it was written.
+    pub fn vector(&self, values: &Values) -> Vec3 {
+        match self {
+            Self::Coordinate(axis) => *axis,
+            Self::Numbers(numbers) => vector(*numbers, values),
+            Self::Between([from, to]) => vector(*to, values) - vector(*from, values),
+        }
+    }
+
+    /// Whether it is a coordinate axis.
+    pub(super) fn is_coordinate(&self) -> bool {
+        matches!(self, Self::Coordinate(_))
+    }
+}
+
+/// Three values as a vector.
+pub(super) fn vector(ids: [QuantityId; 3], values: &Values) -> Vec3 {
+    Vec3::from(ids.map(|id| values[id]))
+}

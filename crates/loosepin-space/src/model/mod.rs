@@ -1,0 +1,34 @@
+//! Models of mechanisms in space: a file with its numbers as quantities, and the mechanism that it makes with given values. Poses, gains and
+//! worst cases are computed in the other folders, which know no file.
+//!
+//! | Step | File |
+//! |---|---|
+//! | the parts of a model, directions | `parts.rs`, `direction.rs` |
+//! | points, axes and names while a file is read | `reader.rs` |
+//! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
+//! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
+//! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | what is wrong with it | `problem.rs` |
+
+mod assembly;
+mod body;
+mod compile;
+mod direction;
+mod drive;
+mod joint;
+mod output;
+mod over_turn;
+mod parts;
+mod placing;
+mod problem;
+mod read;
+mod reader;
+
+pub use compile::CycleInput;
+pub use direction::Direction;
+pub use parts::{
+    ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
+    ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
+};
+pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
+pub use read::{is_spatial, spatial_model_schema};

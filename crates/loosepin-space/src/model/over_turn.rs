@@ -1,0 +1,219 @@
+//! A model over its turn: ideal motion, worst cases, and who contributes, as a record.
+
+use super::parts::{ModelOutputKind, SpatialModel};
+use super::problem::SpatialMotionProblem;
+use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
+use crate::closure::cycle;
+use crate::closure::position::Position;
+use crate::geometry::vector::Vec3;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::output::kind_of_output::{KindOfOutput, OutputState};
+use crate::output::{PointOutput, SpatialOutput};
+use crate::play::block::PlayPart;
+use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::numbers::Values;
+use loosepin_text::units::SiUnit;
+
+impl SpatialModel {
+    /// Moves the mechanism over its turn.
+    ///
+    /// # Errors
+    /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
+    /// answer.
+    pub fn motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
+        let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
+        let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
+        let positions = self.positions(&mechanism, values)?;
+        let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
+        let mut accuracies = Vec::with_capacity(positions.len());
+        for (position, at) in positions.iter().zip(&inputs_si) {
+            let accuracy =
+                PoseAccuracy::new(&mechanism, position).map_err(|error| no_answer("the motion", *at, error))?;
+            accuracies.push(accuracy);
+        }
+        let outputs = (0..self.outputs.len()).map(|number| self.output_record(number, values, &accuracies, &inputs_si));
+        Ok(SpatialMotionRecord {
+            model: self.name.clone(),
+            input: input.drive.clone().unwrap_or_else(|| "time".to_owned()),
+            input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
+            has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
+            outputs: outputs.collect::<Result<_, _>>()?,
+            inputs_si,
+        })
+    }
+
+    /// The positions of the turn.
+    ///
+    /// # Errors
+    /// There is no turn, or the loops do not close all over it.
+    pub fn positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, Diagnostics> {
+        let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
+        let found = cycle(mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
+        match found.stopped {
+            None => Ok(found.positions),
+            Some(error) => {
+                let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
+                Err(Diagnostics::one(&problem, None))
+            }
+        }
+    }
+
+    fn output_record(
+        &self,
+        number: usize,
+        values: &Values,
+        accuracies: &[PoseAccuracy<'_>],
+        inputs_si: &[f64],
+    ) -> Result<SpatialOutputRecord, Diagnostics> {
+        let components = self.outputs_of(number, values).map_err(|error| self.diagnostic(&error))?;
+        let output = &self.outputs[number];
+        let mut worst = Worst { sample: 0, first_order: f64::NEG_INFINITY, output: None };
+        let (mut first_order_si, mut variances) = (Vec::new(), Vec::new());
+        for (sample, (accuracy, input)) in accuracies.iter().zip(inputs_si).enumerate() {
+            let found = at_position(accuracy, &components);
+            let (first_order, variance, along) = found.map_err(|error| no_answer(&output.name, *input, error))?;
+            first_order_si.push(first_order);
+            variances.extend(variance);
+            // Round-off decides nothing: the first of several alike.
+            if first_order > worst.first_order * (1.0 + SAME) || sample == 0 {
+                worst = Worst { sample, first_order, output: Some(along) };
+            }
+        }
+        let is_whole = variances.len() == first_order_si.len();
+        let (words, unit) = self.words(output.kind);
+        let at = inputs_si.get(worst.sample).copied().unwrap_or_default();
+        let case = accuracies.get(worst.sample).zip(worst.output);
+        let case = case.map(|(accuracy, output)| worst_case(accuracy, &output, worst.sample)).transpose();
+        Ok(SpatialOutputRecord {
+            name: output.name.clone(),
+            words,
+            unit,
+            ideal_si: ideal(&components, accuracies),
+            first_order_si,
+            standard_deviation_si: if is_whole { variances.iter().map(|own| own.sqrt()).collect() } else { Vec::new() },
+            worst: case.map_err(|error| no_answer(&output.name, at, error))?.unwrap_or(SpatialWorstCase {
+                sample: 0,
+                largest_si: 0.0,
+                smallest_si: 0.0,
+                conditions: 0,
+                contributors: Vec::new(),
+            }),
+        })
+    }
+
+    fn words(&self, kind: ModelOutputKind) -> (String, SiUnit) {
+        match kind {
+            ModelOutputKind::Position { point, .. } => {
+                (format!("position of {}", self.point_name(point)), SiUnit::LENGTH)
+            }
+            ModelOutputKind::Path { point } => (format!("displacement of {}", self.point_name(point)), SiUnit::LENGTH),
+            ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
+        }
+    }
+}
+
+/// Relative difference of worst cases that is round-off.
+const SAME: f64 = 1e-9;
+
+struct Worst {
+    sample: usize,
+    first_order: f64,
+    output: Option<SpatialOutput>,
+}
+
+fn no_answer(output: &str, input: f64, error: AccuracyError) -> Diagnostics {
+    let problem = SpatialMotionProblem::NoAnswer { output: output.to_owned(), input, why: error.to_string() };
+    Diagnostic::error(&problem, None).into()
+}
+
+/// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a path the displacement along the
+/// direction in which it is longest.
+fn at_position(
+    accuracy: &PoseAccuracy<'_>,
+    components: &[SpatialOutput],
+) -> Result<(f64, Option<f64>, SpatialOutput), AccuracyError> {
+    let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<Gains>, _>>()?;
+    let deviation = |gains: &Gains| accuracy.standard_deviation(gains, PlayDistribution::Inside);
+    let variance = gains.iter().map(|own| deviation(own).map(|own| own * own)).sum::<Option<f64>>();
+    if let ([output], [gains]) = (components, gains.as_slice()) {
+        return Ok((accuracy.first_order(gains)?.worst, variance, *output));
+    }
+    let longest = accuracy.largest_norm(&gains)?;
+    let direction = <[f64; 3]>::try_from(longest.direction).map_or(None, |n| Vec3::from(n).normalised());
+    let point = components.first().and_then(SpatialOutput::point).ok_or(AccuracyError::OutputDoesNotFit)?;
+    let along = PointOutput { direction: direction.unwrap_or(Vec3::X), ..point };
+    Ok((longest.largest, variance, along.into()))
+}
+
+/// Ideal values: of a point its place along the direction, of a turn the sum of the turns from position to position.
+fn ideal(components: &[SpatialOutput], accuracies: &[PoseAccuracy<'_>]) -> Vec<f64> {
+    let [output] = components else { return Vec::new() };
+    let states: Vec<OutputState> = accuracies.iter().map(|accuracy| accuracy.ideal_state()).collect();
+    if let Some(own) = output.point() {
+        return states.iter().map(|state| state.poses[own.body].point_m(own.point_m).dot(own.direction)).collect();
+    }
+    let mut turned = vec![0.0];
+    for pair in states.windows(2) {
+        let before = turned.last().copied().unwrap_or_default();
+        turned.push(before + output.deviation(&pair[0], &pair[1]));
+    }
+    turned.truncate(states.len());
+    turned
+}
+
+fn worst_case(
+    accuracy: &PoseAccuracy<'_>,
+    output: &SpatialOutput,
+    sample: usize,
+) -> Result<SpatialWorstCase, AccuracyError> {
+    let gains = accuracy.gains(output)?;
+    let first_order = accuracy.first_order(&gains)?;
+    let exact = accuracy.worst_case(output, &SearchOptions::default())?;
+    Ok(SpatialWorstCase {
+        sample,
+        largest_si: exact.largest.deviation,
+        smallest_si: exact.smallest.deviation,
+        conditions: accuracy.conditions(),
+        contributors: contributors(accuracy, &gains, &first_order),
+    })
+}
+
+/// What each joint with play does: g + λ·h in place of g, where the plays must meet conditions together.
+fn contributors(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstOrder) -> Vec<SpatialContributor> {
+    let mut by_play = gains.by_play.clone();
+    for (row, multiplier) in accuracy.conditions_by_play().iter().zip(&first_order.multipliers) {
+        by_play.iter_mut().zip(row).for_each(|(gain, h)| *gain += multiplier * h);
+    }
+    let joints = accuracy.mechanism().joints().iter().enumerate().filter(|(_, joint)| joint.play.is_some());
+    joints
+        .map(|(number, joint)| {
+            let of = |part: PlayPart| {
+                let block = gains.blocks.iter().find(|block| block.joint == number && block.part == part)?;
+                Some((by_play.get(block.range())?, block.radius_m))
+            };
+            let alone = |part: PlayPart| of(part).map(|(own, radius_m)| radius_m * length(own.iter().copied()));
+            // u1 = u2 = c is an offset, u2 = -u1 a lean.
+            let of_ends =
+                of(PlayPart::FirstEnd).zip(of(PlayPart::SecondEnd)).map(|((first, radius_m), (second, _))| {
+                    let both = |sign: f64| radius_m * length(first.iter().zip(second).map(|(a, b)| a + sign * b));
+                    [both(1.0), both(-1.0)]
+                });
+            SpatialContributor {
+                joint: joint.name.clone(),
+                part_si: first_order.by_joint.get(number).copied().unwrap_or_default(),
+                offset_si: of_ends
+                    .map(|[offset, _]| offset)
+                    .or_else(|| alone(PlayPart::Ball))
+                    .or_else(|| alone(PlayPart::Across))
+                    .unwrap_or_default(),
+                lean_si: of_ends.map(|[_, lean]| lean),
+                axial_si: alone(PlayPart::Axial),
+            }
+        })
+        .collect()
+}
+
+fn length(components: impl Iterator<Item = f64>) -> f64 {
+    components.map(|own| own * own).sum::<f64>().sqrt()
+}

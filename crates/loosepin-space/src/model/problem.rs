@@ -1,0 +1,121 @@
+//! Errors of a model in space.
+
+use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::document::{describe_path, listed};
+use loosepin_text::units::{format_number, quoted};
+
+problems! {
+    /// An error in a model file. `entry` is a path in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpatialModelProblem {
+        NotSpace { found: String } => Code::WrongKindOfFile,
+            says("geometry is '{found}'; must be \"space\""),
+            hint("a planar model has no key geometry, or geometry = \"plane\"");
+        UnknownAxis { entry: String, body: String, name: String, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: body '{body}' has no axis '{name}'"),
+            hint("{}", match known.is_empty() {
+                true => format!("write x, y or z, three numbers, or define it under axes of body '{body}'"),
+                false => format!("available: {}; or write x, y or z, or three numbers", quoted(known)),
+            });
+        AxisName { entry: String, name: String } => Code::BadName,
+            says("{entry}: an axis cannot be called '{name}', which is an axis of the frame"),
+            hint("choose another name");
+        OneAxis { entry: String, given: &'static str, other: &'static str } => Code::ConflictingKeys,
+            says("{entry}: '{given}' needs '{other}'"),
+            hint("give both, or 'axis' for both bodies");
+        AxisTwice { entry: String, given: &'static str } => Code::ConflictingKeys,
+            says("{entry}: 'axis' and '{given}' cannot be used together"),
+            hint("'axis' is the axis on both bodies; give bearing_axis and journal_axis where they differ");
+        NeedsAcross { entry: String, kind: &'static str } => Code::MissingKey,
+            says("{entry}: a {kind} joint about an axis that is not x, y or z needs bearing_across and journal_across"),
+            hint("they are directions across the axis that the joint keeps together");
+        SameBody { entry: String, body: String } => Code::SameBody,
+            says("{entry} connects body '{body}' to itself");
+        NotDrivable { entry: String, joint: String, kind: &'static str } => Code::DriveNotPossible,
+            says("{entry}: joint '{joint}' is {kind} and cannot be driven"),
+            hint("drive a revolute, prismatic, cylindrical or screw joint");
+        WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String } =>
+            Code::DriveNotPossible,
+            says("{entry}: '{found}' does not fit the {kind} joint '{joint}'"),
+            hint("write {due}");
+        DrivenTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
+            says("{entry}: joint '{joint}' is already driven by '{other}'");
+        CycleNeedsTurns { drive: String } => Code::DriveNotPossible,
+            says("cycle: drive '{drive}' moves along its joint; its turns cannot be counted"),
+            hint("use a drive of an angle, or give duration instead of drive");
+        GuessOfGround => Code::UnknownReference,
+            says("assembly: the ground does not move, so it needs no guess");
+        NotATurn { entry: String, found: String } => Code::ExpressionSyntax,
+            says("{entry} is '{found}'; must be an axis and an angle"),
+            hint("for example \"x 30 deg\": a turn about the x axis of the body");
+        InertiaCount { entry: String, found: usize } => Code::WrongType,
+            says("{entry} has {found} entries; expected 3 or 6"),
+            hint("about the centre of mass: xx, yy, zz, and xy, xz, yz where the axes of the frame are not principal axes");
+        NotAnInertia { entry: String } => Code::BreaksRule,
+            says("{entry} is of no body: each principal moment must be above zero and at most the sum of the other two"),
+            hint("xx is the sum of m (y² + z²), xy the negative sum of m x y");
+        TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
+            says("the file has {found} {what}; at most {most} are permitted");
+        Unused { entry: String } => Code::Unused,
+            says("{entry} is not used"),
+            hint("changing it has no effect on the results");
+    }
+}
+
+problems! {
+    /// Why values make no mechanism. `path` is that of the entry at fault.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpatialModelError {
+        NoDirection { path: String } => Code::BreaksRule,
+            says("{} has length zero, so it has no direction", describe_path(path));
+        AlongAxis { path: String, axis: &'static str } => Code::BreaksRule,
+            says("{}: the direction across is along {axis}", describe_path(path)),
+            hint("give a direction at an angle to the axis");
+        NoMechanism { path: String, why: String } => Code::BreaksRule,
+            says("{why}");
+        /// No cycle is given, so that there is nothing to move over.
+        NoCycle { names: Vec<String> } => Code::MissingKey,
+            says("the file has no [cycle]"),
+            hint("{}", match names.is_empty() {
+                true => "a motion needs a drive and a [cycle] that counts its turns".to_owned(),
+                false => format!("add [cycle] with drive = {}", listed(names, "or")),
+            });
+        StandsStill { path: String } => Code::DriveStandsStill,
+            says("{} is zero, so the turns of its drive cannot be counted", describe_path(path)),
+            hint("give it a speed, or count by duration");
+    }
+}
+
+problems! {
+    /// Why a mechanism in space has no motion.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpatialMotionProblem {
+        DoesNotClose { why: String } => Code::CannotClose,
+            says("{why}"),
+            hint("check lengths and axes; [assembly] guess says where bodies start");
+        NoAnswer {
+            output: String,
+            /// The input there, rad or s.
+            input: f64,
+            why: String,
+        } => Code::SingularPosition,
+            says("{output} at {}: {why}", format_number(*input));
+        NotWritten { folder: String, why: String } => Code::FolderNotUsable,
+            says("motion.csv cannot be written in {folder}: {why}");
+        OptionNotInSpace { option: &'static str } => Code::NotYetSupported,
+            says("{option} cannot be used with a model in space yet");
+    }
+}
+
+impl SpatialModelError {
+    /// Path of the entry at fault, if there is one.
+    pub fn path(&self) -> &str {
+        match self {
+            Self::NoDirection { path }
+            | Self::AlongAxis { path, .. }
+            | Self::NoMechanism { path, .. }
+            | Self::StandsStill { path } => path,
+            Self::NoCycle { .. } => "",
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Motions of models in files, with their worst cases, against independent programs.
+
+use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
+use loosepin_space::SpatialModel;
+
+const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slider-crank.toml");
+
+/// Planar slider-crank whose rod may lean: crank 50 mm about z, rod 120 mm, a ball at the crank, the gudgeon with play.
+const LEANING: &str = r#"
+name = "leaning"
+geometry = "space"
+
+[body.ground]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[body.crank]
+points = { o = ["0 mm", "0 mm", "0 mm"], pin = ["50 mm", "0 mm", "0 mm"] }
+[body.rod]
+points = { crank = ["0 mm", "0 mm", "0 mm"], slider = ["120 mm", "0 mm", "0 mm"], tip = ["60 mm", "0 mm", "50 mm"] }
+[body.slider]
+points = { pin = ["0 mm", "0 mm", "0 mm"] }
+
+[joint.main]
+kind = "revolute"
+bearing = "ground.o"
+journal = "crank.o"
+[joint.crankpin]
+kind = "spherical"
+bearing = "crank.pin"
+journal = "rod.crank"
+[joint.gudgeon]
+kind = "revolute"
+bearing = "rod.slider"
+journal = "slider.pin"
+radial_clearance = "0.2 mm"
+bearing_length = "20 mm"
+axial_clearance = "0.1 mm"
+[joint.guide]
+kind = "prismatic"
+bearing = "ground.o"
+journal = "slider.pin"
+axis = "x"
+
+[drive.crank]
+joint = "main"
+speed = "1500 rpm"
+start_angle = "60 deg"
+[assembly]
+guess = { slider = { at = ["150 mm", "0 mm", "0 mm"] } }
+[cycle]
+drive = "crank"
+samples_per_turn = 6
+
+[output.slider]
+position_of = "slider.pin"
+along = "x"
+[output.tip]
+position_of = "rod.tip"
+along = "z"
+[output.tip_path]
+path_of = "rod.tip"
+"#;
+
+fn record(text: &str) -> SpatialMotionRecord {
+    let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    model.motion_record(&model.quantities.nominal()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+}
+
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} {expected}");
+}
+
+/// The parts of all joints make the worst case; what each does alone is at most its part, and all of it at least.
+fn assert_parts(output: &SpatialOutputRecord) {
+    let parts: f64 = output.worst.contributors.iter().map(|own| own.part_si).sum();
+    assert_close(parts, output.first_order_si[output.worst.sample], 1e-9);
+    for own in &output.worst.contributors {
+        let [lean, axial] = [own.lean_si, own.axial_si].map(|own| own.unwrap_or(0.0));
+        let radial = own.part_si - axial;
+        let slack = 1e-9 * own.part_si;
+        assert!(own.offset_si <= radial + slack && lean <= radial + slack, "{own:?}");
+        assert!(own.offset_si + lean + axial + slack >= own.part_si, "{own:?}");
+    }
+}
+
+#[test]
+fn peer_worst_cases_of_the_slider_crank_of_the_file() {
+    let record = record(&SLIDER_CRANK.replace("samples_per_turn = 36", "samples_per_turn = 6"));
+    let [output] = record.outputs.as_slice() else { panic!("one output") };
+    // First order and standard deviation at 0, 60, ... 300 deg; an independent program, 12 and 10 digits.
+    let rows = [
+        (0.00100158563062, 0.0003080516732),
+        (0.00100233175353, 0.0003063595991),
+        (0.00100022001727, 0.0003056867504),
+        (0.0010007970506, 0.0003058075903),
+        (0.001002699197, 0.0003068075745),
+        (0.00100051991956, 0.0003085947999),
+        (0.00100158563062, 0.0003080516732),
+    ];
+    assert_eq!(output.first_order_si.len(), rows.len());
+    for (sample, (worst, sigma)) in rows.into_iter().enumerate() {
+        assert_close(record.inputs_si[sample], std::f64::consts::FRAC_PI_3 * sample as f64, 1e-14);
+        assert_close(output.first_order_si[sample], worst, 2e-11);
+        assert_close(output.standard_deviation_si[sample], sigma, 1e-9);
+    }
+    // The largest of these is at 240 deg; there the exact ones.
+    assert_eq!(output.worst.sample, 4);
+    assert_close(output.worst.largest_si, 0.00100536901271, 2e-11);
+    assert_close(output.worst.smallest_si, -0.00100000415992, 2e-11);
+    assert_eq!(output.worst.conditions, 0);
+    assert_parts(output);
+    // The axial clearance moves the slider along with it: gain 1.
+    assert_close(output.worst.contributors[0].axial_si.unwrap(), 2e-4, 1e-9);
+}
+
+#[test]
+fn peer_worst_cases_of_an_overconstrained_loop() {
+    let record = record(LEANING);
+    let [slider, tip, path] = record.outputs.as_slice() else { panic!("three outputs") };
+    // At 60 deg; independent programs, which minimise numerically for the second.
+    assert_close(slider.first_order_si[0], 0.000214448184772, 2e-11);
+    assert_close(tip.first_order_si[0], 5.00000000063e-05, 1e-9);
+    assert!(record.outputs.iter().all(|output| output.standard_deviation_si.is_empty()));
+    for output in &record.outputs {
+        assert_eq!(output.worst.conditions, 1);
+        assert_parts(output);
+    }
+    // A path is displaced at least as far as in one direction, and has no number of its own.
+    assert!(path.ideal_si.is_empty() && path.first_order_si.iter().zip(&tip.first_order_si).all(|(a, b)| a >= b));
+}
+
+#[test]
+fn a_motion_needs_a_turn() {
+    let without_cycle = SLIDER_CRANK.replace("[cycle]\ndrive = \"crank\"\nsamples_per_turn = 36\n", "");
+    let stands_still = SLIDER_CRANK.replace("speed = \"60 rpm\"", "speed = \"0 rpm\"");
+    let too_short = SLIDER_CRANK.replace("rod_length = \"300 mm\"", "rod_length = \"200 mm\"");
+    for (text, expected) in [
+        (without_cycle, "the file has no [cycle]"),
+        (stands_still, "drive 'crank': speed is zero, so the turns of its drive cannot be counted"),
+        (too_short, "the loops do not close from the start poses"),
+    ] {
+        let model = SpatialModel::from_text("model.toml", &text).unwrap();
+        let diagnostics = model.motion_record(&model.quantities.nominal()).unwrap_err();
+        let first = diagnostics.sorted()[0];
+        assert!(first.message.starts_with(expected), "{}", first.message);
+    }
+}
