@@ -67,7 +67,7 @@ problems! {
             .map(str::to_owned));
         KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' cannot be used with '{beside}'");
-        /// A number under [parameter] that is used where something is measured.
+        /// A number under `[parameter]` that is used where something is measured.
         ParameterWithoutUnit { name: String, value: f64, entry: String, due: Dimension } => Code::MissingUnit,
             says("parameter '{name}' is {} without a unit; {entry} uses it as {due}", format_number(*value)),
             hint("write its unit, for example {name} = \"{} {}\"", format_number(*value), ReadableUnit::default_for(*due).text);
