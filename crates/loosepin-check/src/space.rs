@@ -1,13 +1,13 @@
 //! Description of a mechanism in space.
 
 use loosepin_space::{
-    IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, Position, RedundantDirection, SpatialMechanism,
-    SpatialModel, SpatialMotionProblem, assemble, mobility,
+    IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position, RedundantDirection,
+    SpatialMechanism, SpatialModel, SpatialMotionProblem, assemble, mobility,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::{QuantityId, Values};
-use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value, listed};
+use loosepin_text::units::{Dimension, counted, counted_or_no, format_number, format_value, listed};
 
 /// Singular values below this share of the largest are reported as nearly redundant.
 const NEARLY_REDUNDANT: f64 = 1e-6;
@@ -113,10 +113,12 @@ fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position
             if count == 1 { "repeats" } else { "repeat" },
             listed(&taking_part(model, &found.redundant), "and")
         ));
-        lines.push(
-            "their play must meet as many conditions together; single reactions of these joints are not determined"
-                .to_owned(),
-        );
+        lines.push("single reactions of these joints are not determined".to_owned());
+        // Only rows that plays reach are conditions of them.
+        let conditions = PoseAccuracy::new(mechanism, start).map_or(0, |accuracy| accuracy.conditions());
+        if conditions > 0 {
+            lines.push(format!("the plays must meet {} together", counted(conditions, "condition")));
+        }
     }
     if found.smallest_counted < NEARLY_REDUNDANT {
         lines.push(format!(

@@ -30,7 +30,7 @@ fn outputs(record: &SpatialMotionRecord) -> Section {
     section.push(Content::Table(Table::new(columns, record.outputs.iter().map(|output| row(record, output)))));
     if record.has_play {
         section.push(Content::sentences([
-            "The worst case of first order is largest at the angle shown, to both sides alike. There a search closes the loops exactly: up and \
+            "The worst case of first order is largest at the place shown, to both sides alike. There a search closes the loops exactly: up and \
              down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
         ]));
     }
@@ -38,9 +38,15 @@ fn outputs(record: &SpatialMotionRecord) -> Section {
     if conditions > 0 {
         section.push(Content::sentences([format!(
             "The plays must meet {} together so that the loops close; the worst cases are with them, and the standard deviation has no closed \
-             form.",
+             form. What a joint contributes is then its share of the worst case, not what it does alone.",
             counted(conditions, "condition")
         )]));
+    }
+    if record.has_play && record.outputs.iter().any(|output| output.ideal_si.is_empty()) {
+        section.push(Content::sentences([
+            "Of a displacement, the worst case is the longest one that a search over directions found, up and down are along that direction, and \
+             the standard deviation is the root of the sum of the variances along x, y and z.",
+        ]));
     }
     section
 }

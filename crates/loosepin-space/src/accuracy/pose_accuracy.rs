@@ -29,6 +29,8 @@ pub struct PoseAccuracy<'a> {
     pub(crate) position: Position,
     pub(crate) frames: Vec<JointFrames>,
     pub(crate) system: Bordered,
+    /// ν of the ideal position: how far redundant rows of parts with few digits are from closing.
+    pub(crate) apart: Vec<f64>,
     pub(crate) set: PlaySet,
     /// h of each redundant row, of variables in units of their radii.
     pub(crate) redundant: Vec<Vec<f64>>,
@@ -50,7 +52,7 @@ impl<'a> PoseAccuracy<'a> {
         let closed = close(&loops, &position.poses, &[], &position.drive_values(), &position.borders, None)
             .map_err(|_| AccuracyError::NotAPosition)?;
         let position = Position { poses: closed.poses, ..position.clone() };
-        let (frames, system) = (closed.frames, closed.system);
+        let (frames, system, apart) = (closed.frames, closed.system, closed.apart);
         if !(system.singular_ratio() > RANK_THRESHOLD) {
             return Err(AccuracyError::Singular);
         }
@@ -60,7 +62,7 @@ impl<'a> PoseAccuracy<'a> {
         let redundant = redundant(&system, &play_columns);
         let size = play_columns.iter().map(|column| largest(column)).fold(0.0, f64::max);
         let planes = Planes::new(&redundant, set.variables(), NEGLIGIBLE * size);
-        Ok(Self { loops, position, frames, system, set, redundant, planes })
+        Ok(Self { loops, position, frames, system, apart, set, redundant, planes })
     }
 
     /// The mechanism.

@@ -17,7 +17,7 @@ const MAX_STEPS: usize = 200;
 const LAST_STEP: f64 = 1e-12;
 /// An expected improvement below this, relative to the worst case of first order, is the end.
 const LAST_IMPROVEMENT: f64 = 1e-14;
-/// What redundant rows may be apart, lengths over the characteristic length and rad.
+/// What redundant rows may be apart beyond what they are in the ideal position, lengths over the characteristic length and rad.
 const MET: f64 = 1e-13;
 /// Most corrections back to closed loops.
 const MAX_CORRECTIONS: usize = 12;
@@ -154,7 +154,9 @@ impl Climb<'_, '_> {
         for _ in 0..MAX_CORRECTIONS {
             let variables_m = accuracy.set.in_metres(&scaled);
             let closed = accuracy.close_at(&poses, &variables_m, Some(known)).ok()?;
-            if largest_entry(&closed.apart) <= MET {
+            let apart: Vec<f64> =
+                closed.apart.iter().zip(&accuracy.apart).map(|(apart, ideal)| apart - ideal).collect();
+            if largest_entry(&apart) <= MET {
                 let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
                 return Some(Feasible { scaled, closed, value });
             }
@@ -168,7 +170,7 @@ impl Climb<'_, '_> {
             if planes.count() < accuracy.conditions() {
                 planes = self.planes(&redundant, &columns);
             }
-            let right: Vec<f64> = closed.apart.iter().map(|apart| -apart).collect();
+            let right: Vec<f64> = apart.iter().map(|apart| -apart).collect();
             let change = planes.shortest(&right, scaled.len());
             scaled.iter_mut().zip(&change).for_each(|(value, change)| *value += change);
             accuracy.set.cut_back(&mut scaled);

@@ -23,6 +23,9 @@ const SMALLEST_GAP: f64 = 1e-15;
 /// Residuals at the end, relative to the gains and to one.
 const SMALL_RESIDUAL: f64 = 1e-12;
 
+/// Distance of bound and value, or from the planes, with which a search ends without an answer, relative to the gains and to one.
+const WORST_MISS: f64 = 1e-6;
+
 /// Planes H v = b in orthonormal rows.
 #[derive(Debug, Clone)]
 pub(crate) struct Planes {
@@ -179,6 +182,9 @@ fn inner_point(
     let mut at = Iterate { v, z: vec![1.0; blocks.len()], multipliers: vec![0.0; planes.count()] };
     let weight = near.map_or(0.0, |near| near.weight);
     let count = blocks.len() as f64;
+    // Where multipliers are not unique, as of two discs that a plane holds together, the system becomes singular towards the end and round-off
+    // spoils the last steps. The best one counts: any multipliers give an upper bound, the place reaches a value on the planes.
+    let mut best = (f64::INFINITY, at.v.clone(), at.multipliers.clone());
     for _ in 0..MAX_STEPS {
         let slacks: Vec<f64> = blocks.iter().map(|block| 0.5 * (1.0 - PlaySet::square(block, &at.v))).collect();
         let gap: f64 = at.z.iter().zip(&slacks).map(|(z, s)| z * s).sum();
@@ -191,11 +197,19 @@ fn inner_point(
         }
         let primal: Vec<f64> = planes.rows.iter().zip(b).map(|(row, b)| dot(row, &at.v) - b).collect();
         let residual = dual.iter().chain(&primal).fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let miss = match near {
+            None => set.support(&planes.less(gains, &at.multipliers)).iter().sum::<f64>() - dot(gains, &at.v),
+            Some(_) => gap,
+        };
+        let miss = primal.iter().fold(miss.abs(), |largest: f64, value| largest.max(value.abs()));
+        if miss < best.0 {
+            best = (miss, at.v.clone(), at.multipliers.clone());
+        }
         if gap <= SMALLEST_GAP * count && residual <= SMALL_RESIDUAL {
             break;
         }
         if !(gap.is_finite() && residual.is_finite()) {
-            return None;
+            break;
         }
         let target = CENTRING * gap / count;
         let Some(step) = newton_step(set, &at, weight, &slacks, &dual, &primal, planes, target) else { break };
@@ -208,7 +222,7 @@ fn inner_point(
         add(&mut at.z, &step.z, share);
         add(&mut at.multipliers, &step.multipliers, share);
     }
-    Some((at.v, at.multipliers))
+    (best.0 <= WORST_MISS).then_some((best.1, best.2))
 }
 
 /// A place on the planes inside all balls: the nearest to the middle, then by projections on planes and smaller balls in turn.

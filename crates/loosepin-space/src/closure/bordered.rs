@@ -72,12 +72,12 @@ impl Bordered {
             vector[place] = 1.0;
             vector
         };
-        let mut defect = 0.0;
+        let mut defects: Vec<f64> = Vec::new();
         let mut left: Vec<Vec<f64>> = Vec::new();
         for place in self.columns..size {
             let mut vector = unit(place);
             self.lu.solve_transposed(&mut vector);
-            defect = vector[self.rows..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
+            defects.extend_from_slice(&vector[self.rows..]);
             vector.truncate(self.rows);
             push_orthonormal(&mut left, vector);
         }
@@ -85,11 +85,12 @@ impl Bordered {
         for place in self.rows..size {
             let mut vector = unit(place);
             self.lu.solve(&mut vector);
-            defect = vector[self.columns..].iter().fold(defect, |defect: f64, entry| defect.max(entry.abs()));
+            defects.extend_from_slice(&vector[self.columns..]);
             vector.truncate(self.columns);
             push_orthonormal(&mut right, vector);
         }
-        (defect <= RANK_DEFECT).then_some(Borders { left, right })
+        // Not a number is no defect that is small.
+        defects.iter().all(|defect| defect.abs() <= RANK_DEFECT).then_some(Borders { left, right })
     }
 
     /// The vectors y with Jᵀy + V ρ = 0 and Nᵀy = e_k, one for each redundant row: the parts of ν that rows make.

@@ -83,5 +83,8 @@ pub(crate) fn close(
 
 /// The largest magnitude; NaN where an entry is.
 pub(crate) fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |largest: f64, value| if value.is_nan() { *value } else { largest.max(value.abs()) })
+    let larger = |largest: f64, value: &f64| {
+        if largest.is_nan() || value.is_nan() { f64::NAN } else { largest.max(value.abs()) }
+    };
+    values.iter().fold(0.0, larger)
 }

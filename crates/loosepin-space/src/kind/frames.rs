@@ -95,13 +95,18 @@ impl JointFrames {
         self.bearing.z.dot(self.separation)
     }
 
-    /// Derivative of φ by the turning of body j; that of body i is the negative. z_i where both axes are parallel.
+    /// Derivative of φ by the turning of body j; that of body i is the negative. z_i where both axes are parallel, and where x_j is along z_i, so
+    /// that there is no angle.
     pub(crate) fn angle_gradient(&self) -> Vec3 {
         let (cosine, sine) = self.turn();
         let (by_sine, by_cosine) = (self.bearing.y.cross(self.journal.x), self.bearing.x.cross(self.journal.x));
-        (by_cosine * sine - by_sine * cosine) / (cosine * cosine + sine * sine)
+        let square = cosine * cosine + sine * sine;
+        if square > MIN_SQUARE { (by_cosine * sine - by_sine * cosine) / square } else { self.bearing.z }
     }
 }
+
+/// cos² + sin² of the angle below which x_j counts as along z_i.
+const MIN_SQUARE: f64 = 1e-18;
 
 /// The angle between -π and π that is `angle_rad` but for whole turns.
 pub(crate) fn within_half_a_turn(angle_rad: f64) -> f64 {

@@ -11,9 +11,10 @@ use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::numbers::Values;
 use loosepin_text::units::SiUnit;
+use std::f64::consts::FRAC_PI_2;
 
 impl SpatialModel {
     /// Moves the mechanism over its turn.
@@ -80,6 +81,14 @@ impl SpatialModel {
                 worst = Worst { sample, first_order, output: Some(along) };
             }
         }
+        let ideal_si = ideal(&components, accuracies);
+        let is_turn = matches!(output.kind, ModelOutputKind::Turn { .. });
+        let is_coarse = |pair: &[f64]| matches!(pair, [before, after] if (after - before).abs() > FRAC_PI_2);
+        if is_turn && (ideal_si.len() <= MIN_STEPS_OF_TURN || ideal_si.windows(2).any(is_coarse)) {
+            let place = self.places.get(&format!("output.{}", output.name));
+            let place = place.map(|span| Place::new(&self.source, *span));
+            return Err(Diagnostics::one(&SpatialMotionProblem::CoarseTurn { output: output.name.clone() }, place));
+        }
         let is_whole = variances.len() == first_order_si.len();
         let (words, unit) = self.words(output.kind);
         let at = inputs_si.get(worst.sample).copied().unwrap_or_default();
@@ -89,7 +98,7 @@ impl SpatialModel {
             name: output.name.clone(),
             words,
             unit,
-            ideal_si: ideal(&components, accuracies),
+            ideal_si,
             first_order_si,
             standard_deviation_si: if is_whole { variances.iter().map(|own| own.sqrt()).collect() } else { Vec::new() },
             worst: case.map_err(|error| no_answer(&output.name, at, error))?.unwrap_or(SpatialWorstCase {
@@ -113,6 +122,8 @@ impl SpatialModel {
     }
 }
 
+/// Fewest steps of a turn for the angle of a body: a whole turn in one step would look like none.
+const MIN_STEPS_OF_TURN: usize = 8;
 /// Relative difference of worst cases that is round-off.
 const SAME: f64 = 1e-9;
 

@@ -12,6 +12,7 @@ use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use loosepin_math::sin_cos;
+use std::f64::consts::TAU;
 
 /// Poses of all bodies: those of `guesses`, and else the pose in which a joint to a body that is placed already is closed.
 ///
@@ -46,9 +47,17 @@ fn driven(mechanism: &SpatialMechanism, joint: usize, starts: &[f64]) -> (f64, f
     let of = |coordinate: JointCoordinate| {
         let drives = mechanism.drives().iter().zip(starts);
         let mut own = drives.filter(|(drive, _)| drive.joint == joint && drive.coordinate == coordinate);
-        own.next().map_or(0.0, |(_, start)| *start)
+        own.next().map(|(_, start)| *start)
     };
-    (of(JointCoordinate::Angle), of(JointCoordinate::Slide))
+    let (angle, slide) = (of(JointCoordinate::Angle), of(JointCoordinate::Slide));
+    let pitches = mechanism.joints().get(joint).map(|joint| joint.kind.rows()).unwrap_or_default();
+    let pitch = pitches.into_iter().find_map(|row| if let Row::Helix { pitch_m } = row { Some(pitch_m) } else { None });
+    // One coordinate of a screw gives the other one.
+    match (pitch, angle, slide) {
+        (Some(pitch_m), Some(angle), None) => (angle, pitch_m * angle / TAU),
+        (Some(pitch_m), None, Some(slide)) => (TAU * slide / pitch_m, slide),
+        _ => (angle.unwrap_or(0.0), slide.unwrap_or(0.0)),
+    }
 }
 
 /// The body at the open end of a joint, with the pose that closes it.

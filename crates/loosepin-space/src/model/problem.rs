@@ -100,6 +100,10 @@ problems! {
             why: String,
         } => Code::SingularPosition,
             says("{output} at {}: {why}", format_number(*input));
+        /// The sum of turns from position to position does not tell which way round a large one went.
+        CoarseTurn { output: String } => Code::BreaksRule,
+            says("{output}: from one position to the next, a body may turn by a quarter of a turn at most, and a turn has at least 8 positions"),
+            hint("take more samples_per_turn");
         NotWritten { folder: String, why: String } => Code::FolderNotUsable,
             says("motion.csv cannot be written in {folder}: {why}");
         OptionNotInSpace { option: &'static str } => Code::NotYetSupported,

@@ -144,3 +144,104 @@ fn a_motion_needs_a_turn() {
         assert!(first.message.starts_with(expected), "{}", first.message);
     }
 }
+
+/// A nut on a spindle: z = p/2π φ, with φ counted through whole turns.
+#[test]
+fn analytic_a_screw_starts_as_far_along_as_its_turns_say() {
+    let record = record(
+        r#"
+name = "screw"
+geometry = "space"
+[body.ground]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[body.nut]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[joint.thread]
+kind = "screw"
+bearing = "ground.o"
+journal = "nut.o"
+pitch = "20 mm"
+[drive.motor]
+joint = "thread"
+speed = "60 rpm"
+start_angle = "740 deg"
+[cycle]
+drive = "motor"
+samples_per_turn = 12
+[output.nut]
+position_of = "nut.o"
+along = "z"
+"#,
+    );
+    let [first, .., last] = record.outputs[0].ideal_si.as_slice() else { panic!("thirteen positions") };
+    assert_close(*first, 0.02 * 740.0 / 360.0, 1e-10);
+    assert_close(*last, 0.02 * 1100.0 / 360.0, 1e-10);
+}
+
+/// A planar four-bar in a skew plane, whose numbers have few decimals: its redundant rows are about 1e-11 m apart, play or not. Of the lean only the
+/// offset is left, so the worst case of first order has no lean in it.
+#[test]
+fn a_loop_of_rounded_numbers_has_exact_worst_cases() {
+    let [axis, x, y] = [[0.0, 0.6, 0.8], [1.0, 0.0, 0.0], [0.0, 0.8, -0.6]];
+    let normalise = |v: [f64; 3]| v.map(|own| own / v.iter().map(|own| own * own).sum::<f64>().sqrt());
+    // Turned by 1 rad about (1, 2, 3).
+    let along = normalise([1.0, 2.0, 3.0]);
+    let turned = |v: [f64; 3]| {
+        let dot: f64 = v.iter().zip(&along).map(|(a, b)| a * b).sum();
+        let cross =
+            [along[1] * v[2] - along[2] * v[1], along[2] * v[0] - along[0] * v[2], along[0] * v[1] - along[1] * v[0]];
+        [0, 1, 2].map(|k| v[k] * 1f64.cos() + cross[k] * 1f64.sin() + along[k] * dot * (1.0 - 1f64.cos()))
+    };
+    let [axis, x, y] = [axis, x, y].map(turned);
+    let written = |u: f64, v: f64, decimals: usize| {
+        let [a, b, c] = [0, 1, 2].map(|k| format!("\"{:.decimals$} mm\"", u * x[k] + v * y[k]));
+        format!("[{a}, {b}, {c}]")
+    };
+    let at = |u: f64, v: f64| written(u, v, 7);
+    // One of the parts is known better than its partner.
+    let fine = written(271.7, 148.9, 11);
+    let axis = format!("[{:.10}, {:.10}, {:.10}]", axis[0], axis[1], axis[2]);
+    let [o, b, c, d] = [at(0.0, 0.0), at(23.1, 71.3), at(271.7, 148.9), at(300.0, 0.0)];
+    let joint = |name: &str, bearing: &str, journal: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"{journal}\"\naxis = {axis}\n"
+        )
+    };
+    let text = format!(
+        "name = \"skew\"\ngeometry = \"space\"\n[body.ground]\npoints = {{ o = {o}, d = {d} }}\n[body.crank]\npoints = {{ o = {o}, b = {b} }}\n\
+         [body.coupler]\npoints = {{ b = {b}, c = {c} }}\n[body.rocker]\npoints = {{ c = {fine}, d = {d} }}\n{}{}{}{}\
+         radial_clearance = \"0.1 mm\"\nbearing_length = \"20 mm\"\n\
+         [drive.crank]\njoint = \"main\"\nspeed = \"60 rpm\"\nstart_angle = \"0 deg\"\n[cycle]\ndrive = \"crank\"\nsamples_per_turn = 12\n\
+         [output.pin]\nposition_of = \"rocker.c\"\nalong = [{:.6}, {:.6}, {:.6}]\n",
+        joint("main", "ground.o", "crank.o"),
+        joint("crankpin", "crank.b", "coupler.b"),
+        joint("pivot", "ground.d", "rocker.d"),
+        joint("pin", "rocker.c", "coupler.c"),
+        x[0],
+        x[1],
+        x[2],
+    );
+    let output = &record(&text).outputs[0];
+    // Without axial play nothing reaches the row along the axis.
+    assert_eq!(output.worst.conditions, 2);
+    let first_order = output.first_order_si[output.worst.sample];
+    assert!(first_order > 1e-5);
+    assert_close(output.worst.contributors[0].offset_si, first_order, 1e-9);
+    assert_close(output.worst.largest_si, first_order, 1e-2);
+    assert_close(-output.worst.smallest_si, first_order, 1e-2);
+}
+
+#[test]
+fn a_turn_in_large_steps_is_refused() {
+    let text = include_str!("../../../../docs/examples/rssr-four-bar.toml");
+    let coarse = text.replace("samples_per_turn = 36", "samples_per_turn = 4");
+    assert_ne!(coarse, text);
+    let model = SpatialModel::from_text("model.toml", &coarse).unwrap();
+    let diagnostics = model.motion_record(&model.quantities.nominal()).unwrap_err();
+    let first = diagnostics.sorted()[0];
+    assert!(
+        first.message.contains("may turn by a quarter of a turn at most") && first.place.is_some(),
+        "{}",
+        first.message
+    );
+}
