@@ -205,6 +205,17 @@ def test_one_missing_constraint_is_said_once_with_its_ways_out(studio):  # noqa:
     assert studio.browser.diagnostics() == []
 
 
+def test_what_is_missing_is_cut_short_in_a_narrow_window(studio):  # noqa: F811
+    open_small(studio, "four-bar")
+    studio.browser.view(400, 800, reduced_motion=True)
+    take_tool(studio, "link")
+    press_mm(studio, 200, 130)
+    press_mm(studio, 230, 150)
+    studio.wait("document.querySelector('.problems .missing')?.innerText.includes('degrees of freedom too many')")
+    assert studio.browser.evaluate("document.documentElement.scrollWidth") <= 400
+    assert studio.browser.diagnostics() == []
+
+
 def test_the_words_of_a_drag_cover_nothing_and_have_no_names_of_the_file(studio):  # noqa: F811
     studio.browser.view(1280, 800, reduced_motion=True)
     studio.take("rank, coupler and rocker")

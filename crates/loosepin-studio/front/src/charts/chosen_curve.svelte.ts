@@ -21,8 +21,12 @@ class ChosenCurve {
 
   set(key: CurveKey | null): void {
     this.key = key;
-    if (key) localStorage.setItem(storedKey, JSON.stringify(key));
-    else localStorage.removeItem(storedKey);
+    try {
+      if (key) localStorage.setItem(storedKey, JSON.stringify(key));
+      else localStorage.removeItem(storedKey);
+    } catch {
+      // A full storage, or none: the choice lasts as long as the page.
+    }
   }
 }
 

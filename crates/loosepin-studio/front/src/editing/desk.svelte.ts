@@ -46,8 +46,8 @@ export class Desk {
   view = $state.raw<View | null>(null);
   /** The view in the panels about the canvas. */
   panels = $state.raw<View | null>(null);
-  /** What an answer to a drag changes beyond the canvas: in the next frame, since both together would make one late. */
-  private restDue = 0;
+  /** What the last answer to a drag changes beyond the canvas, in the next frame: both together would make one late. */
+  private rest: { frame: number; takeIn: () => void } | null = null;
   diagnostics = $state.raw<DiagnosticView[]>([]);
   /** Counts the answers: diagnostics come anew with each. */
   answers = $state(0);
@@ -135,6 +135,8 @@ export class Desk {
     return () => {
       stops.forEach((stop) => stop());
       this.looker.stop();
+      this.leaveRest();
+      this.drag = null;
       this.head.run(false);
     };
   }
@@ -455,8 +457,16 @@ export class Desk {
     return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text), ...wanted }, version };
   }
 
+  private leaveRest(): void {
+    if (this.rest) cancelAnimationFrame(this.rest.frame);
+    this.rest = null;
+  }
+
   private hear(seen: LookAnswer, version: number, isFinest: boolean): void {
-    const { drag } = this;
+    const { drag, rest } = this;
+    this.leaveRest();
+    // An answer that brings nothing new does not replace what the one before it left to do.
+    if (seen.is_cut || seen.view === null || seen.reshaped?.refusal) rest?.takeIn();
     this.isCut = seen.is_cut;
     if (seen.is_cut) {
       // Nothing is known of these texts: what was seen last stays, and is of other ones unless they were looked at before.
@@ -465,14 +475,15 @@ export class Desk {
       this.answers += 1;
       return;
     }
-    cancelAnimationFrame(this.restDue);
     // The answer to a drag that is over.
     if (seen.reshaped && !drag) return;
     if (seen.reshaped && drag && !drag.isEnding && seen.view) {
       this.showCanvas(seen.view, seen.reshaped.angle_deg ?? null);
-      this.restDue = requestAnimationFrame(() => {
+      const takeIn = (): void => {
+        this.rest = null;
         if (this.drag === drag) this.takeIn(seen, version, isFinest, false);
-      });
+      };
+      this.rest = { frame: requestAnimationFrame(takeIn), takeIn };
     } else this.takeIn(seen, version, isFinest, true);
   }
 

@@ -90,6 +90,10 @@ export class Looker {
     clearTimeout(this.settle);
     clearTimeout(this.giveUp);
     cancelAnimationFrame(this.asked);
+    // Who comes back looks anew: the answer to this look is for nobody.
+    this.flight = null;
+    this.passed = null;
+    this.asked = 0;
   }
 
   private land(): void {
