@@ -206,12 +206,14 @@ def test_one_missing_constraint_is_said_once_with_its_ways_out(studio):  # noqa:
 
 
 def test_what_is_missing_is_cut_short_in_a_narrow_window(studio):  # noqa: F811
+    studio.browser.view(1280, 800, reduced_motion=True)
     open_small(studio, "four-bar")
-    studio.browser.view(400, 800, reduced_motion=True)
     take_tool(studio, "link")
-    press_mm(studio, 200, 130)
-    press_mm(studio, 230, 150)
+    press_mm(studio, 200, 230)
+    press_mm(studio, 330, 250)
     studio.wait("document.querySelector('.problems .missing')?.innerText.includes('degrees of freedom too many')")
+    studio.browser.view(400, 800, reduced_motion=True)
+    time.sleep(0.3)
     assert studio.browser.evaluate("document.documentElement.scrollWidth") <= 400
     assert studio.browser.diagnostics() == []
 

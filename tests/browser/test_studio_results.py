@@ -143,7 +143,8 @@ def test_two_results_are_compared_side_by_side(studio, conducted):
     studio.click("button", "Swap A and B")
     studio.wait(f"({HEADLINE}) !== {before!r}")
     # What was in A is in B now.
-    assert re.findall(r"±([\d.]+)", studio.browser.evaluate(HEADLINE)) == re.findall(r"±([\d.]+)", before)[::-1]
+    (limit, *bounds), (same_limit, *swapped) = (re.findall(r"±([\d.]+)", headline) for headline in (before, studio.browser.evaluate(HEADLINE)))
+    assert limit == same_limit and swapped == bounds[::-1]
     studio.browser.evaluate("(history.back(), true)")
     studio.wait(f"({HEADLINE}) === {before!r}")
     assert studio.browser.diagnostics() == []
