@@ -2,7 +2,7 @@
 
 use loosepin_space::{
     IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position, RedundantDirection,
-    SpatialMechanism, SpatialModel, SpatialMotionProblem, assemble, mobility,
+    SpatialMechanism, SpatialModel, assemble, mobility,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
@@ -25,10 +25,7 @@ pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
         (positions.into_iter().next(), format!("The loops close over the whole turn, at {count} positions."))
     } else {
         let found = assemble(&mechanism, &model.drive_values(&values, 0.0));
-        let start = found.map_err(|error| {
-            let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
-            Diagnostics::one(&problem, None)
-        })?;
+        let start = found.map_err(|error| model.not_closed(&error))?;
         (Some(start), "The loops close at the start; without [cycle] they are not moved.".to_owned())
     };
     let mut sections = vec![bodies(model, &values), joints(model, &values)];

@@ -115,9 +115,19 @@ impl PointPath {
         self.acceleration_x_m_s2.iter().zip(&self.acceleration_y_m_s2).map(|(x, y)| x.hypot(*y)).collect()
     }
 
+    /// Whether play takes the point off its path.
+    pub fn has_play(&self) -> bool {
+        self.play_reach_m.iter().any(|reach_m| *reach_m > 0.0)
+    }
+
+    /// Whether scatter does.
+    pub fn has_scatter(&self) -> bool {
+        self.scatter_major_m.iter().any(|major_m| *major_m > 0.0)
+    }
+
     /// Whether anything takes the point off its path.
     pub fn has_zone(&self) -> bool {
-        self.play_reach_m.iter().chain(&self.scatter_major_m).any(|reach_m| *reach_m > 0.0)
+        self.has_play() || self.has_scatter()
     }
 
     /// Reach of play and of the ellipse of the scatter together in recorded direction `direction`, m.
@@ -148,7 +158,7 @@ impl PointPath {
     /// distance |d| that it does not exceed.
     pub fn along_and_across_m(&self, position: usize) -> [f64; 2] {
         if self.stands_still(position) {
-            return [self.largest_reach_m(position); 2];
+            return [self.furthest_m(position); 2];
         }
         let angle_rad = self.tangent_y[position].atan2(self.tangent_x[position]);
         [
@@ -158,7 +168,7 @@ impl PointPath {
     }
 
     /// Largest |d| by play, and by the larger semi-axis of the scatter together, m.
-    fn largest_reach_m(&self, position: usize) -> f64 {
+    fn furthest_m(&self, position: usize) -> f64 {
         let recorded_m = &self.play_reach_m[position * REACH_DIRECTIONS..][..REACH_DIRECTIONS];
         let play_m = recorded_m.iter().copied().fold(self.play_along_m[position], f64::max);
         play_m + self.scatter_major_m.get(position).copied().unwrap_or(0.0)

@@ -1,10 +1,11 @@
 //! Models in space, as far as commands know them.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use loosepin::diagnostics::Diagnostics;
 use loosepin::document::read_source;
-use loosepin::files::write_new_files;
+use loosepin::files::{io_error_words, write_new_files};
 use loosepin::report::spatial_motion_text;
 use loosepin::results::MOTION_FILE;
 use loosepin::simulate::spatial_motion_csv;
@@ -34,17 +35,23 @@ pub fn move_in_space(arguments: &MotionArguments, model: &SpatialModel) -> Endin
     if let Some((option, _)) = options.into_iter().find(|(_, is_given)| *is_given) {
         return Err(Failure::of(&SpatialMotionProblem::OptionNotInSpace { option }));
     }
+    let file = arguments.output.folder.as_ref().map(|folder| folder.join(MOTION_FILE));
+    // Before anything is computed.
+    if let Some(file) = file.as_ref().filter(|file| file.symlink_metadata().is_ok()) {
+        return Err(Failure::of(&SpatialMotionProblem::Exists { file: file.display().to_string() }));
+    }
     warn(&model.warnings);
     let record = model.motion_record(&model.quantities.nominal())?;
     console::print(&spatial_motion_text(&record))?;
-    if let Some(folder) = &arguments.output.folder {
+    if let Some((folder, file)) = arguments.output.folder.as_ref().zip(file) {
+        let file = file.display().to_string();
         write_new_files(folder, &[(MOTION_FILE, spatial_motion_csv(&record).as_bytes())]).map_err(|error| {
-            Failure::of(&SpatialMotionProblem::NotWritten {
-                folder: folder.display().to_string(),
-                why: error.to_string(),
+            Failure::of(&match error.kind() {
+                ErrorKind::AlreadyExists => SpatialMotionProblem::Exists { file: file.clone() },
+                _ => SpatialMotionProblem::NotWritten { file: file.clone(), why: io_error_words(&error) },
             })
         })?;
-        console::message(&format!("wrote {}", folder.join(MOTION_FILE).display()));
+        console::message(&format!("wrote {file}"));
     }
     Ok(Done::Well)
 }

@@ -25,6 +25,13 @@ fn a_motion_in_space_writes_its_table_once() {
     // Independent program, at 0 deg.
     assert!((motion.column(names[2])[0] - 0.00100158563062).abs() < 1e-14);
     assert!(!desk.run(&["motion", "model.toml", "--out", "one"]).messages.is_empty());
+    // Before anything is computed, and in words.
+    let again = desk.run(&["motion", "model.toml", "--out", "one"]);
+    assert!(
+        again.output.is_empty() && again.messages.starts_with("error[E0904]: one/motion.csv already exists"),
+        "{}",
+        again.messages
+    );
 }
 
 #[test]

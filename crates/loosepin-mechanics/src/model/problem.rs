@@ -35,8 +35,6 @@ problems! {
             says("{entry}: {actuator} {} joint '{joint}', so it has a {}",
                 if *turns { "turns" } else { "pushes along" }, if *turns { "torque, not a force" } else { "force, not a torque" }),
             hint("write {} = \"{text}\"", if *turns { "torque_of" } else { "force_of" });
-        SameBody { entry: String, body: String } => Code::SameBody,
-            says("{entry} connects body '{body}' to itself");
         StiffnessTwice { entry: String, material: &'static str, given: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes either from \
                   materials or from '{given}'");
@@ -127,12 +125,6 @@ problems! {
         NotDrivable { entry: String, joint: String, why: &'static str, hint: &'static str } => Code::DriveNotPossible,
             says("{entry}: joint '{joint}' {why} and cannot be driven"),
             hint("{hint}");
-        WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String } =>
-            Code::DriveNotPossible,
-            says("{entry}: '{found}' does not fit the {kind} joint '{joint}'"),
-            hint("write {due}");
-        DrivenTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
-            says("{entry}: joint '{joint}' is already driven by '{other}'");
         CsvColumns { found: usize, text: String } => Code::TableNotReadable,
             says("a row has {}; expected two", counted(*found, "column")),
             hint_of(Some(if text.contains(';') {
@@ -209,8 +201,6 @@ problems! {
             says("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to \
                   count"),
             hint("give duration instead of drive");
-        TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
-            says("the file has {found} {what}; at most {most} are permitted");
         TooFewPoints { entry: String, least: usize } => Code::BadCount,
             says("{entry} has too few entries; it needs at least {least}");
         InitialOfGround => Code::UnknownReference,
@@ -225,9 +215,31 @@ problems! {
             says("assembly: the ground does not move, so its angle needs no guess");
         WrongUnit { entry: String, unit: String, due: Dimension } => Code::WrongDimension,
             says("{entry} is '{unit}'; must be a unit of {due}");
-        /// A parameter or contact that nothing refers to.
-        Unused { entry: String } => Code::Unused,
-            says("{entry} is not used"),
-            hint("changing it has no effect on the results");
+    }
+}
+
+/// A key that needs others.
+pub(in crate::model) fn needs_keys(entry: String, key: &'static str, needs: Vec<&'static str>) -> EntryProblem {
+    let hint = hint_of_needs(key, &needs);
+    EntryProblem::NeedsKeys { entry, key, needs, hint }
+}
+
+/// The way out where a key of a planar model needs others.
+pub(in crate::model) fn hint_of_needs(key: &str, needs: &[&'static str]) -> Option<&'static str> {
+    match key {
+        "thermal_expansion" => Some("give it here, or at the top of the file for all parts"),
+        "contact" if needs.contains(&"bearing_length") => {
+            Some("the contact has a line-contact law, whose force is proportional to the length")
+        }
+        "contact" if needs.contains(&"corner_radius") => {
+            Some("the stiffness of the contact comes from the materials: a sphere of that radius on a plane")
+        }
+        _ if needs.contains(&"radial_clearance") => {
+            Some("or give 'diametral_clearance', which is twice the radial clearance")
+        }
+        "radial_clearance" | "diametral_clearance" | "clearance" => {
+            Some("a joint without play has no clearance, or a clearance of \"0 mm\"")
+        }
+        _ => None,
     }
 }

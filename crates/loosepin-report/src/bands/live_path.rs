@@ -39,8 +39,8 @@ fn live_path(path: &PointPath, step: usize) -> LivePath {
     let is_known = reaches_m().all(f64::is_finite) && largest_mm > 0.0;
     let per_mm = 10_f64.powi(REACH_DIGITS - 1 - largest_mm.max(f64::MIN_POSITIVE).log10().floor() as i32);
     let rounded = |value_m: f64| (value_m * MM_PER_M * per_mm).round() / per_mm;
-    let has_play = is_known && path.play_reach_m.iter().any(|reach_m| *reach_m > 0.0);
-    let has_scatter = is_known && path.scatter_major_m.iter().any(|reach_m| *reach_m > 0.0);
+    let has_play = is_known && path.has_play();
+    let has_scatter = is_known && path.has_scatter();
     let poses = || (0..path.positions()).step_by(step);
     let plays = poses().flat_map(|k| &path.play_reach_m[k * REACH_DIRECTIONS..][..REACH_DIRECTIONS]);
     let ellipse = |k: usize| {

@@ -55,7 +55,7 @@ pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64]
         @if has_zone {
             path.zone d=(zone) {}
             path.outline d=(plays) {}
-            @if !path.scatter_major_m.is_empty() {
+            @if path.has_scatter() {
                 @for (k, _) in &marks { (ellipse(path, *k, view.place(ideal[*k]), magnification * view.per_m)) }
             }
         }
@@ -88,7 +88,7 @@ pub(crate) struct RunCourse<'r> {
     pub point: &'r str,
     pub xy_m: [&'r [f64]; 2],
     pub ideal_m: [&'r [f64]; 2],
-    /// Position tolerance of the run: smaller deviations are not told from none.
+    /// Position tolerance of the run: smaller deviations count as none.
     pub tolerance_m: f64,
     /// Angles of the drive as in the charts; empty where these are over time.
     pub drive_angle_rad: Vec<f64>,
@@ -258,8 +258,7 @@ impl Words {
         }
         let reach = extent_words(path, writer);
         let share = writer.with_tag(&Tag::Given("share of the ellipse")).percent(ELLIPSE_SHARE, Rounding::Nearest);
-        let has_play = path.play_reach_m.iter().any(|reach| *reach > 0.0);
-        let has_scatter = !path.scatter_major_m.is_empty();
+        let (has_play, has_scatter) = (path.has_play(), path.has_scatter());
         let cause = match (has_play, has_scatter) {
             (true, true) => format!("play and {share} of the scatter let"),
             (false, true) => format!("{share} of the scatter lets"),

@@ -104,7 +104,7 @@ pub(crate) fn is_closed([x_m, y_m]: [&[f64]; 2], size_m: f64) -> bool {
     between(last, 0) <= 1.5 * longest.max(1e-3 * size_m)
 }
 
-/// How many times deviations up to `largest_m` are magnified beside a path of this size: a round number; 1 where there are none.
+/// How many times deviations up to `largest_m` are magnified for a path of this size: a round number; 1 where there are none.
 pub(crate) fn magnification(size_m: f64, largest_m: f64) -> f64 {
     if largest_m > 0.0 { round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m)) } else { 1.0 }
 }

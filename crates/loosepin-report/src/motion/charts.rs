@@ -122,6 +122,11 @@ impl Derivative {
     }
 }
 
+/// A path in words: of an output with its name.
+pub(super) fn path_words(path: &PointPath) -> String {
+    path.output.as_ref().map_or_else(|| path.point.clone(), |output| named_words(output, &path.point))
+}
+
 /// An output that moves by itself, or a path.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Mover<'r> {
@@ -147,6 +152,14 @@ impl<'r> Mover<'r> {
         match self {
             Mover::Output(output) => named_words(&output.name, &output.words),
             Mover::Path(path) => path.point.clone(),
+        }
+    }
+
+    /// The same, with its name where that is not in the words: the name of a further point is the point.
+    pub fn named_words(self) -> String {
+        match self {
+            Mover::Output(_) => self.words(),
+            Mover::Path(path) => path_words(path),
         }
     }
 
@@ -251,9 +264,11 @@ pub(super) fn transmission_angles(record: &MotionRecord) -> impl Iterator<Item =
     record.kinematics.transmission_angles.iter().filter(|angle| !angle.value_rad.is_empty())
 }
 
-/// Those of outputs that ever move, and are not the drive itself.
+/// Those of outputs that move, and are not the drive itself. Older records, without the least value between positions, have the drive among them:
+/// its advantage is 1 all over.
 pub(super) fn mechanical_advantages(record: &MotionRecord) -> impl Iterator<Item = &MechanicalAdvantage> {
-    record.kinematics.mechanical_advantages.iter().filter(|each| has_advantage(each))
+    let is_one = |each: &MechanicalAdvantage| each.value_si.iter().all(|value| (value - 1.0).abs() <= 1e-9);
+    record.kinematics.mechanical_advantages.iter().filter(move |each| each.least_si.is_some() || !is_one(each))
 }
 
 pub(super) fn transmission_name(angle: &TransmissionAngle) -> String {
@@ -276,11 +291,6 @@ pub(super) fn transmission_chart(record: &MotionRecord, angle: &TransmissionAngl
     chart.caption = html! { strong { (capitalised(kind)) " of " (name) } ": " (range) "." };
     chart.alternative = format!("Chart of the {kind} of {name} over one cycle: {range}.");
     chart
-}
-
-/// Whether an output ever moves.
-fn has_advantage(each: &MechanicalAdvantage) -> bool {
-    each.value_si.iter().any(|value| value.is_finite())
 }
 
 /// Charts show mechanical advantages up to this many times the least one: they grow beyond all limits towards dead centres.

@@ -6,11 +6,12 @@ use crate::charts::chart::Chart;
 use crate::mechanism::figure::pose_step;
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::named_words;
-use loosepin_result::motion::MotionRecord;
+use loosepin_result::kinematics::{MechanicalAdvantage, TransmissionAngle};
+use loosepin_result::motion::{EffortMotion, MotionRecord};
 
 use super::charts::{
-    Derivative, advantage_chart, mechanical_advantages, motion_chart, movers, transmission_angles, transmission_chart,
-    transmission_name,
+    Derivative, Mover, advantage_chart, mechanical_advantages, motion_chart, movers, transmission_angles,
+    transmission_chart, transmission_name,
 };
 use super::efforts::{drawn_efforts, effort_chart};
 
@@ -33,17 +34,6 @@ pub enum CurveQuantity {
     TransmissionAngle,
     /// Mechanical advantage of an output.
     MechanicalAdvantage,
-}
-
-impl CurveQuantity {
-    fn derivative(self) -> Option<Derivative> {
-        match self {
-            CurveQuantity::Position => Some(Derivative::Position),
-            CurveQuantity::Velocity => Some(Derivative::Velocity),
-            CurveQuantity::Acceleration => Some(Derivative::Acceleration),
-            CurveQuantity::Effort | CurveQuantity::TransmissionAngle | CurveQuantity::MechanicalAdvantage => None,
-        }
-    }
 }
 
 /// Identity of a curve.
@@ -88,43 +78,69 @@ pub struct CurveLine {
     pub values: Vec<Option<f64>>,
 }
 
-/// All curves of a record: of each quantity those of outputs in file order, then those of paths.
-pub fn live_curves(record: &MotionRecord) -> Vec<CurveChoice> {
-    let choice =
-        |quantity, of: &str, words: String| CurveChoice { key: CurveKey { quantity, of: of.to_owned() }, words };
-    let mut choices = Vec::new();
-    for (quantity, which) in [
-        (CurveQuantity::Position, Derivative::Position),
-        (CurveQuantity::Velocity, Derivative::Velocity),
-        (CurveQuantity::Acceleration, Derivative::Acceleration),
-    ] {
-        let moving = movers(record).filter(|mover| mover.has(which));
-        choices.extend(moving.map(|mover| {
-            let words = mover.words();
-            let words = if words.contains(mover.name()) { words } else { named_words(mover.name(), &words) };
-            choice(quantity, mover.name(), words)
-        }));
+/// A curve of a record.
+#[derive(Clone, Copy)]
+enum Curve<'r> {
+    Motion(Mover<'r>, Derivative),
+    Effort(&'r EffortMotion),
+    Angle(&'r TransmissionAngle),
+    Advantage(&'r MechanicalAdvantage),
+}
+
+/// All of them: of each quantity those of outputs in file order, then those of paths.
+fn curves(record: &MotionRecord) -> impl Iterator<Item = Curve<'_>> {
+    let of = move |which| movers(record).filter(move |mover| mover.has(which)).map(move |mover| (mover, which));
+    let motions = Derivative::ALL.into_iter().flat_map(of).map(|(mover, which)| Curve::Motion(mover, which));
+    motions
+        .chain(drawn_efforts(record).map(Curve::Effort))
+        .chain(transmission_angles(record).map(Curve::Angle))
+        .chain(mechanical_advantages(record).map(Curve::Advantage))
+}
+
+impl Curve<'_> {
+    fn key(self) -> CurveKey {
+        let (quantity, of) = match self {
+            Curve::Motion(mover, Derivative::Position) => (CurveQuantity::Position, mover.name().to_owned()),
+            Curve::Motion(mover, Derivative::Velocity) => (CurveQuantity::Velocity, mover.name().to_owned()),
+            Curve::Motion(mover, Derivative::Acceleration) => (CurveQuantity::Acceleration, mover.name().to_owned()),
+            Curve::Effort(effort) => (CurveQuantity::Effort, effort.name.clone()),
+            Curve::Angle(angle) => (CurveQuantity::TransmissionAngle, transmission_name(angle)),
+            Curve::Advantage(each) => (CurveQuantity::MechanicalAdvantage, each.name.clone()),
+        };
+        CurveKey { quantity, of }
     }
-    choices.extend(
-        drawn_efforts(record)
-            .map(|effort| choice(CurveQuantity::Effort, &effort.name, named_words(&effort.name, &effort.words))),
-    );
-    choices.extend(transmission_angles(record).map(|angle| {
-        let name = transmission_name(angle);
-        let words = if angle.is_pressure_angle { format!("{name} (pressure angle)") } else { name.clone() };
-        choice(CurveQuantity::TransmissionAngle, &name, words)
-    }));
-    choices.extend(
-        mechanical_advantages(record)
-            .map(|each| choice(CurveQuantity::MechanicalAdvantage, &each.name, each.name.clone())),
-    );
-    choices
+
+    fn words(self) -> String {
+        match self {
+            Curve::Motion(mover, _) => mover.named_words(),
+            Curve::Effort(effort) => named_words(&effort.name, &effort.words),
+            Curve::Angle(angle) if angle.is_pressure_angle => format!("{} (pressure angle)", transmission_name(angle)),
+            Curve::Angle(angle) => transmission_name(angle),
+            Curve::Advantage(each) => each.name.clone(),
+        }
+    }
+
+    fn chart(self, record: &MotionRecord, writer: &NumberWriter) -> Option<Chart> {
+        match self {
+            Curve::Motion(mover, which) => motion_chart(record, mover, which, writer),
+            Curve::Effort(effort) => Some(effort_chart(record, effort, writer)),
+            Curve::Angle(angle) => Some(transmission_chart(record, angle, writer)),
+            Curve::Advantage(each) => Some(advantage_chart(record, each, writer)),
+        }
+    }
+}
+
+/// All curves of a record.
+pub fn live_curves(record: &MotionRecord) -> Vec<CurveChoice> {
+    curves(record).map(|curve| CurveChoice { key: curve.key(), words: curve.words() }).collect()
 }
 
 /// The wanted curve; where nothing has this name, the first curve of its quantity. `None` if the record has none of this quantity.
 pub fn live_curve(record: &MotionRecord, wanted: &CurveKey) -> Option<LiveCurve> {
-    let writer = NumberWriter::for_page(&record.display_units);
-    let (of, mut chart) = chart_of(record, wanted, &writer)?;
+    let of_quantity =
+        || curves(record).map(|curve| (curve, curve.key())).filter(|(_, key)| key.quantity == wanted.quantity);
+    let (curve, key) = of_quantity().find(|(_, key)| key == wanted).or_else(|| of_quantity().next())?;
+    let mut chart = curve.chart(record, &NumberWriter::for_page(&record.display_units))?;
     chart.height = HEIGHT;
     let step = pose_step(record.drive_angle_rad.len());
     let lines = chart.entries.iter().flat_map(|entry| {
@@ -134,45 +150,5 @@ pub fn live_curve(record: &MotionRecord, wanted: &CurveKey) -> Option<LiveCurve>
             values: values.iter().step_by(step).copied().collect(),
         })
     });
-    Some(LiveCurve {
-        key: CurveKey { quantity: wanted.quantity, of },
-        unit: chart.y_symbol.clone(),
-        lines: lines.collect(),
-        figure: chart.document(),
-    })
-}
-
-/// The chart with the name of whose it is.
-fn chart_of(record: &MotionRecord, wanted: &CurveKey, writer: &NumberWriter) -> Option<(String, Chart)> {
-    let CurveKey { quantity, of } = wanted;
-    if let Some(which) = quantity.derivative() {
-        let mover = named_or_first(movers(record).filter(|mover| mover.has(which)), |mover| mover.name() == of)?;
-        return Some((mover.name().to_owned(), motion_chart(record, mover, which, writer)?));
-    }
-    match quantity {
-        CurveQuantity::Effort => {
-            let effort = named_or_first(drawn_efforts(record), |effort| effort.name == *of)?;
-            Some((effort.name.clone(), effort_chart(record, effort, writer)))
-        }
-        CurveQuantity::TransmissionAngle => {
-            let angle = named_or_first(transmission_angles(record), |angle| transmission_name(angle) == *of)?;
-            Some((transmission_name(angle), transmission_chart(record, angle, writer)))
-        }
-        CurveQuantity::MechanicalAdvantage => {
-            let each = named_or_first(mechanical_advantages(record), |each| each.name == *of)?;
-            Some((each.name.clone(), advantage_chart(record, each, writer)))
-        }
-        CurveQuantity::Position | CurveQuantity::Velocity | CurveQuantity::Acceleration => None,
-    }
-}
-
-fn named_or_first<T: Copy>(all: impl Iterator<Item = T>, is_named: impl Fn(&T) -> bool) -> Option<T> {
-    let mut first = None;
-    for each in all {
-        if is_named(&each) {
-            return Some(each);
-        }
-        first = first.or(Some(each));
-    }
-    first
+    Some(LiveCurve { key, unit: chart.y_symbol.clone(), lines: lines.collect(), figure: chart.document() })
 }

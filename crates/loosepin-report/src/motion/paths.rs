@@ -6,13 +6,14 @@ use crate::charts::path_figure::{along_and_across_m, extent_words, largest_reach
 use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
-use crate::words::wording::{head, named_words};
+use crate::words::wording::head;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::point_path::PointPath;
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;
 
 use super::angles::{largest, turn_angle};
+use super::charts::path_words;
 
 /// The figure of the first path; empty if there is none.
 pub(super) fn first_path_figure(record: &MotionRecord, writer: &NumberWriter) -> Markup {
@@ -59,6 +60,5 @@ fn row(record: &MotionRecord, path: &PointPath, writer: &NumberWriter) -> Vec<Ce
         let place = has_place.then(|| turn_angle(record, angle_rad, PLAIN_DIGITS, &writer.with_tag(&at)));
         [Some(writer.with_tag(&most).rounded(most_m, &SiUnit::LENGTH, 2, Rounding::Up)), place]
     });
-    let name = if path.name == path.point { path.name.clone() } else { named_words(&path.name, &path.point) };
-    std::iter::once(Some(name)).chain(ends).map(Cell::from).collect()
+    std::iter::once(Some(path_words(path))).chain(ends).map(Cell::from).collect()
 }

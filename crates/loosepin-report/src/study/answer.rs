@@ -24,8 +24,10 @@ pub(crate) struct StudyAnswer {
     pub caveats: Vec<String>,
     /// The sentence on the output that matters most.
     pub headline: String,
-    /// A sentence on every other output, and for which values all of them hold; empty where there is one output.
+    /// A sentence on every other output; empty where there is one output.
     pub further: Vec<String>,
+    /// For which values all of these sentences hold; where there is one output, its own sentence says so.
+    pub conditions: Option<String>,
     /// The numerical error, and what would reduce a large one.
     pub error: String,
     /// Scatter alone, runs and assumptions.
@@ -45,15 +47,17 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
         let said = if empty { "The study has no statistic." } else { "The study has only requirements, no statistic." };
         said.to_owned()
     });
-    let mut further: Vec<String> = sentences.collect();
+    let further: Vec<String> = sentences.collect();
     let is_answered = further.len() + result.bounds.len() + result.curves.len() > 0;
     // A sentence that there is no bound holds without conditions.
     let is_endless =
         matches!(answers[..], [only] if only.error_si().is_some_and(|(error_si, _)| error_si.is_infinite()));
     let is_answered = is_answered && !is_endless;
     let conditions = if is_answered { conditions(result, further.is_empty(), writer) } else { String::new() };
-    let headline = if further.is_empty() { headline + &conditions } else { headline };
-    further.extend((!further.is_empty()).then(|| conditions.trim_start().to_owned()));
+    let (headline, conditions) = match further.is_empty() {
+        true => (headline + &conditions, None),
+        false => (headline, Some(conditions.trim_start().to_owned())),
+    };
     let verdict = result.verdict();
     let caveats = caveats(result, writer);
     let mut details = Vec::new();
@@ -63,7 +67,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
     let error = error_sentence(result, &answers, writer);
-    StudyAnswer { requirements, caveats, headline, further, error, details, verdict }
+    StudyAnswer { requirements, caveats, headline, further, conditions, error, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep

@@ -16,5 +16,6 @@ pub fn motion_sentences(record: &MotionRecord) -> Vec<String> {
 pub fn study_sentences(result: &StudyResult) -> Vec<String> {
     let answer = answer(result, &NumberWriter::for_page(&result.display_units));
     let verdict = answer.verdict.map(|verdict| verdict_headline(verdict).to_owned());
-    verdict.into_iter().chain([answer.headline]).chain(answer.further).chain(answer.caveats).collect()
+    let outputs = [answer.headline].into_iter().chain(answer.further).chain(answer.conditions);
+    verdict.into_iter().chain(outputs).chain(answer.caveats).collect()
 }

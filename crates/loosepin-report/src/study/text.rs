@@ -37,7 +37,8 @@ fn answer_section(answer: &StudyAnswer) -> Section {
         section.push_close(Content::points(answer.requirements.iter().chain(&answer.caveats).cloned()));
     }
     let caveats = if answer.verdict.is_some() { &[][..] } else { &answer.caveats };
-    section.push(Content::sentences([&answer.headline].into_iter().chain(&answer.further).cloned()));
+    let outputs = [&answer.headline].into_iter().chain(&answer.further).chain(&answer.conditions);
+    section.push(Content::sentences(outputs.cloned()));
     let details = caveats.iter().chain([&answer.error]).chain(&answer.details);
     section.push_close(Content::points(details.cloned()));
     section

@@ -26,8 +26,11 @@ impl PoseAccuracy<'_> {
     ///
     /// # Errors
     ///
-    /// [`AccuracyError::NoPlace`] if the loops do not close.
+    /// [`AccuracyError::NoPlace`] if the loops do not close; [`AccuracyError::NotAPosition`] if there are not as many variables as the plays have.
     pub fn displaced(&self, variables_m: &[f64]) -> Result<DisplacedPosition, AccuracyError> {
+        if variables_m.len() != self.set.variables() {
+            return Err(AccuracyError::NotAPosition);
+        }
         let closed = self.close_at(&self.position.poses, variables_m, None)?;
         Ok(DisplacedPosition { apart: largest(&closed.apart), poses: closed.poses })
     }

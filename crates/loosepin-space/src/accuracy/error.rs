@@ -15,6 +15,8 @@ pub enum AccuracyError {
     OutputIsFree,
     /// The plays leave no place in which the loops close.
     NoPlace,
+    /// An error of a marker is of a joint that is not there, or has a number that is not finite.
+    BadMarkerError,
 }
 
 impl fmt::Display for AccuracyError {
@@ -27,6 +29,7 @@ impl fmt::Display for AccuracyError {
             Self::Singular => "the loop equations are singular in this position",
             Self::OutputIsFree => "the output moves with all drives held, so that it has no ideal value",
             Self::NoPlace => "no place of the joints within their play closes the loops",
+            Self::BadMarkerError => "errors of markers need a joint of this mechanism and finite numbers",
         })
     }
 }

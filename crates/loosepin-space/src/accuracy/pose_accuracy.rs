@@ -107,9 +107,7 @@ impl<'a> PoseAccuracy<'a> {
     /// h of each redundant row by the variables of play: to first order the loops close where h·p = 0. In the order of
     /// [`crate::FirstOrder::multipliers`], in units of the characteristic length; rows that no play reaches are zero.
     pub fn conditions_by_play(&self) -> Vec<Vec<f64>> {
-        let rows = self.system.redundant_rows();
-        let columns: Vec<Vec<f64>> = self.unscaled_play_columns().collect();
-        rows.iter().map(|row| columns.iter().map(|column| -dot(row, column)).collect()).collect()
+        redundant(&self.system, &self.unscaled_play_columns().collect::<Vec<_>>())
     }
 
     /// Derivatives of the rows by each variable of play, journals in the middle.

@@ -46,8 +46,16 @@ impl PoseAccuracy<'_> {
     ///
     /// # Errors
     ///
-    /// [`AccuracyError::NoPlace`] if the errors break a redundant row that no play reaches, so that no play helps.
+    /// [`AccuracyError::NoPlace`] if the errors break a redundant row that no play reaches, so that no play helps;
+    /// [`AccuracyError::BadMarkerError`].
     pub fn assembly_reserve(&self, errors: &[MarkerError]) -> Result<AssemblyReserve, AccuracyError> {
+        let is_good = |error: &MarkerError| {
+            let is_finite = error.displacement_m.is_finite() && error.turning_rad.is_finite();
+            is_finite && error.joint < self.mechanism().joints().len()
+        };
+        if !errors.iter().all(is_good) {
+            return Err(AccuracyError::BadMarkerError);
+        }
         let change = self.changes(errors);
         let right: Vec<f64> = self.system.redundant_rows().iter().map(|row| dot(row, &change)).collect();
         let size = right.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));

@@ -6,7 +6,6 @@ use crate::chain::joint_turn::{ChainPose, JointPlace};
 use crate::chain::path::{PathJoint, path_to};
 use crate::chain::sample::ChainSample;
 use crate::kind::kind_of_joint::KindOfJoint;
-use crate::kind::row::Row;
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -73,10 +72,7 @@ fn held(mechanism: &SpatialMechanism, joint: usize) -> Result<Held, ChainError> 
         mechanism.drives().iter().position(|drive| drive.joint == joint && drive.coordinate == coordinate)
     };
     let (mut angle, mut slide) = (drive(JointCoordinate::Angle), drive(JointCoordinate::Slide));
-    let pitch_m = kind.rows().into_iter().find_map(|row| match row {
-        Row::Helix { pitch_m } => Some(pitch_m),
-        _ => None,
-    });
+    let pitch_m = kind.pitch_m();
     let advance_m_rad = pitch_m.map_or(0.0, |pitch_m| pitch_m / std::f64::consts::TAU);
     // Six rows and what is held leave nothing free; of a screw its angle is enough.
     let is_held = if pitch_m.is_some() {

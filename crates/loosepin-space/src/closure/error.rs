@@ -1,6 +1,7 @@
 //! Why loops are not closed.
 
 use core::fmt;
+use loosepin_text::units::{Dimension, format_value};
 
 /// Where on the way of a drive something happens.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,6 +79,18 @@ pub enum ClosureError {
     },
 }
 
+impl ClosureError {
+    /// The joint at fault, where there is one.
+    pub fn joint(&self) -> Option<&str> {
+        match self {
+            Self::DoesNotClose(open) | Self::Contradiction(open) => Some(&open.joint),
+            Self::Reversed { joint } | Self::Locked { joint, .. } | Self::ChangePoint { joint, .. } => Some(joint),
+            Self::DriveHeld { place } => Some(&place.driven_joint),
+            Self::BadDrives { .. } | Self::RankChanges { .. } | Self::NotFollowed { .. } => None,
+        }
+    }
+}
+
 impl fmt::Display for DrivePlace {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "input {}", self.input)?;
@@ -90,8 +103,10 @@ impl fmt::Display for DrivePlace {
 
 impl fmt::Display for OpenJoint {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let unit = if self.is_length { "m" } else { "rad" };
-        write!(out, "joint '{}' is {:.3e} {unit} apart", self.joint, self.apart)
+        // To three digits.
+        let apart = format!("{:.2e}", self.apart).parse().unwrap_or(self.apart);
+        let dimension = if self.is_length { Dimension::LENGTH } else { Dimension::ANGLE };
+        write!(out, "joint '{}' is {} apart", self.joint, format_value(apart, dimension))
     }
 }
 

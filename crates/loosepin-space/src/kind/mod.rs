@@ -84,8 +84,13 @@ impl SpatialKind {
         6 - self.rows().into_iter().map(|row| row.scalars().len()).sum::<usize>()
     }
 
+    /// The pitch of a screw, m; `None` of other kinds.
+    pub(crate) fn pitch_m(&self) -> Option<f64> {
+        if let Self::Screw(screw) = self { Some(screw.pitch_m) } else { None }
+    }
+
     /// Whether it has a pitch that is not a number, or zero.
     pub(crate) fn is_without_pitch(&self) -> bool {
-        matches!(self, Self::Screw(screw) if !(screw.pitch_m.is_finite() && screw.pitch_m != 0.0))
+        self.pitch_m().is_some_and(|pitch_m| !(pitch_m.is_finite() && pitch_m != 0.0))
     }
 }

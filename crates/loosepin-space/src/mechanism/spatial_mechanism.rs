@@ -76,23 +76,6 @@ impl SpatialMechanism {
         other.bodies.iter_mut().zip(poses).skip(1).for_each(|(body, pose)| body.start = *pose);
         other
     }
-
-    /// The same mechanism whose joints have no play.
-    pub fn without_play(&self) -> Self {
-        let mut other = self.clone();
-        other.joints.iter_mut().for_each(|joint| joint.play = None);
-        other
-    }
-
-    /// The number of the joint with this name.
-    pub fn joint_number(&self, name: &str) -> Option<usize> {
-        self.joints.iter().position(|joint| joint.name == name)
-    }
-
-    /// The number of the body with this name.
-    pub fn body_number(&self, name: &str) -> Option<usize> {
-        self.bodies.iter().position(|body| body.name == name)
-    }
 }
 
 fn is_pose(pose: &Pose) -> bool {

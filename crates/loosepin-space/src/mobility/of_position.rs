@@ -2,7 +2,7 @@
 
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::closure::singular::RANK_THRESHOLD;
+use crate::closure::singular::{RANK_THRESHOLD, ratio};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::mobility::idle::{IdleMotion, idle_motions};
 use loosepin_math::SingularValues;
@@ -28,8 +28,6 @@ pub struct RedundantDirection {
 /// How a mechanism can move in a position, from the ranks of its loop equations there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mobility {
-    /// Bodies that are not the ground.
-    pub moving_bodies: usize,
     /// Rows of all joints, without drives.
     pub rows: usize,
     /// Rank of these rows.
@@ -65,16 +63,13 @@ pub fn mobility(mechanism: &SpatialMechanism, position: &Position) -> Mobility {
     let drives = mechanism.drives().len();
     let idle = idle_motions(&loops, &jacobian, &position.poses);
     let left = unknowns - position.rank;
-    let share = |k: Option<usize>| {
-        let value = k.and_then(|k| of_joints.values().get(k)).copied().unwrap_or(0.0);
-        of_joints.values().first().map_or(0.0, |largest| value / largest)
-    };
+    let largest_and_next = of_joints.values().first().zip(of_joints.values().get(rank));
+    let largest_uncounted = largest_and_next.map_or(0.0, |(largest, next)| next / largest);
     Mobility {
-        moving_bodies: mechanism.bodies().len() - 1,
         rows,
         rank,
-        smallest_counted: share(rank.checked_sub(1)),
-        largest_uncounted: share(Some(rank)),
+        smallest_counted: ratio(&of_joints, rank),
+        largest_uncounted,
         degrees_of_freedom: unknowns - rank,
         counted_freedoms: unknowns as isize - rows as isize,
         redundant: of_joints.left_null_space(rank).iter().map(|null| direction(&loops, null)).collect(),

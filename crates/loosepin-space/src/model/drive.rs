@@ -6,6 +6,7 @@ use super::reader::SpaceReader;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::drive::JointCoordinate;
 use loosepin_text::document::{Entry, Kind, count, quantity};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::{QuantityId, ReadsNumbers};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
@@ -74,7 +75,7 @@ impl SpaceReader {
         };
         let fits = if coordinate == JointCoordinate::Angle { kind.turns() } else { kind.slides() };
         if !fits {
-            let problem = SpatialModelProblem::WrongStart { entry: words, found, due, kind: kind.word(), joint: name };
+            let problem = EntryProblem::WrongStart { entry: words, found, due, kind: kind.word(), joint: name };
             let at = own.table.get(found).map_or(own.table.span, |entry| entry.key_span);
             return self.numbers.reader.refuse(&problem, at);
         }
@@ -83,7 +84,7 @@ impl SpaceReader {
             |drive: &ModelDrive| drive.joint == joint && (drive.coordinate == coordinate || kind.freedoms() == 1);
         if let Some(other) = self.drives.iter().find(|drive| is_other(drive)) {
             let other = other.name.clone();
-            let problem = SpatialModelProblem::DrivenTwice { entry: words, joint: name, other };
+            let problem = EntryProblem::DrivenTwice { entry: words, joint: name, other };
             return self.numbers.reader.refuse(&problem, own.joint.span);
         }
         let speed = self.numbers.quantity_of(&own.speed, dimension, Rule::Finite)?;

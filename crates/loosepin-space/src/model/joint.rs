@@ -4,9 +4,10 @@ use super::direction::Direction;
 use super::parts::{ModelJoint, ModelJointForm, ModelMarker, ModelPlay};
 use super::problem::SpatialModelProblem;
 use super::reader::{DIRECTION, SpaceReader};
-use crate::kind::SpatialKind;
+use crate::kind::kind_of_joint::KindOfJoint;
+use crate::kind::{Cylindrical, Planar, Prismatic, Revolute, Rigid, SpatialKind, Spherical, Universal};
 use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
-use loosepin_text::numbers::{QuantityId, ReadsNumbers};
+use loosepin_text::numbers::{EntryProblem, QuantityId, ReadsNumbers};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -170,16 +171,16 @@ impl SpaceReader {
             ScrewTable::WORD => self.screw(table),
             PrismaticTable::WORD => {
                 let PrismaticTable { table, points, axes, across } = PrismaticTable::of(self, table)?;
-                self.held(&table, word, &points, &axes, &across)
+                self.held(&table, Prismatic.into(), &points, &axes, &across)
             }
             _ => {
                 let RigidTable { table, points, axes, across } = RigidTable::of(self, table)?;
-                self.held(&table, word, &points, &axes, &across)
+                self.held(&table, Rigid.into(), &points, &axes, &across)
             }
         }?;
         if bearing.point.body == journal.point.body {
             let body = self.bodies[bearing.point.body].name.clone();
-            let problem = SpatialModelProblem::SameBody { entry: entry.path.describe(), body };
+            let problem = EntryProblem::SameBody { entry: entry.path.describe(), body };
             return self.numbers.reader.refuse(&problem, entry.key_span);
         }
         Some(ModelJoint { name: entry.name.to_owned(), form, bearing, journal, play })
@@ -200,7 +201,7 @@ impl SpaceReader {
                 axial.unwrap_or_else(|| self.numbers.default_quantity(none, D::LENGTH, Rule::NonNegative, 0.0));
             ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m }
         });
-        Some((plain(RevoluteTable::WORD)?, markers?, play))
+        Some((ModelJointForm::Plain(Revolute.into()), markers?, play))
     }
 
     fn cylindrical(&mut self, table: Table<'_>) -> Option<Read> {
@@ -209,7 +210,7 @@ impl SpaceReader {
         let play = self
             .bearing_play(&own.table, &own.play)?
             .map(|[radial_clearance_m, bearing_length_m]| ModelPlay::Shaft { bearing_length_m, radial_clearance_m });
-        Some((plain(CylindricalTable::WORD)?, markers?, play))
+        Some((ModelJointForm::Plain(Cylindrical.into()), markers?, play))
     }
 
     fn spherical(&mut self, table: Table<'_>) -> Option<Read> {
@@ -217,20 +218,20 @@ impl SpaceReader {
         let play = own.radial_clearance.map(|radial_clearance_m| ModelPlay::Ball { radial_clearance_m });
         let [bearing, journal] = [&own.points.bearing, &own.points.journal].map(|entry| self.point(entry));
         let marker = |point| ModelMarker { point, axis: Direction::Z, across: None };
-        Some((plain(SphericalTable::WORD)?, [marker(bearing?), marker(journal?)], play))
+        Some((ModelJointForm::Plain(Spherical.into()), [marker(bearing?), marker(journal?)], play))
     }
 
     fn universal(&mut self, table: Table<'_>) -> Option<Read> {
         let own = UniversalTable::of(self, table)?;
         let bearing = self.marker(&own.points.bearing, Some(&own.bearing_pin), None);
         let journal = self.marker(&own.points.journal, Some(&own.journal_pin), None);
-        Some((plain(UniversalTable::WORD)?, [bearing?, journal?], None))
+        Some((ModelJointForm::Plain(Universal.into()), [bearing?, journal?], None))
     }
 
     fn planar(&mut self, table: Table<'_>) -> Option<Read> {
         let own = PlanarTable::of(self, table)?;
         let markers = self.markers(&own.table, &own.points, &own.axes, None)?;
-        Some((plain(PlanarTable::WORD)?, markers, None))
+        Some((ModelJointForm::Plain(Planar.into()), markers, None))
     }
 
     fn screw(&mut self, table: Table<'_>) -> Option<Read> {
@@ -243,7 +244,7 @@ impl SpaceReader {
     fn held(
         &mut self,
         table: &Table<'_>,
-        word: &'static str,
+        kind: SpatialKind,
         points: &Points<'_>,
         axes: &Axes<'_>,
         across: &Across<'_>,
@@ -251,10 +252,10 @@ impl SpaceReader {
         let markers = self.markers(table, points, axes, Some(across))?;
         let is_plain = markers.iter().all(|marker| marker.axis.is_coordinate() || marker.across.is_some());
         if !is_plain {
-            let problem = SpatialModelProblem::NeedsAcross { entry: table.path.describe(), kind: word };
+            let problem = SpatialModelProblem::NeedsAcross { entry: table.path.describe(), kind: kind.word() };
             return self.numbers.reader.refuse(&problem, table.span);
         }
-        Some((plain(word)?, markers, None))
+        Some((ModelJointForm::Plain(kind), markers, None))
     }
 
     /// Radial clearance and length of a bearing; the outer option is absent after a diagnostic, the inner for an ideal joint.
@@ -317,8 +318,4 @@ impl SpaceReader {
         };
         Some(ModelMarker { point, axis: axis?, across })
     }
-}
-
-fn plain(word: &str) -> Option<ModelJointForm> {
-    SpatialKind::from_word(word).map(ModelJointForm::Plain)
 }

@@ -1,9 +1,10 @@
 //! A model over its turn: ideal motion, worst cases, and who contributes, as a record.
 
-use super::parts::{ModelOutputKind, SpatialModel};
+use super::parts::{ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
 use crate::closure::cycle;
+use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -27,13 +28,25 @@ impl SpatialModel {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
         let positions = self.positions(&mechanism, values)?;
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
-        let mut accuracies = Vec::with_capacity(positions.len());
-        for (position, at) in positions.iter().zip(&inputs_si) {
+        let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
+        let mut courses: Vec<Course> = courses.collect::<Result<_, _>>().map_err(|error| self.diagnostic(&error))?;
+        let mut poses = Vec::with_capacity(positions.len());
+        // One after the other: the loop equations of all positions at once may be gigabytes.
+        for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
             let accuracy =
                 PoseAccuracy::new(&mechanism, position).map_err(|error| no_answer("the motion", *at, error))?;
-            accuracies.push(accuracy);
+            for (course, output) in courses.iter_mut().zip(&self.outputs) {
+                course.add(sample, &accuracy).map_err(|error| no_answer(&output.name, *at, error))?;
+            }
+            poses.push(accuracy.position().poses.clone());
         }
-        let outputs = (0..self.outputs.len()).map(|number| self.output_record(number, values, &accuracies, &inputs_si));
+        let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
+        let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
+            let at = inputs_si.get(course.sample).copied().unwrap_or_default();
+            let worst =
+                course.worst_case(&mechanism, &positions).map_err(|error| no_answer(&output.name, at, error))?;
+            self.output_record(output, course, worst, &states)
+        });
         Ok(SpatialMotionRecord {
             model: self.name.clone(),
             input: input.drive.clone().unwrap_or_else(|| "time".to_owned()),
@@ -53,61 +66,48 @@ impl SpatialModel {
         let found = cycle(mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
         match found.stopped {
             None => Ok(found.positions),
-            Some(error) => {
-                let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
-                Err(Diagnostics::one(&problem, None))
-            }
+            Some(error) => Err(self.not_closed(&error)),
         }
+    }
+
+    /// Why loops do not close, at the joint.
+    pub fn not_closed(&self, error: &ClosureError) -> Diagnostics {
+        let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
+        Diagnostics::one(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
+    }
+
+    /// Where a table stands.
+    fn place(&self, path: &str) -> Option<Place> {
+        self.places.get(path).map(|span| Place::new(&self.source, *span))
     }
 
     fn output_record(
         &self,
-        number: usize,
-        values: &Values,
-        accuracies: &[PoseAccuracy<'_>],
-        inputs_si: &[f64],
+        output: &ModelOutput,
+        course: Course,
+        worst: SpatialWorstCase,
+        states: &[OutputState<'_>],
     ) -> Result<SpatialOutputRecord, Diagnostics> {
-        let components = self.outputs_of(number, values).map_err(|error| self.diagnostic(&error))?;
-        let output = &self.outputs[number];
-        let mut worst = Worst { sample: 0, first_order: f64::NEG_INFINITY, output: None };
-        let (mut first_order_si, mut variances) = (Vec::new(), Vec::new());
-        for (sample, (accuracy, input)) in accuracies.iter().zip(inputs_si).enumerate() {
-            let found = at_position(accuracy, &components);
-            let (first_order, variance, along) = found.map_err(|error| no_answer(&output.name, *input, error))?;
-            first_order_si.push(first_order);
-            variances.extend(variance);
-            // Round-off decides nothing: the first of several alike.
-            if first_order > worst.first_order * (1.0 + SAME) || sample == 0 {
-                worst = Worst { sample, first_order, output: Some(along) };
-            }
-        }
-        let ideal_si = ideal(&components, accuracies);
+        let ideal_si = ideal(&course.components, states);
         let is_turn = matches!(output.kind, ModelOutputKind::Turn { .. });
         let is_coarse = |pair: &[f64]| matches!(pair, [before, after] if (after - before).abs() > FRAC_PI_2);
         if is_turn && (ideal_si.len() <= MIN_STEPS_OF_TURN || ideal_si.windows(2).any(is_coarse)) {
-            let place = self.places.get(&format!("output.{}", output.name));
-            let place = place.map(|span| Place::new(&self.source, *span));
-            return Err(Diagnostics::one(&SpatialMotionProblem::CoarseTurn { output: output.name.clone() }, place));
+            let problem = SpatialMotionProblem::CoarseTurn { output: output.name.clone() };
+            return Err(Diagnostics::one(&problem, self.place(&format!("output.{}", output.name))));
         }
-        let is_whole = variances.len() == first_order_si.len();
+        let is_whole = course.variances.len() == course.first_order_si.len();
         let (words, unit) = self.words(output.kind);
-        let at = inputs_si.get(worst.sample).copied().unwrap_or_default();
-        let case = accuracies.get(worst.sample).zip(worst.output);
-        let case = case.map(|(accuracy, output)| worst_case(accuracy, &output, worst.sample)).transpose();
         Ok(SpatialOutputRecord {
             name: output.name.clone(),
             words,
             unit,
             ideal_si,
-            first_order_si,
-            standard_deviation_si: if is_whole { variances.iter().map(|own| own.sqrt()).collect() } else { Vec::new() },
-            worst: case.map_err(|error| no_answer(&output.name, at, error))?.unwrap_or(SpatialWorstCase {
-                sample: 0,
-                largest_si: 0.0,
-                smallest_si: 0.0,
-                conditions: 0,
-                contributors: Vec::new(),
-            }),
+            standard_deviation_si: match is_whole {
+                true => course.variances.iter().map(|own| own.sqrt()).collect(),
+                false => Vec::new(),
+            },
+            first_order_si: course.first_order_si,
+            worst,
         })
     }
 
@@ -127,10 +127,43 @@ const MIN_STEPS_OF_TURN: usize = 8;
 /// Relative difference of worst cases that is round-off.
 const SAME: f64 = 1e-9;
 
-struct Worst {
+/// What is known of an output after some positions.
+struct Course {
+    components: Vec<SpatialOutput>,
+    first_order_si: Vec<f64>,
+    /// Where there is a closed form.
+    variances: Vec<f64>,
+    /// The position with the largest worst case of first order, and what that is of.
     sample: usize,
-    first_order: f64,
-    output: Option<SpatialOutput>,
+    largest: f64,
+    along: Option<SpatialOutput>,
+}
+
+impl Course {
+    fn new(components: Vec<SpatialOutput>) -> Self {
+        Self { components, first_order_si: Vec::new(), variances: Vec::new(), sample: 0, largest: 0.0, along: None }
+    }
+
+    fn add(&mut self, sample: usize, accuracy: &PoseAccuracy<'_>) -> Result<(), AccuracyError> {
+        let (first_order, variance, along) = at_position(accuracy, &self.components)?;
+        self.first_order_si.push(first_order);
+        self.variances.extend(variance);
+        // Round-off decides nothing: the first of several alike.
+        if self.along.is_none() || first_order > self.largest * (1.0 + SAME) {
+            (self.sample, self.largest, self.along) = (sample, first_order, Some(along));
+        }
+        Ok(())
+    }
+
+    fn worst_case(
+        &self,
+        mechanism: &SpatialMechanism,
+        positions: &[Position],
+    ) -> Result<SpatialWorstCase, AccuracyError> {
+        let position = positions.get(self.sample).ok_or(AccuracyError::NotAPosition)?;
+        let along = self.along.as_ref().ok_or(AccuracyError::NotAPosition)?;
+        worst_case(&PoseAccuracy::new(mechanism, position)?, along, self.sample)
+    }
 }
 
 fn no_answer(output: &str, input: f64, error: AccuracyError) -> Diagnostics {
@@ -158,9 +191,8 @@ fn at_position(
 }
 
 /// Ideal values: of a point its place along the direction, of a turn the sum of the turns from position to position.
-fn ideal(components: &[SpatialOutput], accuracies: &[PoseAccuracy<'_>]) -> Vec<f64> {
+fn ideal(components: &[SpatialOutput], states: &[OutputState<'_>]) -> Vec<f64> {
     let [output] = components else { return Vec::new() };
-    let states: Vec<OutputState> = accuracies.iter().map(|accuracy| accuracy.ideal_state()).collect();
     if let Some(own) = output.point() {
         return states.iter().map(|state| state.poses[own.body].point_m(own.point_m).dot(own.direction)).collect();
     }

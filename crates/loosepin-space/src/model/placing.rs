@@ -50,8 +50,7 @@ fn driven(mechanism: &SpatialMechanism, joint: usize, starts: &[f64]) -> (f64, f
         own.next().map(|(_, start)| *start)
     };
     let (angle, slide) = (of(JointCoordinate::Angle), of(JointCoordinate::Slide));
-    let pitches = mechanism.joints().get(joint).map(|joint| joint.kind.rows()).unwrap_or_default();
-    let pitch = pitches.into_iter().find_map(|row| if let Row::Helix { pitch_m } = row { Some(pitch_m) } else { None });
+    let pitch = mechanism.joints().get(joint).and_then(|joint| joint.kind.pitch_m());
     // One coordinate of a screw gives the other one.
     match (pitch, angle, slide) {
         (Some(pitch_m), Some(angle), None) => (angle, pitch_m * angle / TAU),

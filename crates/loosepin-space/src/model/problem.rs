@@ -29,17 +29,9 @@ problems! {
         NeedsAcross { entry: String, kind: &'static str } => Code::MissingKey,
             says("{entry}: a {kind} joint about an axis that is not x, y or z needs bearing_across and journal_across"),
             hint("they are directions across the axis that the joint keeps together");
-        SameBody { entry: String, body: String } => Code::SameBody,
-            says("{entry} connects body '{body}' to itself");
         NotDrivable { entry: String, joint: String, kind: &'static str } => Code::DriveNotPossible,
             says("{entry}: joint '{joint}' is {kind} and cannot be driven"),
             hint("drive a revolute, prismatic, cylindrical or screw joint");
-        WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String } =>
-            Code::DriveNotPossible,
-            says("{entry}: '{found}' does not fit the {kind} joint '{joint}'"),
-            hint("write {due}");
-        DrivenTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
-            says("{entry}: joint '{joint}' is already driven by '{other}'");
         CycleNeedsTurns { drive: String } => Code::DriveNotPossible,
             says("cycle: drive '{drive}' moves along its joint; its turns cannot be counted"),
             hint("use a drive of an angle, or give duration instead of drive");
@@ -54,11 +46,6 @@ problems! {
         NotAnInertia { entry: String } => Code::BreaksRule,
             says("{entry} is of no body: each principal moment must be above zero and at most the sum of the other two"),
             hint("xx is the sum of m (y² + z²), xy the negative sum of m x y");
-        TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
-            says("the file has {found} {what}; at most {most} are permitted");
-        Unused { entry: String } => Code::Unused,
-            says("{entry} is not used"),
-            hint("changing it has no effect on the results");
     }
 }
 
@@ -104,8 +91,11 @@ problems! {
         CoarseTurn { output: String } => Code::BreaksRule,
             says("{output}: from one position to the next, a body may turn by a quarter of a turn at most, and a turn has at least 8 positions"),
             hint("take more samples_per_turn");
-        NotWritten { folder: String, why: String } => Code::FolderNotUsable,
-            says("motion.csv cannot be written in {folder}: {why}");
+        Exists { file: String } => Code::FileExists,
+            says("{file} already exists"),
+            hint("give another folder, or delete the file");
+        NotWritten { file: String, why: String } => Code::FolderNotUsable,
+            says("{file} cannot be written: {why}");
         OptionNotInSpace { option: &'static str } => Code::NotYetSupported,
             says("{option} cannot be used with a model in space yet");
     }
@@ -121,5 +111,15 @@ impl SpatialModelError {
             | Self::StandsStill { path } => path,
             Self::NoCycle { .. } => "",
         }
+    }
+}
+
+/// The way out where a key of a model in space needs others.
+pub(super) fn hint_of_needs(key: &str, _needs: &[&'static str]) -> Option<&'static str> {
+    match key {
+        "radial_clearance" | "bearing_length" | "axial_clearance" => Some(
+            "play of a pin or a shaft needs its clearance and the length over which it leans; an ideal joint has neither",
+        ),
+        _ => None,
     }
 }

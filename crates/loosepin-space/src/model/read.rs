@@ -10,6 +10,7 @@ use super::problem::SpatialModelProblem;
 use super::reader::SpaceReader;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Kind, Table, describe_path, json_schema, parse_toml, quantity, read_source};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::ReadsNumbers;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
@@ -64,7 +65,7 @@ const MAX_JOINTS: usize = 120;
 const MAX_ENTRIES: usize = 100;
 
 /// Tables, what their entries are called, and how many there may be.
-const SIZES: [(&str, &str, usize); 4] = [
+const SIZES: [(&str, &'static str, usize); 4] = [
     ("body", "moving bodies", MAX_BODIES),
     ("joint", "joints", MAX_JOINTS),
     ("drive", "drives", MAX_ENTRIES),
@@ -114,7 +115,7 @@ impl SpatialModel {
 
 impl SpaceReader {
     fn read(mut self, root: Table<'_>) -> Result<SpatialModel, Diagnostics> {
-        if self.refuses_sizes(&root) {
+        if self.numbers.refuses_sizes(&root, &SIZES) {
             return Err(self.numbers.reader.diagnostics);
         }
         let Some(own) = SpatialModelTable::of(&mut self, root) else { return Err(self.numbers.reader.diagnostics) };
@@ -170,27 +171,11 @@ impl SpaceReader {
         }
     }
 
-    /// Reports the first entry of a table that is one too many; true where there is one, and nothing is to be read.
-    fn refuses_sizes(&mut self, root: &Table<'_>) -> bool {
-        let mut is_too_large = false;
-        for (key, what, most) in SIZES {
-            let Some(entry) = root.get(key).filter(Entry::is_table) else { continue };
-            let entries = self.numbers.reader.any_keys(&entry);
-            let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
-            if let Some(surplus) = counted.get(most) {
-                let problem = SpatialModelProblem::TooMany { what, found: counted.len(), most };
-                self.numbers.reader.report(&problem, surplus.key_span);
-                is_too_large = true;
-            }
-        }
-        is_too_large
-    }
-
     fn warn_of_unused(&mut self) {
         let paths: Vec<String> = self.numbers.parameters.unused().map(|name| format!("parameter.{name}")).collect();
         for path in paths {
             let place = self.numbers.places.get(&path).map(|span| self.numbers.reader.place(*span));
-            let problem = SpatialModelProblem::Unused { entry: describe_path(&path) };
+            let problem = EntryProblem::Unused { entry: describe_path(&path) };
             self.warnings.push(Diagnostic::warning(&problem, place));
         }
     }

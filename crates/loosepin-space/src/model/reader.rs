@@ -2,7 +2,7 @@
 
 use super::direction::Direction;
 use super::parts::{ModelBody, ModelDrive, ModelJoint, PointId};
-use super::problem::SpatialModelProblem;
+use super::problem::{SpatialModelProblem, hint_of_needs};
 use loosepin_text::diagnostics::{Diagnostic, Source, nearest_name};
 use loosepin_text::document::{Entry, Kind, Reader, Reads};
 use loosepin_text::numbers::{EntryProblem, NameTable, NumberReader, ReadsNumbers};
@@ -65,7 +65,7 @@ impl SpaceReader {
             axes: Vec::new(),
         };
         SpaceReader {
-            numbers: NumberReader::new(source),
+            numbers: NumberReader::new(source, hint_of_needs),
             bodies: vec![ground],
             without_points: HashSet::new(),
             joint_names: Vec::new(),

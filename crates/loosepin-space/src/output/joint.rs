@@ -29,9 +29,6 @@ impl KindOfOutput for JointOutput {
     fn word(&self) -> &'static str {
         "joint"
     }
-    fn is_length(&self) -> bool {
-        self.coordinate == JointCoordinate::Slide
-    }
     fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
         let (ideal, actual) = (self.frames(ideal), self.frames(actual));
         match self.coordinate {

@@ -28,8 +28,6 @@ pub struct BodyGradient {
 pub trait KindOfOutput {
     /// Its name.
     fn word(&self) -> &'static str;
-    /// Whether it is a length, m, or an angle, rad.
-    fn is_length(&self) -> bool;
     /// The deviation of `actual` from `ideal`, m or rad.
     fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64;
     /// Its derivatives at `actual`.

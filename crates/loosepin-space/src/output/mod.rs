@@ -27,9 +27,6 @@ macro_rules! spatial_outputs {
             fn word(&self) -> &'static str {
                 match self { $(Self::$variant(output) => output.word(),)* }
             }
-            fn is_length(&self) -> bool {
-                match self { $(Self::$variant(output) => output.is_length(),)* }
-            }
             fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
                 match self { $(Self::$variant(output) => output.deviation(ideal, actual),)* }
             }

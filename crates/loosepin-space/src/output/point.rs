@@ -20,9 +20,6 @@ impl KindOfOutput for PointOutput {
     fn word(&self) -> &'static str {
         "point"
     }
-    fn is_length(&self) -> bool {
-        true
-    }
     fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
         let point = |state: &OutputState| state.poses[self.body].point_m(self.point_m);
         (point(actual) - point(ideal)).dot(self.direction)

@@ -18,9 +18,6 @@ impl KindOfOutput for RotationOutput {
     fn word(&self) -> &'static str {
         "rotation"
     }
-    fn is_length(&self) -> bool {
-        false
-    }
     fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
         relative_turn(self.body, ideal, actual).1.rotation_vector().dot(self.axis)
     }

@@ -19,9 +19,6 @@ impl KindOfOutput for RotationSineOutput {
     fn word(&self) -> &'static str {
         "rotation-sine"
     }
-    fn is_length(&self) -> bool {
-        false
-    }
     fn deviation(&self, ideal: &OutputState, actual: &OutputState) -> f64 {
         relative_turn(self.body, ideal, actual).1.axial_vector().dot(self.axis)
     }

@@ -142,6 +142,8 @@ fn a_motion_needs_a_turn() {
         let diagnostics = model.motion_record(&model.quantities.nominal()).unwrap_err();
         let first = diagnostics.sorted()[0];
         assert!(first.message.starts_with(expected), "{}", first.message);
+        // A joint that cannot be closed is shown in the file.
+        assert_eq!(first.place.is_some(), expected != "the file has no [cycle]", "{expected}");
     }
 }
 

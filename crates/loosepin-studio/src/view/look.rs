@@ -157,15 +157,27 @@ fn view(file: &InputFile, record: &MotionRecord, curve: Option<&CurveKey>, texts
 
 /// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
 fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
+    let sentence = "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone.";
+    let view = drawn(file, drawing, "Moved by its actuators".to_owned(), texts);
+    View { sentences: vec![sentence.to_owned()], ..view }
+}
+
+/// What does not move yet is drawn where its bodies were put.
+fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
+    let model = file.model();
+    let words = why_not(file, found);
+    let view = drawn(file, &still_drawing(model, &placed(model, poses)), words.clone(), texts);
+    View { incomplete: Some(words), ..view }
+}
+
+/// A mechanism without an ideal motion: its drawing and its texts.
+fn drawn(file: &InputFile, drawing: &Drawing, mobility: String, texts: &Texts) -> View {
     let model = file.model();
     View {
         title: title(file),
-        mobility: "Moved by its actuators".to_owned(),
+        mobility,
         incomplete: None,
-        sentences: vec![
-            "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone."
-                .to_owned(),
-        ],
+        sentences: Vec::new(),
         drawing: moving_drawing(drawing, "the cycle"),
         bands: Vec::new(),
         paths: Vec::new(),
@@ -173,27 +185,6 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
         curve: None,
         limits: Vec::new(),
         outline: outline(model, drawing, named_outputs(model)),
-        quantities: quantities(model, texts),
-    }
-}
-
-/// What does not move yet is drawn where its bodies were put.
-fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
-    let model = file.model();
-    let words = why_not(file, found);
-    let drawing = still_drawing(model, &placed(model, poses));
-    View {
-        title: title(file),
-        mobility: words.clone(),
-        incomplete: Some(words),
-        sentences: Vec::new(),
-        drawing: moving_drawing(&drawing, "the cycle"),
-        bands: Vec::new(),
-        paths: Vec::new(),
-        curves: Vec::new(),
-        curve: None,
-        limits: Vec::new(),
-        outline: outline(model, &drawing, named_outputs(model)),
         quantities: quantities(model, texts),
     }
 }

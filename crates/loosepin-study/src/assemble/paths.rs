@@ -9,9 +9,6 @@ use loosepin_text::diagnostics::Diagnostics;
 /// Positions in a turn.
 const POSITIONS: usize = 180;
 
-/// Positions that show whether a mechanism can be followed.
-const TRIED_POSITIONS: usize = 12;
-
 /// The paths; `None` if there are none, or the drives alone do not move the mechanism: no finished study is lost for it.
 pub fn paths(study: &Study) -> Option<CyclePaths> {
     let is_path = |output: &loosepin_mechanics::model::Output| matches!(output.kind.recorded(), Recorded::Path(_));
@@ -32,7 +29,8 @@ impl Study {
         if points.is_empty() {
             return Ok(());
         }
-        InputFile::Study(Box::new(self.clone())).ideal_motion_with_paths(TRIED_POSITIONS, points)?;
+        // At all positions: after the runs nothing can fail that did not before.
+        InputFile::Study(Box::new(self.clone())).ideal_motion_with_paths(POSITIONS, points)?;
         self.state_paths(points);
         Ok(())
     }

@@ -12,5 +12,5 @@ mod unitless;
 pub use parameters::Parameters;
 pub use problem::EntryProblem;
 pub use quantity::{DIAMETRAL, Origin, Quantity, QuantityError, QuantityId, QuantityTable, RADIAL, UNREAD, Values};
-pub use reader::{NameTable, NumberReader};
+pub use reader::{HintOfNeeds, NameTable, NumberReader};
 pub use reads_numbers::ReadsNumbers;

@@ -46,25 +46,25 @@ problems! {
         NotAPoint { entry: String, text: String } => Code::UnknownReference,
             says("{entry} is '{text}'; must be body.point"),
             hint("for example \"crank.pin\": point 'pin' of body 'crank'");
-        NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> } => Code::ConflictingKeys,
+        /// The hint is of those who know what the keys mean.
+        NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str>, hint: Option<&'static str> } =>
+            Code::ConflictingKeys,
             says("{entry}: '{key}' needs {}", quoted(needs)),
-            hint_of(match *key {
-                "thermal_expansion" => Some("give it here, or at the top of the file for all parts"),
-                "contact" if needs.contains(&"bearing_length") => {
-                    Some("the contact has a line-contact law, whose force is proportional to the length")
-                }
-                "contact" if needs.contains(&"corner_radius") => {
-                    Some("the stiffness of the contact comes from the materials: a sphere of that radius on a plane")
-                }
-                _ if needs.contains(&"radial_clearance") => {
-                    Some("or give 'diametral_clearance', which is twice the radial clearance")
-                }
-                "radial_clearance" | "diametral_clearance" | "clearance" => {
-                    Some("a joint without play has no clearance, or a clearance of \"0 mm\"")
-                }
-                _ => None,
-            }
-            .map(str::to_owned));
+            hint_of(hint.map(str::to_owned));
+        SameBody { entry: String, body: String } => Code::SameBody,
+            says("{entry} connects body '{body}' to itself");
+        WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String } =>
+            Code::DriveNotPossible,
+            says("{entry}: '{found}' does not fit the {kind} joint '{joint}'"),
+            hint("write {due}");
+        DrivenTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
+            says("{entry}: joint '{joint}' is already driven by '{other}'");
+        TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
+            says("the file has {found} {what}; at most {most} are permitted");
+        /// A parameter, or another entry, that nothing refers to.
+        Unused { entry: String } => Code::Unused,
+            says("{entry} is not used"),
+            hint("changing it has no effect on the results");
         KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' cannot be used with '{beside}'");
         /// A number under `[parameter]` that is used where something is measured.

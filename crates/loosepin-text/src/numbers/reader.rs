@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// Names of the file with the things that they stand for; absent where they were reported already.
 pub type NameTable<T> = Vec<(String, Option<T>)>;
 
+/// The way out where a key needs others: what keys mean is known to the kind of file alone.
+pub type HintOfNeeds = fn(key: &str, needs: &[&'static str]) -> Option<&'static str>;
+
 /// The reader of a file whose numbers are quantities. What returns nothing has reported.
 pub struct NumberReader {
     /// The reader of the document.
@@ -24,17 +27,19 @@ pub struct NumberReader {
     pub parameters: Parameters,
     /// Where tables stand, by their paths.
     pub places: HashMap<String, Span>,
+    hint_of_needs: HintOfNeeds,
 }
 
 impl NumberReader {
     /// Reader of a file, of which nothing has been read.
-    pub fn new(source: &Arc<Source>) -> NumberReader {
+    pub fn new(source: &Arc<Source>, hint_of_needs: HintOfNeeds) -> NumberReader {
         NumberReader {
             reader: Reader::new(source),
             has_unknown_tables: false,
             quantities: QuantityTable::default(),
             parameters: Parameters::default(),
             places: HashMap::new(),
+            hint_of_needs,
         }
     }
 
@@ -223,6 +228,22 @@ impl NumberReader {
         Some((kind, self.reader.table(entry, keys)?))
     }
 
+    /// Reports the first entry of a table that is one too many, `sizes` being keys, what their entries are called and how many there may be; true
+    /// where there is one, and nothing is to be read. The ground is none of the bodies.
+    pub fn refuses_sizes(&mut self, root: &Table<'_>, sizes: &[(&str, &'static str, usize)]) -> bool {
+        let mut is_too_large = false;
+        for &(key, what, most) in sizes {
+            let Some(entry) = root.get(key).filter(Entry::is_table) else { continue };
+            let entries = self.reader.any_keys(&entry);
+            let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
+            if let Some(surplus) = counted.get(most) {
+                self.reader.report(&EntryProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
+                is_too_large = true;
+            }
+        }
+        is_too_large
+    }
+
     /// Reports a key, where it is written, that means nothing beside another.
     pub fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
         if let Some(entry) = table.get(key) {
@@ -237,7 +258,8 @@ impl NumberReader {
         if table.has_unknown() {
             return;
         }
-        let problem = EntryProblem::NeedsKeys { entry: table.path.describe(), key, needs };
+        let hint = (self.hint_of_needs)(key, &needs);
+        let problem = EntryProblem::NeedsKeys { entry: table.path.describe(), key, needs, hint };
         self.reader.report(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
     }
 

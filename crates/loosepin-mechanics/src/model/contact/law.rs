@@ -12,9 +12,9 @@ use crate::contact::{
     delivered_restitution,
 };
 use crate::model::entry_reader::EntryReader;
-use crate::model::problem::ModelProblem;
+use crate::model::problem::{ModelProblem, needs_keys};
 use loosepin_text::document::{Choice, Entry, Kind, choice, quantity};
-use loosepin_text::numbers::{EntryProblem, QuantityId, UNREAD, Values};
+use loosepin_text::numbers::{QuantityId, UNREAD, Values};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -131,7 +131,7 @@ impl ContactLaw {
         let ([given, needs], entry) = (given, table.path.describe());
         let (problem, span) = match material {
             Some(material) => (ModelProblem::StiffnessTwice { entry, material, given }, at.key_span),
-            None => (EntryProblem::NeedsKeys { entry, key: given, needs: vec![needs] }.into(), table.span),
+            None => (needs_keys(entry, given, vec![needs]).into(), table.span),
         };
         reader.document().refuse(&problem, span)
     }

@@ -6,11 +6,11 @@ use super::reading::{JointReader, PlayKeys, span_of};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
 use crate::model::parts::wear::JOINT_WEAR;
-use crate::model::problem::ModelProblem;
+use crate::model::problem::{ModelProblem, needs_keys};
 use crate::model::words::part_names::Names;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Keys, Kind, Table, quantity};
-use loosepin_text::numbers::{DIAMETRAL, EntryProblem, QuantityId, RADIAL};
+use loosepin_text::numbers::{DIAMETRAL, QuantityId, RADIAL};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 
@@ -98,7 +98,7 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
     if (facts.is_line || facts.has_film) && own.bearing_length.is_none() {
         let entry = table.path.describe();
         let problem = if facts.is_line {
-            EntryProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }.into()
+            needs_keys(entry, "contact", vec!["bearing_length"]).into()
         } else {
             ModelProblem::FilmNeedsLength { entry }
         };

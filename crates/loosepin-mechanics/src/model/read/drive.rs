@@ -8,6 +8,7 @@ use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::values::function::{Changing, TIME};
 use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::QuantityId;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
@@ -79,7 +80,7 @@ impl ModelReader {
         let words = entry.path.describe();
         if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
             let other = other.name.clone();
-            let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
+            let problem = EntryProblem::DrivenTwice { entry: words, joint: joint_name, other };
             return self.numbers.reader.refuse(&problem, joint_entry.span);
         }
         let kind = &self.joints[joint.0].kind;
@@ -112,7 +113,7 @@ impl ModelReader {
         };
         if let Some(other) = other {
             let joint = self.joints[driven.joint.0].name.clone();
-            let problem = ModelProblem::WrongStart { entry: own.table.path.describe(), found, due, kind, joint };
+            let problem = EntryProblem::WrongStart { entry: own.table.path.describe(), found, due, kind, joint };
             self.numbers.reader.report(&problem, other.key_span);
         }
         let start = start.as_ref().and_then(|entry| self.numbers.quantity_at(entry));

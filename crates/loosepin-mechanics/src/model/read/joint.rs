@@ -6,7 +6,6 @@ use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, Pla
 use crate::model::parts::friction::Friction;
 use crate::model::parts::topology::{Joint, JointFriction};
 use crate::model::parts::wear::JointWear;
-use crate::model::problem::ModelProblem;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::numbers::{DIAMETRAL, EntryProblem, QuantityId, RADIAL};
@@ -43,7 +42,7 @@ impl ModelReader {
             return Some((kind, friction, wear));
         }
         let body = self.bodies[first.0].name.clone();
-        self.numbers.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
+        self.numbers.reader.refuse(&EntryProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
     }
 
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a diagnostic.

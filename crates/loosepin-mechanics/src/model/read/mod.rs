@@ -42,6 +42,7 @@ use initial::InitialTable;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Kind, Table, choice, quantity};
 use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::UNREAD;
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_text::{choices, record};
@@ -168,7 +169,7 @@ fn with_warnings(mut model: Model) -> Model {
 
 impl ModelReader {
     fn read(mut self, root: Table<'_>) -> Result<Model, Diagnostics> {
-        if self.refuses_sizes(&root) {
+        if self.numbers.refuses_sizes(&root, &SIZES) {
             return Err(self.numbers.reader.diagnostics);
         }
         let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.numbers.reader.diagnostics) };
@@ -241,23 +242,6 @@ impl ModelReader {
         }
     }
 
-    /// Reports the first entry of a table that is one too many; true where there is one, and nothing is to be read.
-    fn refuses_sizes(&mut self, root: &Table<'_>) -> bool {
-        let mut is_too_large = false;
-        for (key, what, most) in SIZES {
-            let Some(entry) = root.get(key).filter(Entry::is_table) else { continue };
-            let entries = self.numbers.reader.any_keys(&entry);
-            let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
-            if let Some(surplus) = counted.get(most) {
-                self.numbers
-                    .reader
-                    .report(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
-                is_too_large = true;
-            }
-        }
-        is_too_large
-    }
-
     fn warn_of_unused(&mut self) {
         let contacts = self.contact_names.iter().map(|(name, _)| name);
         let unused_contacts = contacts.filter(|name| !self.used_contacts.contains(name));
@@ -273,7 +257,7 @@ impl ModelReader {
             let written = self.numbers.quantities.id(&path).and_then(|id| self.numbers.quantities[id].span);
             let span = self.numbers.places.get(&path).copied().or(written);
             let place = span.map(|span| self.numbers.reader.place(span));
-            let problem = ModelProblem::Unused { entry: describe_path(&path) };
+            let problem = EntryProblem::Unused { entry: describe_path(&path) };
             self.warnings.push(Diagnostic::warning(&problem, place));
         }
     }

@@ -8,6 +8,7 @@ use crate::model::load::Load;
 use crate::model::parts::control::Control;
 use crate::model::parts::spring::Spring;
 use crate::model::parts::topology::{Body, Joint};
+use crate::model::problem::hint_of_needs;
 use loosepin_text::numbers::{EntryProblem, NameTable, NumberReader, QuantityId, UNREAD};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -62,7 +63,7 @@ impl ModelReader {
             beam: None,
         };
         ModelReader {
-            numbers: NumberReader::new(source),
+            numbers: NumberReader::new(source, hint_of_needs),
             without_points: HashSet::new(),
             body_of_name: HashMap::from([(ground.name.clone(), BodyId(0))]),
             temperature_rise_k: None,

@@ -8,6 +8,7 @@ use crate::model::parts::spring::{Elasticity, Spring, SpringKind};
 use crate::model::parts::table_curve::{CSV, POINTS, TableCurve};
 use crate::model::problem::ModelProblem;
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
+use loosepin_text::numbers::EntryProblem;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
@@ -117,7 +118,7 @@ impl ModelReader {
             return self
                 .numbers
                 .reader
-                .refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
+                .refuse(&EntryProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
         }
         Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
     }

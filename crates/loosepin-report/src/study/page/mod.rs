@@ -119,9 +119,9 @@ fn short_hash(hash: &str) -> String {
 const MAX_FURTHER: usize = 3;
 
 /// A sentence on each further output, and the condition of all of them last.
-fn further_markup(further: &[String]) -> Markup {
-    let Some((conditions, outputs)) = further.split_last() else { return Markup::default() };
-    let (shown, folded) = outputs.split_at(outputs.len().min(MAX_FURTHER));
+fn further_markup(answer: &StudyAnswer) -> Markup {
+    let Some(conditions) = &answer.conditions else { return Markup::default() };
+    let (shown, folded) = answer.further.split_at(answer.further.len().min(MAX_FURTHER));
     html! {
         ul.further {
             @for sentence in shown { li { (sentence) } }
@@ -150,7 +150,7 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         @for requirement in &answer.requirements { p { (requirement) } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
-        (further_markup(&answer.further))
+        (further_markup(answer))
         @if answer.verdict.is_none() { (caveats) }
         p.error { (answer.error) }
         details.fold open {

@@ -7,7 +7,7 @@ use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, Budg
 use loosepin_text::article::{Content, Section};
 use loosepin_text::units::format_number;
 
-/// Digits of an error, and of a number of runs that is foreseen.
+/// Digits of an error, and of a number of runs that would be needed.
 const ERROR_DIGITS: usize = 2;
 /// Targets that are shown one by one; the others stand in `summary.json`.
 const MAX_TARGETS: usize = 12;
@@ -105,11 +105,11 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
     if !target.reached_si.is_finite() {
         return format!("{subject}: no finite error, required {asked}. Too few runs finished.");
     }
-    let foreseen = runs_needed_words(target.runs_needed, record.runs, writer);
+    let runs_needed = runs_needed_words(target.runs_needed, record.runs, writer);
     let surrogate =
         if record.is_learned() { format!(", surrogate {}", value(target.surrogate_si)) } else { String::new() };
     format!(
-        "{subject}: error up to {} (sampling {}, search {}{surrogate}), required {asked}. {foreseen}",
+        "{subject}: error up to {} (sampling {}, search {}{surrogate}), required {asked}. {runs_needed}",
         value(target.reached_si),
         value(target.sampling_si),
         value(target.optimisation_si),
