@@ -128,7 +128,7 @@ fn refusals_have_a_place_and_a_hint() {
             "",
             "radial_clearance",
             "joint 'main': 'radial_clearance' needs 'bearing_length'",
-            "a joint without play has no clearance, or a clearance of \"0 mm\"",
+            "play of a pin or a shaft needs its clearance and the length over which it leans; an ideal joint has neither",
         ),
         (
             "kind = \"spherical\"\nbearing = \"crank.pin\"",

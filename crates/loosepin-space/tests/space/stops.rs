@@ -2,6 +2,7 @@
 
 use crate::build::{Build, turn, turning, v};
 use loosepin_space::{ClosureError, Marker, SpatialKind, SpatialMechanism, Vec3, assemble, cycle};
+use loosepin_text::units::{Dimension, format_value};
 
 /// A planar four-bar in space with the crank at an angle, drawn with the rocker's tip given.
 fn four_bar(crank: Vec3, tip: Vec3, pivot: Vec3) -> SpatialMechanism {
@@ -94,11 +95,11 @@ fn axes_that_are_not_parallel_contradict_each_other() {
     assert!(open.apart > 1e-7 && open.apart < 1e-4, "{open}");
     let message = ClosureError::Contradiction(open.clone()).to_string();
     let expected = format!(
-        "the parts do not fit: as near as they come, joint '{}' is {:.3e} {} apart; lengths are too short or too long, or joints \
+        "the parts do not fit: as near as they come, joint '{}' is {} apart; lengths are too short or too long, or joints \
          that hold the same motion contradict each other",
         open.joint,
-        open.apart,
-        if open.is_length { "m" } else { "rad" }
+        format_value(open.apart, Dimension::ANGLE)
     );
+    assert!(!open.is_length);
     assert_eq!(message, expected);
 }
