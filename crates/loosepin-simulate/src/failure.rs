@@ -212,6 +212,10 @@ problems! {
         SpringWithoutDirection { spring: String, time_s: f64 } => Code::RunNotFinite,
             says("at {} spring '{spring}' is compressed to length zero: its force has no direction there", time(*time_s)),
             hint("give it a stop (more stiffness at the end of a table of its force), or points that stay apart");
+        /// A mechanism in space has no position, or no worst case, for these values.
+        NoPosition { why: String } => Code::CannotClose,
+            says("{why}"),
+            hint("the values differ too much from those of the model, or they do not fit together");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
             says("implicit steps need a flexible body in absolute nodal coordinates, and this mechanism has none"),
@@ -235,7 +239,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 36] = [
+const CODES: [&str; 37] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -272,6 +276,7 @@ const CODES: [&str; 36] = [
     "nothing_presses",
     "not_resting",
     "spring_without_direction",
+    "no_position",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -335,6 +340,7 @@ impl RunFailure {
             Self::NothingPresses { .. } => 33,
             Self::NotResting { .. } => 34,
             Self::SpringWithoutDirection { .. } => 35,
+            Self::NoPosition { .. } => 36,
         }
     }
 
@@ -383,7 +389,9 @@ impl RunFailure {
             }
             Self::SettledOpen { path } => Diagnostic::error(self, model.place(path)),
             Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Diagnostic::error(self, model.place("wear")),
-            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes => Diagnostic::error(self, None),
+            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes | Self::NoPosition { .. } => {
+                Diagnostic::error(self, None)
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::StudyError;
 use super::file::Study;
-use crate::response::study_response::PrepareError;
+use crate::response::problem::PrepareError;
 use loosepin_bounds::{PlanError, SurrogatePlanError};
 use loosepin_text::diagnostics::{Code, Diagnostic, Place, Problem};
 use loosepin_text::document::parse_toml;
@@ -82,14 +82,18 @@ impl StudyError {
     /// The diagnostic about the study, or about its model, at the part that it concerns.
     pub fn diagnostic(&self, study: &Study) -> Diagnostic {
         match self {
-            Self::Prepare(PrepareError::Mechanism(error)) => error.diagnostic(&study.model),
+            Self::Prepare(PrepareError::Mechanism(error)) => study
+                .model
+                .planar()
+                .map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model)),
             Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
                 Diagnostic { hint, ..Diagnostic::error(self, Some(place)) }
             }
             Self::Prepare(PrepareError::Nominal { failure }) | Self::AllFailed { reason: failure, .. } => {
                 // The words are those of the study, the place is that of the model.
-                Diagnostic { place: failure.diagnostic(&study.model).place, ..Diagnostic::error(self, None) }
+                let place = study.model.planar().and_then(|model| failure.diagnostic(model).place);
+                Diagnostic { place, ..Diagnostic::error(self, None) }
             }
             Self::Plan(_)
             | Self::Contributors(_)
@@ -166,14 +170,14 @@ fn place_within(table: &str, key: Option<&str>, study: &Study) -> Place {
 
 /// The first epistemic quantity whose middle is not what the model has: where it stands, and its value in words.
 fn middle_of(study: &Study) -> Option<(Place, String)> {
-    let nominal = study.model.quantities.nominal();
+    let nominal = study.model.quantities().nominal();
     study.epistemic.iter().find_map(|input| {
         let quantity = input.quantity()?;
         let middle = input.variable.at(0.5);
         if (middle - nominal[quantity]).abs() <= MIDDLE_TOLERANCE * nominal[quantity].abs() {
             return None;
         }
-        let value = format_value(middle, study.model.quantities[quantity].dimension);
+        let value = format_value(middle, study.model.quantities()[quantity].dimension);
         Some((place_within("epistemic", Some(&input.path), study), format!("'{}' at {value}", input.path)))
     })
 }

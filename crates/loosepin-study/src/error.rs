@@ -1,7 +1,7 @@
 //! Why a study has no result.
 
 use super::file::MAX_RUNS;
-use crate::response::study_response::PrepareError;
+use crate::response::problem::PrepareError;
 use crate::runs::memory_at_hand::MemoryKind;
 use crate::runs::run_subset::OpenRound;
 use crate::runs::table::RunsTable;

@@ -56,7 +56,7 @@ pub fn run_study(study: &Study, input_hash: &str, options: &RunOptions<'_>) -> R
 fn bounds_of(plans: &Plans, runs: &mut Runs<'_>) -> Result<Found, StudyError> {
     let found = match &plans.surrogate {
         Some(plan) if plans.is_surrogate_alone => {
-            let goals = goals(runs.study, &runs.response.shared.plan);
+            let goals = goals(runs.study, runs.response.plan());
             let steps = SurrogateSteps::new(plan, goals, plans.limits.budget)?;
             let (learned, ended) = take_steps(steps, runs, Some(&plans.limits))?;
             let bounds = learned.bounds.to_bounds(&learned.plan, runs.table.rounds());

@@ -145,6 +145,15 @@ impl SpatialModel {
         Diagnostic::error(error, span.map(|span| Place::new(&self.source, span)))
     }
 
+    /// Where a table or a number of the file stands; the table above it where it is not written.
+    pub fn place(&self, path: &str) -> Option<Place> {
+        let written = self.quantities.id(path).and_then(|id| self.quantities[id].span);
+        if let Some(span) = written.or_else(|| self.places.get(path).copied()) {
+            return Some(Place::new(&self.source, span));
+        }
+        path.rsplit_once('.').and_then(|(table, _)| self.place(table))
+    }
+
     /// The text of the file.
     pub fn source(&self) -> &Arc<Source> {
         &self.source

@@ -76,11 +76,6 @@ impl SpatialModel {
         Diagnostics::one(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
     }
 
-    /// Where a table stands.
-    fn place(&self, path: &str) -> Option<Place> {
-        self.places.get(path).map(|span| Place::new(&self.source, *span))
-    }
-
     fn output_record(
         &self,
         output: &ModelOutput,

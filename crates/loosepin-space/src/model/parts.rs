@@ -150,6 +150,20 @@ pub enum ModelPlay {
     },
 }
 
+impl ModelPlay {
+    /// The radial clearance, and that along the axis.
+    pub fn clearances_m(&self) -> [Option<QuantityId>; 2] {
+        match *self {
+            Self::Pin { radial_clearance_m, axial_clearance_m, .. } => {
+                [Some(radial_clearance_m), Some(axial_clearance_m)]
+            }
+            Self::Shaft { radial_clearance_m, .. } | Self::Ball { radial_clearance_m } => {
+                [Some(radial_clearance_m), None]
+            }
+        }
+    }
+}
+
 /// A joint that is moved at constant speed.
 #[derive(Debug, Clone)]
 pub struct ModelDrive {

@@ -15,7 +15,7 @@ const USUAL_PACE: f64 = 0.5;
 /// Reached accuracy and budget; `None` if neither was stated.
 pub fn accuracy(material: &Material<'_>, ended: &RoundsEnd) -> Option<AccuracyRecord> {
     let budget = ended.budget?;
-    let plan = &material.response.shared.plan;
+    let plan = material.response.plan();
     let outcomes: Vec<AccuracyOutcome> = targets(material.study, plan)
         .filter_map(|(ask, statistic, asked)| outcome(material, ask, statistic, asked, ended))
         .collect();

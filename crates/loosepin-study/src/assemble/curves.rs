@@ -39,7 +39,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask:
     };
     for &column in &ask.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
-        curve.ideal_si.push(material.response.shared.nominal_at_pose[column]);
+        curve.ideal_si.push(material.response.nominal_at_pose()[column]);
         curve.nominal_si.push(match ask.deviation {
             Deviation::Dimensional => 0.0,
             _ => pictures.nominal_row[column],
@@ -67,13 +67,13 @@ fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
     else {
         return None;
     };
-    let shared = &material.response.shared;
+    let shared = &material.response.planar()?.shared;
     let place = |own: Reading| shared.follow.readings.iter().position(|reading| *reading == own);
     let (x, y) = place(readings[0]).zip(place(readings[1]))?;
     let mut path = PathCurve::default();
     for &column in &ask.columns {
         let Location::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
-        let share = turns / material.response.recorded_turns;
+        let share = turns / material.response.recorded_turns();
         // The time has no part in a direction.
         let [x, y] = [x, y].map(|reading| shared.nominal_curve.jet(reading, share, 1.0));
         path.x_m.push(x[0]);
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn a_pose_without_a_bound_keeps_its_place() {
         let runs = FewRuns::after(0);
-        let columns = &runs.response.shared.plan.asks[0].columns;
+        let columns = &runs.response.plan().asks[0].columns;
         let known: Vec<_> = runs.bounds.pairs.iter().filter(|pair| pair.column != columns[2]).cloned().collect();
         let ends = |pairs| {
             let material = runs.material(pairs);

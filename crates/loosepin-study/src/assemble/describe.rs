@@ -2,7 +2,7 @@
 
 use super::material::Material;
 use crate::distribution_words::distribution_words;
-use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
+use crate::file::{CorrelationMeasure, EpistemicSubject, RandomInput, Study, UncertainParameter};
 use crate::response::outputs::OutputSource;
 use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
 use loosepin_result::study::{
@@ -15,7 +15,7 @@ use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_no
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
-    let table = &study.model.quantities;
+    let table = &study.model.quantities();
     let random = study.random.iter().map(|input| InputDescription {
         path: input.path.clone(),
         kind: InputKind::Random,
@@ -77,6 +77,10 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
             }
+            (_, None) if matches!(input.subject, EpistemicSubject::Play) => (
+                InputKind::Interval { lower_si, upper_si },
+                "journals anywhere in their play, at each position on the worse side".to_owned(),
+            ),
             (_, None) => (
                 InputKind::Interval { lower_si, upper_si },
                 format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
@@ -132,34 +136,32 @@ pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
 /// The recorded cycle of every run.
 pub fn cycle(material: &Material<'_>) -> CycleDescription {
     let study = material.study;
-    let input = study.model.input(study.cycle.span, &material.response.nominal);
-    let settings = material.response.settings();
+    let input = study.model.input(study.cycle.span, material.response.nominal());
+    let settings = material.response.planar().map(|planar| *planar.settings());
     CycleDescription {
         drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         drive: input.name,
         transient_turns: study.cycle.transient_turns,
         recorded_turns: study.cycle.recorded_turns,
-        tolerance_m: settings.tolerance_m,
-        method: settings.method.name.to_owned(),
+        tolerance_m: study.sampling.tolerance_m,
+        method: settings.map_or(String::new(), |settings| settings.method.name.to_owned()),
     }
 }
 
 /// Name of a joint whose force is that of a contact.
 fn contact_of(material: &Material<'_>, joint: JointId) -> Option<String> {
-    let mechanism = material.response.mechanism();
+    let mechanism = material.response.planar()?.mechanism();
     let has_play = mechanism.plays.contains(&PlayId::Joint(joint));
     has_play.then(|| mechanism.model.joints[joint.0].name.clone())
 }
 
 /// The outputs that were asked about.
 pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
-    let shared = &material.response.shared;
-    shared
-        .plan
-        .outputs
+    let plan = material.response.plan();
+    plan.outputs
         .iter()
         .enumerate()
-        .filter(|(output, _)| shared.plan.is_used(*output))
+        .filter(|(output, _)| plan.is_used(*output))
         .map(|(_, output)| OutputDescription {
             name: output.name.clone(),
             words: output.words.clone(),
@@ -169,7 +171,7 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
                     let point = output.point.as_deref().unwrap_or_default();
                     Some(PathOutput { point: point.to_owned(), part })
                 }
-                OutputSource::Reading(_) | OutputSource::Wear(..) => None,
+                OutputSource::Reading(_) | OutputSource::Wear(..) | OutputSource::InSpace(_) => None,
             },
             contact_force_in: output.seen.force_in().and_then(|joint| contact_of(material, joint)),
         })

@@ -28,17 +28,25 @@ pub struct Pictures {
 pub fn pictures(material: &Material<'_>) -> Pictures {
     let (study, response) = (material.study, material.response);
     let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
-    let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
+    let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal()[input.quantity]).collect();
     let mut nominal_row = vec![f64::NAN; response.row_length()];
     if response.run(&nominal, &middle, &mut nominal_row).is_err() {
         nominal_row.fill(f64::NAN);
     }
 
+    let Some(planar) = response.planar() else {
+        return Pictures {
+            drawing: Drawing::default(),
+            orbits: Vec::new(),
+            nominal_row,
+            nominal_trust: Trust::NotMeasured,
+        };
+    };
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
     let plan = Plan {
         cycle,
-        settings: *response.settings(),
+        settings: *planar.settings(),
         with_states: false,
         lyapunov_turns: None,
         second_run: false,
@@ -47,7 +55,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
     let run_at = |epistemic: &[f64], second_run: bool| {
         let values = response.values(&nominal, epistemic).ok()?;
         let plan = Plan { second_run, ..plan.clone() };
-        simulate_poses(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
+        simulate_poses(&planar.mechanisms[planar.variant(epistemic)], &values, &plan).ok()
     };
     let offset_rad = recorded_offset_rad(study, response);
     let mut orbits: Vec<JournalOrbit> = Vec::new();
@@ -58,7 +66,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         }
         orbits.append(&mut found);
     };
-    let mut drawing = skeleton(response.mechanism(), &response.nominal);
+    let mut drawing = skeleton(planar.mechanism(), &planar.nominal);
     let mut nominal_trust = Trust::NotMeasured;
     if let Some(central) = run_at(&middle, true) {
         nominal_trust = central.record.trust;
@@ -73,7 +81,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         add(label.to_owned(), central.record.orbits);
     }
     let is_shown = |input: &EpistemicInput| {
-        let is_play = |id| study.model.play_from(id).next().is_some();
+        let is_play = |id| study.model.has_play_from(id);
         input.quantity().is_some_and(is_play) || matches!(input.subject, EpistemicSubject::Law { .. })
     };
     for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
@@ -90,7 +98,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
 
 /// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.
 fn recorded_offset_rad(study: &Study, response: &StudyResponse) -> f64 {
-    let sign = study.model.input(study.cycle.span, &response.nominal).speed_rad_s.signum();
+    let sign = study.model.input(study.cycle.span, response.nominal()).speed_rad_s.signum();
     sign * std::f64::consts::TAU * study.cycle.transient_turns.floor()
 }
 
@@ -142,7 +150,7 @@ mod tests {
         let material = runs.material(&runs.bounds.pairs);
         let (study, response) = (material.study, material.response);
         let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
-        let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
+        let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal()[input.quantity]).collect();
         let values = response.values(&nominal, &middle).unwrap();
         let (cycle, settings) = (study.cycle.clone(), *response.settings());
         let plan = Plan {

@@ -61,7 +61,7 @@ impl<'m> Material<'m> {
 impl Material<'_> {
     /// The columns.
     pub fn plan(&self) -> &ColumnPlan {
-        &self.response.shared.plan
+        self.response.plan()
     }
 
     /// The epistemic inputs by path.
@@ -252,6 +252,7 @@ impl Material<'_> {
             OutputSource::Path(_, PathError::Magnitude) | OutputSource::Wear(..) => true,
             // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
             OutputSource::Reading(reading) => reading.is_never_negative() && column.deviation == Deviation::Value,
+            OutputSource::InSpace(own) => own.part.is_length(),
             OutputSource::Path(..) => false,
         };
         // The reductions of a magnitude are magnitudes.
@@ -322,7 +323,7 @@ mod tests {
         let ask = "output = \"gudgeon_force\"\nof = \"value\"\nreduce = \"maximum\"\n\
                    statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.99 }]\n";
         let runs = FewRuns::asking(0, ask);
-        let column = runs.response.shared.plan.asks[0].columns[0];
+        let column = runs.response.plan().asks[0].columns[0];
         // The median has been found less exactly than the 99 % quantile, which it never exceeds.
         let pairs = widened(&runs, |statistic| match statistic {
             Statistic::Quantile(0.5) => [-3100.0, 9.5e5],
@@ -348,15 +349,15 @@ mod tests {
     fn analytic_a_deviation_keeps_its_sign_and_a_narrowed_bound_says_its_confidence() {
         let ask = "output = \"gudgeon_force\"\nof = \"total\"\nreduce = \"minimum\"\nstatistics = [\"mean\"]\n";
         let runs = FewRuns::asking(0, ask);
-        let column = runs.response.shared.plan.asks[0].columns[0];
+        let column = runs.response.plan().asks[0].columns[0];
         let pairs = widened(&runs, |_| [-4.2e6, 5.1e6]);
         let material = runs.material(&pairs);
         assert_eq!(material.ends(column, Statistic::Mean).unwrap()[0].widened_si, -4.2e6);
         assert_eq!(material.confidence(column, Statistic::Mean), 0.99);
         // Points of a curve are cut to the bound of the largest deviation over the cycle: both must hold.
         let runs = FewRuns::after(0);
-        let columns = &runs.response.shared.plan.columns;
-        let pose = runs.response.shared.plan.asks[0].columns[2];
+        let columns = &runs.response.plan().columns;
+        let pose = runs.response.plan().asks[0].columns[2];
         let Some(largest) = (0..columns.len()).find(|column| {
             let is_largest = super::Location::Reduced(super::Reduction::MaximumAbsolute);
             columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)

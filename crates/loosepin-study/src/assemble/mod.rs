@@ -39,7 +39,7 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
     StudyResult {
         format: FORMAT,
         name: study.name.clone(),
-        model: study.model.name.clone(),
+        model: study.model.name().to_owned(),
         version: loosepin_text::VERSION.to_owned(),
         input_hash: input_hash.to_owned(),
         seed: study.seed,

@@ -88,9 +88,10 @@ pub fn energy(material: &Material<'_>) -> Option<EnergyResiduals> {
 
 /// The contact laws of a joint with play, each once, in the order of the mechanisms.
 fn laws(material: &Material<'_>, play: usize) -> Vec<StudiedLaw> {
-    let nominal = &material.response.nominal;
+    let nominal = material.response.nominal();
     let mut laws: Vec<StudiedLaw> = Vec::new();
-    for mechanism in &material.response.mechanisms {
+    let planar = material.response.planar().into_iter();
+    for mechanism in planar.flat_map(|planar| &planar.mechanisms) {
         let (model, id) = (&mechanism.model, mechanism.plays[play]);
         let Some(contact) = model.play_contact(id) else { continue };
         let law = model.contacts[contact.0].law.name();
@@ -108,7 +109,7 @@ fn laws(material: &Material<'_>, play: usize) -> Vec<StudiedLaw> {
 pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
     let runs: Vec<RunExtras> = finished(material).collect();
     let turns = material.study.cycle.recorded_turns;
-    let joints = material.response.joints.iter().enumerate();
+    let joints = material.response.joints().iter().enumerate();
     if runs.is_empty() {
         return Vec::new();
     }

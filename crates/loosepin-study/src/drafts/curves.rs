@@ -23,12 +23,12 @@ pub(crate) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec
         return Vec::new();
     }
     let runs_at: Vec<Vec<usize>> = runs_at.into_values().collect();
-    let asks = response.shared.plan.asks.iter();
+    let asks = response.plan().asks.iter();
     asks.filter(|ask| ask.location == Where::Cycle).map(|ask| draft_curve(response, table, ask, &runs_at)).collect()
 }
 
 fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at: &[Vec<usize>]) -> DraftCurve {
-    let plan = &response.shared.plan;
+    let plan = response.plan();
     let output = &plan.outputs[ask.output];
     let step = ask.columns.len().div_ceil(MAX_POSES).max(1);
     let columns: Vec<usize> = ask.columns.iter().copied().step_by(step).collect();

@@ -46,7 +46,7 @@ impl<'s> Drafting<'s> {
 
     /// The part of `plan` that a draft shows; `None` if there is none.
     fn without_curves(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
-        let asks = || self.response.shared.plan.asks.iter();
+        let asks = || self.response.plan().asks.iter();
         let curve = asks().find(|ask| ask.location == Where::Cycle);
         // A curve alone needs the runs, but no bound of any of its points.
         let [middle, ..] = Statistic::of_curve_point(BAND);
@@ -57,7 +57,7 @@ impl<'s> Drafting<'s> {
 
     /// Whether a request is of a single number of the whole recorded part.
     fn is_single_number(&self, request: &Request) -> bool {
-        let column = self.response.shared.plan.columns.get(request.column);
+        let column = self.response.plan().columns.get(request.column);
         column.is_some_and(|column| matches!(column.spot, Location::Reduced(_)))
     }
 
@@ -74,7 +74,7 @@ impl<'s> Drafting<'s> {
                 .filter(|outcome| outcome.at == ResponsePoint::Whole)
                 .collect(),
             curves: draft_curves(response, table),
-            drive: study.model.input(study.cycle.span, &response.nominal).name,
+            drive: study.model.input(study.cycle.span, response.nominal()).name,
             display_units: study.model.shown_in(DisplayUnits::default()),
         })
     }

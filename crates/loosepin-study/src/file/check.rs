@@ -46,7 +46,7 @@ impl StudyReader {
     }
 
     fn problem_at_end(&self, quantity: QuantityId, path: &str, value_si: f64, is_member: bool) -> Option<StudyProblem> {
-        let quantities = &self.model.quantities;
+        let quantities = &self.model.quantities();
         let end = format_value(value_si, quantities[quantity].dimension);
         let path = path.to_owned();
         let values = match quantities.evaluate(&[(quantity, value_si)]) {
@@ -60,7 +60,7 @@ impl StudyReader {
 
     /// The clearances that follow from `quantity`: at 0 their joints and couplings would have no play.
     fn plays_of(&self, quantity: QuantityId) -> Vec<QuantityId> {
-        self.model.play_from(quantity).map(|(_, clearance)| clearance).collect()
+        self.model.play_from(quantity).into_iter().map(|play| play.quantity).collect()
     }
 
     /// Checks that something is uncertain, and that something is asked.
@@ -124,10 +124,10 @@ impl StudyReader {
             let span = span_of(&root.epistemic, &input.path);
             Some((span, &input.path, input.quantity()?, input.variable.ends().to_vec(), true))
         });
-        let nominal = self.model.quantities.nominal();
+        let nominal = self.model.quantities().nominal();
         type Range<'a> = (Span, &'a String, QuantityId, Vec<f64>, bool);
         let far = |(span, path, quantity, ends, may_be_beside): Range<'_>| {
-            let known = &self.model.quantities[quantity];
+            let known = &self.model.quantities()[quantity];
             let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
             let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
             let round_off = ROUND_OFF * nominal[quantity].abs();
@@ -176,7 +176,7 @@ impl StudyReader {
         if corners > MAX_CORNERS {
             return Ok(());
         }
-        let mut values = self.model.quantities.nominal();
+        let mut values = self.model.quantities().nominal();
         for corner in 0..corners {
             let mut rest = corner;
             let set: Vec<(QuantityId, f64)> = shown
@@ -187,7 +187,7 @@ impl StudyReader {
                     (*quantity, value)
                 })
                 .collect();
-            self.model.quantities.evaluate_into(&set, &mut values)?;
+            self.model.quantities().evaluate_into(&set, &mut values)?;
         }
         Ok(())
     }
@@ -203,7 +203,7 @@ impl StudyReader {
 
     /// Says that too many of the values `drawn` leave a joint without play, all other values being those of the file.
     fn share_without_play(&self, input: &RandomInput, drawn: &[f64]) -> Option<StudyProblem> {
-        let quantities = &self.model.quantities;
+        let quantities = &self.model.quantities();
         let plays = self.plays_of(input.quantity);
         let lost = |value_si: f64| {
             let values = quantities.evaluate(&[(input.quantity, value_si)]).ok()?;
@@ -225,7 +225,7 @@ impl StudyReader {
     }
 
     fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
-        let quantities = &self.model.quantities;
+        let quantities = &self.model.quantities();
         let mut values = quantities.nominal();
         let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
         let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();

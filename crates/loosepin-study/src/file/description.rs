@@ -1,6 +1,7 @@
 //! Inputs and runs as a study file describes them, checked and in SI.
 
-use loosepin_mechanics::model::{ContactId, Model, NormalDescription, QuantityId};
+use crate::model::StudyModel;
+use loosepin_mechanics::model::{ContactId, NormalDescription, QuantityId};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
 use loosepin_surrogate::Choice;
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -10,8 +11,8 @@ use loosepin_uncertainty::{
 
 impl RandomInput {
     /// The unit of its values.
-    pub fn unit(&self, model: &Model) -> SiUnit {
-        SiUnit::of_dimension(model.quantities[self.quantity].dimension)
+    pub fn unit(&self, model: &StudyModel) -> SiUnit {
+        SiUnit::of_dimension(model.quantities()[self.quantity].dimension)
     }
 
     /// Parameters of the distributions of `random` that are epistemic inputs.
@@ -188,6 +189,8 @@ pub enum EpistemicSubject {
         /// The laws, in file order; a sample has the place of one of them as its value.
         laws: Vec<NormalDescription>,
     },
+    /// The places of all journals of a mechanism in space: -1 where play makes an output smallest, 1 where it makes it largest.
+    Play,
 }
 
 impl EpistemicInput {
@@ -195,16 +198,16 @@ impl EpistemicInput {
     pub fn quantity(&self) -> Option<QuantityId> {
         match self.subject {
             EpistemicSubject::Quantity(quantity) => Some(quantity),
-            EpistemicSubject::Parameter { .. } | EpistemicSubject::Law { .. } => None,
+            EpistemicSubject::Parameter { .. } | EpistemicSubject::Law { .. } | EpistemicSubject::Play => None,
         }
     }
 
     /// Dimension of its values; a pure number for a law.
-    pub fn dimension(&self, model: &Model) -> Dimension {
+    pub fn dimension(&self, model: &StudyModel) -> Dimension {
         match self.subject {
-            EpistemicSubject::Quantity(quantity) => model.quantities[quantity].dimension,
+            EpistemicSubject::Quantity(quantity) => model.quantities()[quantity].dimension,
             EpistemicSubject::Parameter { dimension, .. } => dimension,
-            EpistemicSubject::Law { .. } => Dimension::NUMBER,
+            EpistemicSubject::Law { .. } | EpistemicSubject::Play => Dimension::NUMBER,
         }
     }
 
@@ -216,18 +219,18 @@ impl EpistemicInput {
     /// The law that `value` stands for, where the input is a law.
     pub fn law(&self, value: f64) -> Option<NormalDescription> {
         match &self.subject {
-            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } | EpistemicSubject::Play => None,
             EpistemicSubject::Law { laws, .. } => laws.get(value as usize).copied(),
         }
     }
 
     /// The unit of its values; that of a pure number for a law.
-    pub fn unit(&self, model: &Model) -> SiUnit {
+    pub fn unit(&self, model: &StudyModel) -> SiUnit {
         SiUnit::of_dimension(self.dimension(model))
     }
 
     /// `value` as it is written: with its unit, or the name of a law.
-    pub fn written(&self, model: &Model, value: f64) -> String {
+    pub fn written(&self, model: &StudyModel, value: f64) -> String {
         match self.law(value) {
             Some(law) => law.name().to_owned(),
             None => format_value(value, self.dimension(model)),
@@ -235,7 +238,7 @@ impl EpistemicInput {
     }
 
     /// Values of an input from a list, one by one, as written.
-    pub fn members_written(&self, model: &Model) -> Option<Vec<String>> {
+    pub fn members_written(&self, model: &StudyModel) -> Option<Vec<String>> {
         match &self.variable {
             EpistemicVariable::OneOf(members) => {
                 Some(members.values().iter().map(|&value| self.written(model, value)).collect())

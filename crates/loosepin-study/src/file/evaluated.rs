@@ -11,7 +11,7 @@ use crate::file::questions::location::{POSES, Where};
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::questions::promise::PromiseTable;
 use crate::file::questions::question_settings::QuestionSettings;
-use crate::response::study_response::{MAX_COLUMNS, MAX_RECORDED_TURNS, MAX_TURNS};
+use crate::response::planar_response::{MAX_COLUMNS, MAX_RECORDED_TURNS, MAX_TURNS};
 use loosepin_bounds::{PERCENTILES, PromiseSettings};
 use loosepin_mechanics::model::{LawError, Model, NormalDescription, PathError, QuantityError, measured_argument};
 use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Problem, Source, nearest_name, problems};
@@ -110,11 +110,11 @@ impl Study {
         let root = reader.root(toml.get_ref(), &EvaluationTable::KEYS);
         let root = EvaluationTable::of(&mut reader, root);
         let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(&mut reader, None);
-        let mut file = StudyReader::new(reader, model, PromiseSettings { share, confidence, inner }, false);
+        let mut file = StudyReader::new(reader, model.into(), PromiseSettings { share, confidence, inner }, false);
         let (Sampling { outer, inner, replicates, most_failed, .. }, _): (Sampling, SamplingTable<'_>) =
             file.sampling(None);
         let asks = root.map_or_else(Vec::new, |root| file.read_evaluated(&root.outputs));
-        let cycle = file.model.cycle.clone();
+        let cycle = file.model.cycle();
         for (argument, turns, most) in [
             ("turns", cycle.recorded_turns, MAX_RECORDED_TURNS),
             ("transient and turns together", cycle.transient_turns + cycle.recorded_turns, MAX_TURNS),
@@ -144,7 +144,7 @@ impl Study {
             _ => return Err(diagnostics),
         };
         Ok(Self {
-            name: file.model.name.clone(),
+            name: file.model.name().to_owned(),
             model_path: PathBuf::new(),
             seed: 1,
             cycle,

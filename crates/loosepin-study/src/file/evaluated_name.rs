@@ -2,7 +2,7 @@
 
 use super::words::{DEVIATIONS, REDUCTIONS};
 use crate::response::outputs::study_outputs;
-use loosepin_mechanics::model::Model;
+use crate::model::StudyModel;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 
 /// The keys of a question.
@@ -51,13 +51,13 @@ impl NamedQuestion {
     ///
     /// # Errors
     /// Nothing has this name.
-    pub fn of_name(model: &Model, name: &str) -> Result<Self, NameProblem> {
+    pub fn of_name(model: &StudyModel, name: &str) -> Result<Self, NameProblem> {
         let (curve, place) = place_of(model, name);
         let outputs = study_outputs(model);
         let found = curve.rsplit_once(' ').and_then(|(output, word)| {
             let output = outputs.iter().find(|known| known.name == output)?;
             let of = DEVIATIONS.iter().find(|(known, _)| *known == word)?.0;
-            Some(Self { output: model.outputs[output.output].name.clone(), component: output.component, of, place })
+            Some(Self { output: model.output_names().get(output.output).map_or(String::new(), |name| (*name).to_owned()), component: output.component, of, place })
         });
         found.ok_or_else(|| {
             let curves = outputs.iter().flat_map(|output| DEVIATIONS.map(|(of, _)| format!("{} {of}", output.name)));
@@ -76,11 +76,11 @@ impl NamedQuestion {
 }
 
 /// The name of the curve, and which part of it is meant.
-fn place_of<'n>(model: &Model, name: &'n str) -> (&'n str, NamedPlace) {
+fn place_of<'n>(model: &StudyModel, name: &'n str) -> (&'n str, NamedPlace) {
     if let Some((curve, angle_rad)) = name.strip_suffix(" rad").and_then(|rest| rest.rsplit_once(" at "))
         && let Ok(angle_rad) = angle_rad.parse::<f64>()
     {
-        let drive = model.cycle_input(&model.quantities.nominal()).name;
+        let drive = model.cycle_input(&model.quantities().nominal()).name;
         return (curve, NamedPlace::Pose(drive, angle_rad));
     }
     let reduced = name.rsplit_once(' ').and_then(|(curve, word)| {

@@ -56,7 +56,7 @@ impl StudyReader {
             elements.push(element);
         }
         let elements = elements.into_iter().collect::<Option<Vec<FocalElement>>>()?;
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let found = Evidence::try_new(elements);
         let culprit = match found {
             Err(EvidenceError::Mass { element, .. }) => entries.get(element - 1),
@@ -71,7 +71,7 @@ impl StudyReader {
         support: Interval,
         quantity: QuantityId,
     ) -> Option<Evidence> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let entries = self.reader.list(written)?;
         if entries.is_empty() {
             return self.refused(&StudyProblem::Empty { entry: written.path.describe() }, written.span);
@@ -111,7 +111,7 @@ impl StudyReader {
     }
 
     pub(super) fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let table = FuzzyTable::read(self, written)?;
         // Degrees and corners with their places, for diagnostics.
         let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
@@ -175,7 +175,7 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<[f64; COUNT]> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let entries = self.reader.list(entry)?;
         let found = entries.len();
         let Ok(entries) = <[Entry<'_>; COUNT]>::try_from(entries) else {

@@ -122,7 +122,7 @@ impl StudyReader {
         }
         if let Some(written) = &known.mean {
             let support = self.support(known, written, quantity, path)?;
-            let dimension = self.model.quantities[quantity].dimension;
+            let dimension = self.model.quantities()[quantity].dimension;
             let mean = self.reader.measured(written, dimension, Rule::Finite)?;
             return self.evidence_of(Evidence::from_mean(mean, support), written, dimension).map(Into::into);
         }
@@ -172,7 +172,7 @@ impl StudyReader {
                 let (entry, value) = (written.path.describe(), format!("\"{}\"", law.name()));
                 self.report(&StudyProblem::MemberTwice { entry, value }, member);
                 is_right = false;
-            } else if let Err(error) = self.model.with_law(contact, law) {
+            } else if let Err(error) = self.model.check_law(contact, law) {
                 self.report(&StudyProblem::Law { entry: written.path.describe(), error }, member);
                 is_right = false;
             }
@@ -190,7 +190,7 @@ impl StudyReader {
 
     /// Reads a number that is one of a list.
     fn numbers(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Members> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let entries = self.reader.list(written)?;
         let mut values: Vec<f64> = Vec::new();
         let mut is_right = true;
@@ -249,7 +249,7 @@ impl StudyReader {
     /// One period of a quantity: of an angle a whole turn, or a whole fraction of one.
     fn period(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
         let interval = self.interval(entry, quantity, path)?;
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let width = interval.upper() - interval.lower();
         let periods = TAU / width;
         let is_whole = (periods - periods.round()).abs() <= PERIOD_ROUND_OFF * periods && periods.round() >= 1.0;
@@ -261,7 +261,7 @@ impl StudyReader {
     }
 
     pub(super) fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
-        let (interval, [first, second]) = self.two_ends(entry, self.model.quantities[quantity].dimension)?;
+        let (interval, [first, second]) = self.two_ends(entry, self.model.quantities()[quantity].dimension)?;
         let lower_is_possible = self.check_end(quantity, path, interval.lower(), &first, false);
         let upper_is_possible = self.check_end(quantity, path, interval.upper(), &second, false);
         (lower_is_possible && upper_is_possible).then_some(interval)

@@ -9,6 +9,7 @@ mod evidence;
 mod input;
 mod measurements;
 mod plausible;
+mod play;
 mod problem;
 mod questions;
 mod random_inputs;
@@ -57,9 +58,9 @@ use study_table::{STUDY_KEYS, StudyTable};
 use words::READINGS;
 pub(super) use words::{dimension_of_statistic, statistic_name};
 
+use crate::model::StudyModel;
 use crate::question::read_questions;
 use loosepin_bounds::{PERCENTILES, PromiseSettings};
-use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
@@ -117,7 +118,7 @@ impl Study {
                 };
                 return Err(Diagnostics::one(&problem, None));
             }
-            Ok((Model::from_source(file)?, model_path))
+            Ok((StudyModel::from_source(file)?, model_path))
         })
     }
 
@@ -125,8 +126,8 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Diagnostics> {
-        read(&Source::new(name, text), Stage::Complete, |written| Ok((model, PathBuf::from(written))))
+    pub fn from_text(name: &str, text: &str, model: impl Into<StudyModel>) -> Result<Study, Diagnostics> {
+        read(&Source::new(name, text), Stage::Complete, |written| Ok((model.into(), PathBuf::from(written))))
     }
 
     /// Reads a study of `model`, which stands at `model_path`, from a text with its name and, where [`Source::with_files`] gave
@@ -134,8 +135,8 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Diagnostics> {
-        read(source, Stage::Complete, |_| Ok((model, model_path.to_owned())))
+    pub fn of_model(source: &Arc<Source>, model: impl Into<StudyModel>, model_path: &Path) -> Result<Study, Diagnostics> {
+        read(source, Stage::Complete, |_| Ok((model.into(), model_path.to_owned())))
     }
 
     /// As [`Study::of_model`], of a study that is still being written: it may have no uncertain input and no question yet. Such a study has an
@@ -143,8 +144,8 @@ impl Study {
     ///
     /// # Errors
     /// As for [`Study::of_model`].
-    pub fn draft_of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Diagnostics> {
-        read(source, Stage::Draft, |_| Ok((model, model_path.to_owned())))
+    pub fn draft_of_model(source: &Arc<Source>, model: impl Into<StudyModel>, model_path: &Path) -> Result<Study, Diagnostics> {
+        read(source, Stage::Draft, |_| Ok((model.into(), model_path.to_owned())))
     }
 
     /// Whether `loosepin study` has something to answer. A study of readings of a rig may have nothing: it is for `loosepin identify`.
@@ -213,7 +214,7 @@ enum Stage {
 fn read(
     source: &Arc<Source>,
     stage: Stage,
-    open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Diagnostics>,
+    open_model: impl FnOnce(&str) -> Result<(StudyModel, PathBuf), Diagnostics>,
 ) -> Result<Study, Diagnostics> {
     let toml = parse_toml(source)?;
     let mut reader = Reader::new(source);
@@ -245,6 +246,7 @@ fn read(
     if let Some(entry) = epistemic {
         file.read_epistemic(entry);
     }
+    file.add_play();
     let correlation = file.read_correlations(root.correlation.as_ref());
     let (correlation, specimen) = file.read_specimen([root.specimen.as_ref(), random], correlation);
     file.read_reading(root.reading.as_ref());
@@ -280,7 +282,7 @@ fn read(
         return Err(file.reader.diagnostics);
     }
     let (budget, budget_place) = written_budget.unzip();
-    let mut warnings: Vec<Diagnostic> = file.model.warnings.clone();
+    let mut warnings: Vec<Diagnostic> = file.model.warnings().to_vec();
     warnings.extend(file.reader.diagnostics.sorted().into_iter().cloned());
     Ok(Study {
         name: root.name.unwrap_or_default(),

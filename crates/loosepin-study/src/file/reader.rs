@@ -2,9 +2,9 @@
 
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
+use crate::model::StudyModel;
 use crate::response::outputs::{StudyOutput, study_outputs};
 use loosepin_bounds::{PromiseSettings, Reading};
-use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem, Source, Span};
 use loosepin_text::document::{Entry, Reader, Reads};
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// A study in the making.
 pub struct StudyReader {
     pub reader: Reader,
-    pub model: Model,
+    pub model: StudyModel,
     /// Outputs of the model.
     pub outputs: Vec<StudyOutput>,
     pub random: Vec<RandomInput>,
@@ -44,7 +44,7 @@ impl Reads for StudyReader {
 
 impl StudyReader {
     /// Nothing of a study of `model` read yet.
-    pub fn new(reader: Reader, model: Model, promise: PromiseSettings, has_rows: bool) -> Self {
+    pub fn new(reader: Reader, model: StudyModel, promise: PromiseSettings, has_rows: bool) -> Self {
         Self {
             reader,
             outputs: study_outputs(&model),

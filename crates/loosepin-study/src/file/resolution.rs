@@ -34,11 +34,11 @@ impl StudyReader {
 
     /// The smallest clearance of all joints and couplings, each with the inputs that it depends on where they make it smallest.
     fn smallest_clearance(&self) -> Option<SmallestClearance> {
-        let smallest = self.model.play_clearances().filter_map(|(play, clearance)| {
+        let smallest = self.model.integrated_clearances().into_iter().filter_map(|(play, clearance)| {
             let sizes = SMALL.into_iter().filter_map(|small| self.clearance_m(clearance, small));
             // The smallest of all inputs at once may be impossible where each of them alone is not.
             let clearance_m = sizes.chain(self.middle_clearance_m(clearance)).find(|size| *size > 0.0)?;
-            Some(SmallestClearance { play: self.model.play_words(play), clearance_m })
+            Some(SmallestClearance { play, clearance_m })
         });
         smallest.min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
     }
@@ -46,11 +46,11 @@ impl StudyReader {
     /// A clearance with random inputs at the probability `small` or one less that, intervals at an end: each input where it
     /// makes the clearance smaller, the others in the middle.
     fn clearance_m(&self, clearance: QuantityId, small: f64) -> Option<f64> {
-        let roots = self.model.roots(clearance);
+        let roots = self.model.quantities().roots(clearance);
         let ends: Vec<(QuantityId, [f64; 2])> =
             self.input_ends(small).into_iter().filter(|(quantity, _)| roots.contains(quantity)).collect();
         let middle: Vec<(QuantityId, f64)> = ends.iter().map(|(id, [low, high])| (*id, 0.5 * (low + high))).collect();
-        let with = |set: &[(QuantityId, f64)]| Some(self.model.quantities.evaluate(set).ok()?[clearance]);
+        let with = |set: &[(QuantityId, f64)]| Some(self.model.quantities().evaluate(set).ok()?[clearance]);
         let mut chosen = middle.clone();
         for (index, (_, ends)) in ends.iter().enumerate() {
             let mut tried = middle.clone();
@@ -66,7 +66,7 @@ impl StudyReader {
     /// A clearance with all inputs in the middle.
     fn middle_clearance_m(&self, clearance: QuantityId) -> Option<f64> {
         let middle = self.input_ends(0.5).into_iter().map(|(quantity, [low, high])| (quantity, 0.5 * (low + high)));
-        Some(self.model.quantities.evaluate(&middle.collect::<Vec<_>>()).ok()?[clearance])
+        Some(self.model.quantities().evaluate(&middle.collect::<Vec<_>>()).ok()?[clearance])
     }
 
     fn input_ends(&self, small: f64) -> Vec<(QuantityId, [f64; 2])> {

@@ -67,7 +67,7 @@ impl<'t, R: Reads + ?Sized> DefaultValue<'t, R, &'static str> for StepTolerance 
 impl StudyReader {
     /// The cycle of the model with what `written` says of it.
     pub(super) fn cycle(&mut self, written: Option<&Entry<'_>>) -> Cycle {
-        let mut cycle = self.model.cycle.clone();
+        let mut cycle = self.model.cycle();
         if let Some(table) = written.and_then(|entry| StudyCycleTable::read(self, entry)) {
             cycle.transient_turns = table.transient_turns.unwrap_or(cycle.transient_turns);
             cycle.recorded_turns = table.recorded_turns.unwrap_or(cycle.recorded_turns);

@@ -9,9 +9,10 @@ use crate::file::questions::ask::Ask;
 use crate::file::questions::question_settings::QuestionSettings;
 use crate::file::questions::requirement::Requirement;
 use crate::file::questions::target::AccuracyTarget;
+use crate::model::StudyModel;
 use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
-use loosepin_mechanics::model::{Cycle, Model};
+use loosepin_mechanics::model::Cycle;
 use loosepin_result::study::{Budget, Together};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_uncertainty::EpistemicParameter;
@@ -22,7 +23,7 @@ pub struct Study {
     /// Name of the study.
     pub name: String,
     /// The model with its nominal values.
-    pub model: Model,
+    pub model: StudyModel,
     /// Path of the model.
     pub model_path: PathBuf,
     /// Seed of the random numbers; the same seed gives the same results.

@@ -5,6 +5,8 @@ use crate::file::Study;
 use crate::planning::cost_estimate::CostEstimate;
 use crate::planning::plans::{default_threads, planned};
 use crate::planning::problem::problem;
+use crate::response::extras::RunExtras;
+use crate::response::planar_response::PlanarResponse;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, RunInputs};
 use loosepin_simulate::{Execution, RunFailure};
@@ -13,6 +15,8 @@ use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
+/// Runs in space that are timed.
+const TIMED_POSITIONS: usize = 4;
 /// Largest number of timed combinations of laws, each of which is a batch of its own.
 const MAX_VARIANTS: usize = 4;
 /// The mechanisms among the runs, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
@@ -38,16 +42,40 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let plans = planned(study, &response, default_threads())?;
     let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut estimate));
-    let variants = response.mechanisms.len().min(MAX_VARIANTS);
-    let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
+    let Some(planar) = response.planar_mut() else {
+        estimate.run_s = time_positions_s(study, &response)?;
+        return Ok(estimate);
+    };
+    let variants = planar.mechanisms.len().min(MAX_VARIANTS);
+    let all = TIMED_MULTIPLICATIONS / (variants as f64 * planar.mechanism().multiplications());
     // What has no room for the lanes of a thread runs on its own.
     let runs = ((all / MIN_EVALUATIONS) as usize).min(TIMED_RUNS);
     if runs == 0 {
         return Ok(estimate);
     }
-    response.limit_evaluations((all / runs as f64) as u64);
-    estimate.run_s = time_runs_s(study, &response, runs)?;
+    planar.limit_evaluations((all / runs as f64) as u64);
+    if let Some(planar) = response.planar() {
+        estimate.run_s = time_runs_s(study, (&response, planar), runs)?;
+    }
     Ok(estimate)
+}
+
+/// Processor time of a run in space, s: the mean of the first runs of the plan.
+///
+/// # Errors
+/// All of them failed.
+fn time_positions_s(study: &Study, response: &StudyResponse) -> Result<Option<f64>, StudyError> {
+    let plan = DoubleLoop::try_new(problem(study, response))?;
+    let inputs = plan.first_runs(TIMED_POSITIONS, 1, |_| true);
+    let mut row = vec![f64::NAN; response.row_length()];
+    let begun = Instant::now();
+    let outcomes = inputs.iter().map(|inputs| response.run(&inputs.random, &inputs.epistemic, &mut row));
+    let failed: Vec<RunFailure> = outcomes.filter_map(Result::err).collect();
+    match failed.into_iter().next() {
+        Some(reason) if inputs.len() == 1 => Err(StudyError::AllFailed { runs: 1, reason }),
+        _ if inputs.is_empty() => Ok(None),
+        _ => Ok(Some(begun.elapsed().as_secs_f64() / inputs.len() as f64)),
+    }
 }
 
 /// Durations of the timed runs.
@@ -87,18 +115,22 @@ impl Timing {
 /// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not show it.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
-fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {
+fn time_runs_s(
+    study: &Study,
+    (response, planar): (&StudyResponse, &PlanarResponse),
+    runs: usize,
+) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
     let (mechanisms, least_share) =
-        if response.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, MIN_FREE_SHARE) };
+        if planar.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, MIN_FREE_SHARE) };
     let mut timing = Timing::default();
-    for variant in 0..response.mechanisms.len().min(MAX_VARIANTS) {
+    for variant in 0..planar.mechanisms.len().min(MAX_VARIANTS) {
         let is_meant = |epistemic: &[f64]| response.variant(epistemic) == variant;
         // The mechanisms are the same at each value of the epistemic inputs, as in the study: where these do not change an ideal motion,
         // it is known at all but the first. Where there is but one value, each has a mechanism of its own.
         let points = plan.first_runs(runs, 1, is_meant).len();
         let each = if points > 1 { mechanisms.min(runs) } else { runs };
-        time_variant(response, variant, (runs, &plan.first_runs(runs / each, each, is_meant)), &mut timing);
+        time_variant(planar, variant, (runs, &plan.first_runs(runs / each, each, is_meant)), &mut timing);
     }
     match timing.reason.take() {
         Some(reason) if timing.runs.is_empty() => Err(StudyError::AllFailed { runs: timing.tried, reason }),
@@ -107,7 +139,7 @@ fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<O
 }
 
 /// Adds `runs` runs of the mechanism `variant`: those of `inputs`, over and over, so that all lanes are filled.
-fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize, &[RunInputs]), timing: &mut Timing) {
+fn time_variant(response: &PlanarResponse, variant: usize, (runs, inputs): (usize, &[RunInputs]), timing: &mut Timing) {
     let (end_s, given) = (response.nominal_end_s(), response.largest_evaluations);
     let mut waiting = inputs.iter().cycle().take(runs).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
     let ended = Cell::new(0_u32);
@@ -124,7 +156,7 @@ fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize
             ended.set(ended.get() + 1);
             match outcome {
                 Ok(row) => {
-                    let extras = response.extras(&row);
+                    let extras = RunExtras::read(&row, response.joints.len());
                     // Where nothing is integrated each step counts as one of the method.
                     let of_steps = extras.steps * response.settings().method.stages.len() as f64;
                     let evaluations = if extras.evaluations > 0.0 { extras.evaluations } else { of_steps };
@@ -190,7 +222,7 @@ mod tests {
     #[test]
     fn a_run_that_is_timed_is_given_up_after_the_evaluations_it_has() {
         let mut response = StudyResponse::new(&study_with(WORN_PIN, &[])).unwrap();
-        response.limit_evaluations(50);
+        planar.limit_evaluations(50);
         let mut waiting = [(0, &[0.05, 0.12][..], &[0.0005, 0.8][..])].into_iter();
         let mut outcomes = Vec::new();
         response.run_all(0, Execution::best(), || waiting.next(), |_, outcome| outcomes.push(outcome.map(|_| ())));

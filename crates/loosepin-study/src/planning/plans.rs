@@ -57,7 +57,7 @@ impl Plans {
     /// Its sampling, its surrogates or one of its questions are not possible.
     pub fn new(study: &Study, response: &StudyResponse, has_folder: bool, threads: usize) -> Result<Self, StudyError> {
         let row_length = response.row_length();
-        let refinement = Refinement::try_new(problem(study, response), goals(study, &response.shared.plan))?;
+        let refinement = Refinement::try_new(problem(study, response), goals(study, response.plan()))?;
         let direct = refinement.plan(&SampleTable::new(row_length));
         let surrogate = surrogate_plan(study, response)?;
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);

@@ -10,7 +10,7 @@ const EXTREME_RUNS_PER_INPUT: usize = 8;
 
 /// The problem that the double loop of `study` solves.
 pub(crate) fn problem(study: &Study, response: &StudyResponse) -> Problem {
-    let plan = &response.shared.plan;
+    let plan = response.plan();
     let usual = Sampling::default();
     let replicates = study.sampling.replicates;
     let choices = study.epistemic.iter().map(|input| input.variable.choices());

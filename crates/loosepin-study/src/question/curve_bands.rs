@@ -23,7 +23,7 @@ pub struct CurveBand {
 ///
 /// [`PlanError`] where the table lacks runs.
 pub fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<Vec<CurveBand>, PlanError> {
-    let asks = material.response.shared.plan.asks.iter();
+    let asks = material.response.plan().asks.iter();
     let asked = asks.flat_map(|ask| ask.bands().map(move |share| (ask, share)));
     asked
         .map(|(ask, share)| {

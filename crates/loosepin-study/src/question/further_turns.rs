@@ -9,7 +9,9 @@ use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
 use crate::response::columns::{Location, StudyColumn};
-use crate::response::study_response::{MAX_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
+use crate::response::planar_response::{MAX_RECORDED_TURNS, check_turns};
+use crate::response::problem::PrepareError;
+use crate::response::study_response::StudyResponse;
 use crate::runs::all_runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{AnswerPart, FurtherOutput, FurtherTurns, QuestionAnswer, Reduction};
@@ -136,11 +138,12 @@ impl Question for FurtherTurnsQuestion {
 /// # Errors
 /// The study was interrupted.
 fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResult, StudyError> {
-    let (study, table, plan) = (runs.study, &runs.table, &runs.response.shared.plan);
+    let (study, table, plan) = (runs.study, &runs.table, runs.response.plan());
     if matches!(study.cycle.span, CycleSpan::Duration(_)) {
         return Ok(Err(IS_TIME));
     }
-    if study.model.wear.is_some() {
+    let Some(planar) = study.model.planar() else { return Ok(Err(NO_EXTREME)) };
+    if planar.wear.is_some() {
         return Ok(Err(IS_LIFE));
     }
     let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();
@@ -165,7 +168,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
     longer.requirements.clear();
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(Err(CANNOT_GO_ON)) };
-    let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|ask| ask.columns[0]).collect();
+    let later_column: Vec<usize> = response.plan().asks.iter().map(|ask| ask.columns[0]).collect();
     let rows = runs.make_again(&response, &continuing)?;
     let continued: Vec<(&[f64], Vec<f64>)> = continuing
         .iter()

@@ -39,7 +39,7 @@ impl<'s> FurtherOutputs<'s> {
 
     /// Recorded outputs of every run, in the order in which the study asks for them.
     pub fn recorded(&self) -> Vec<RecordedOutput> {
-        RecordedOutput::of_plan(&self.response.shared.plan)
+        RecordedOutput::of_plan(self.response.plan())
     }
 
     /// Makes the runs of a round: what they record, in their order. `before` runs were made in earlier rounds, and at most `most_runs` are

@@ -83,7 +83,7 @@ impl IdealTables {
 #[cfg(test)]
 mod tests {
     use super::IdealKey;
-    use crate::response::study_response::StudyResponse;
+    use crate::response::planar_response::PlanarResponse;
     use crate::written::texts::study_with;
     use loosepin_mechanics::mechanism::Sample;
     use loosepin_simulate::Arms;
@@ -92,19 +92,19 @@ mod tests {
     const ARM: &str = "crates/loosepin-import/templates/three-link-arm/study.toml";
 
     /// The study at `path`, with texts of its files replaced.
-    fn response(path: &str, replaced: &[(&str, &str)]) -> StudyResponse {
-        StudyResponse::new(&study_with(path, replaced)).unwrap()
+    fn response(path: &str, replaced: &[(&str, &str)]) -> PlanarResponse {
+        PlanarResponse::new(&study_with(path, replaced)).unwrap()
     }
 
     /// The bits of a run's row.
-    fn row(response: &StudyResponse, random: &[f64], epistemic: &[f64]) -> Vec<u64> {
+    fn row(response: &PlanarResponse, random: &[f64], epistemic: &[f64]) -> Vec<u64> {
         let mut row = vec![0.0; response.row_length()];
         response.run(random, epistemic, &mut row).unwrap();
         row.into_iter().map(f64::to_bits).collect()
     }
 
     /// Runs of one response after the other have the bits of those of a response each; so many ideal motions are known after each of them.
-    fn same_bits(response: impl Fn() -> StudyResponse, runs: &[(&[f64], &[f64], usize)]) {
+    fn same_bits(response: impl Fn() -> PlanarResponse, runs: &[(&[f64], &[f64], usize)]) {
         let shared = response();
         for &(random, epistemic, known) in runs {
             assert_eq!(row(&shared, random, epistemic), row(&response(), random, epistemic));

@@ -3,7 +3,7 @@
 use crate::response::extras::{JointExtras, RunExtras};
 use crate::response::ideal_tables::{CachedIdealMotion, IdealKey};
 use crate::response::recorder::{Recorder, References};
-use crate::response::study_response::{StudyResponse, window};
+use crate::response::planar_response::{PlanarResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, LifePlan, Observer, PlaySummary, Queue, Run, RunFailure, RunReport,
@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-impl StudyResponse {
+impl PlanarResponse {
     /// One run, alone.
     ///
     /// # Errors
@@ -194,7 +194,7 @@ impl Observer for StudyRun<'_> {
 
 /// Inputs that wait, and rows that are finished.
 struct StudyQueue<'s, N, F> {
-    response: &'s StudyResponse,
+    response: &'s PlanarResponse,
     mechanism: &'s Mechanism,
     stop: &'s AtomicBool,
     next: N,
@@ -232,7 +232,7 @@ where
 #[cfg(test)]
 mod tests {
     use crate::Study;
-    use crate::response::study_response::StudyResponse;
+    use crate::response::planar_response::PlanarResponse;
     use crate::runs::evaluate::{Work, evaluate};
     use loosepin_bounds::{Purpose, RunInputs};
     use loosepin_mechanics::model::Model;
@@ -251,12 +251,12 @@ mod tests {
         [[ask]]\noutput = \"play\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [{ quantile = 0.5 }]\n\
         [[ask]]\noutput = \"life\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [{ quantile = 0.5 }]\n";
 
-    fn response() -> StudyResponse {
+    fn response() -> PlanarResponse {
         let text = MODEL.replace("radial_clearance = \"0.5 mm\"\n", JOINT).replace("5000 rpm", "300 rpm");
         let text = text.replace("recorded_turns = 2", "recorded_turns = 0.02") + LIFE;
         let model = Model::from_text("model.toml", &text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
         let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-        StudyResponse::new(&study).unwrap_or_else(|error| panic!("{error}"))
+        PlanarResponse::new(&study).unwrap_or_else(|error| panic!("{error}"))
     }
 
     /// Coefficients of the bearing, m²/N: one with which the limit is never passed, and one with which it is.

@@ -1,9 +1,12 @@
 //! Outputs that a study can ask about: the columns of its model, and the errors of its paths.
 
+use super::spatial_outputs::spatial_outputs;
+use crate::model::StudyModel;
 use loosepin_mechanics::model::{JointId, Model, Position, Recorded, WearMeasure};
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Reading, columns, relative_words};
-use loosepin_text::units::{Dimension, SiUnit};
+use loosepin_space::SampledPart;
+use loosepin_text::units::{Dimension, SiUnit, distinct};
 
 /// One number of a model that a study can ask about.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +38,8 @@ pub enum OutputSource {
     Path([Reading; 2], PathError),
     /// The wear of a joint after all cycles: one number of a run.
     Wear(JointId, WearMeasure),
+    /// A number of a mechanism in space.
+    InSpace(SampledPart),
 }
 
 impl OutputSource {
@@ -42,7 +47,7 @@ impl OutputSource {
     pub fn position(&self) -> Option<Position> {
         match self {
             Self::Reading(reading) => reading.position(),
-            Self::Path(..) | Self::Wear(..) => None,
+            Self::Path(..) | Self::Wear(..) | Self::InSpace(_) => None,
         }
     }
 
@@ -50,7 +55,7 @@ impl OutputSource {
     pub fn force_in(&self) -> Option<JointId> {
         match self {
             Self::Reading(reading) => reading.force_in(),
-            Self::Path(..) | Self::Wear(..) => None,
+            Self::Path(..) | Self::Wear(..) | Self::InSpace(_) => None,
         }
     }
 
@@ -59,7 +64,7 @@ impl OutputSource {
         let (first, second) = match *self {
             Self::Reading(reading) => (Some(reading), None),
             Self::Path([x, y], _) => (Some(x), Some(y)),
-            Self::Wear(..) => (None, None),
+            Self::Wear(..) | Self::InSpace(_) => (None, None),
         };
         first.into_iter().chain(second)
     }
@@ -76,8 +81,21 @@ pub const COMPONENTS: [&str; 6] = {
     names
 };
 
-/// All that can be asked of a model, in file order; of a path in the order of [`COMPONENTS`].
-pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
+/// The names of the components that outputs have, each once, in the order in which they come.
+pub fn components(outputs: &[StudyOutput]) -> Vec<&'static str> {
+    distinct(outputs.iter().filter_map(|output| output.component))
+}
+
+/// All that can be asked of a model, in file order; of a path each of its parts.
+pub fn study_outputs(model: &StudyModel) -> Vec<StudyOutput> {
+    match model {
+        StudyModel::Planar(model) => planar_outputs(model),
+        StudyModel::Spatial(model) => spatial_outputs(model),
+    }
+}
+
+/// Outputs of a planar model; of a path in the order of [`COMPONENTS`].
+fn planar_outputs(model: &Model) -> Vec<StudyOutput> {
     let mut outputs = Vec::new();
     let columns = columns(model);
     for (index, output) in model.outputs.iter().enumerate() {

@@ -105,6 +105,7 @@ impl Shared {
             let of = column.deviation;
             let followed = match plan.outputs[column.output].seen {
                 OutputSource::Wear(joint, measure) => Some(ColumnSource::Wear { joint, measure }),
+                OutputSource::InSpace(_) => None,
                 OutputSource::Reading(reading) => match (place(reading), column.spot) {
                     (Some(reading), Location::Pose { turns, .. }) => {
                         Some(ColumnSource::Instant { reading, instant: instant(turns) })
@@ -556,7 +557,7 @@ mod tests {
     use crate::Study;
     use crate::file::Reduction;
     use crate::response::columns::Location;
-    use crate::response::study_response::StudyResponse;
+    use crate::response::planar_response::PlanarResponse;
     use crate::written::texts::study_with;
     use loosepin_result::study::PathError;
     use loosepin_simulate::{Execution, Plan, simulate};
@@ -566,7 +567,7 @@ mod tests {
     fn largest_m(transient: &str) -> [f64; 2] {
         let path = "cases/slider_crank_worn_pin/study.toml";
         let transient = format!("transient_turns = {transient}\n");
-        let response = StudyResponse::new(&study_with(path, &[("transient_turns = 2\n", &transient)])).unwrap();
+        let response = PlanarResponse::new(&study_with(path, &[("transient_turns = 2\n", &transient)])).unwrap();
         let mut row = vec![0.0; response.row_length()];
         response.run(&[0.05, 0.12], &[2e-5, 0.8], &mut row).unwrap();
         let plan = &response.shared.plan;
@@ -593,7 +594,7 @@ mod tests {
     }
 
     /// The rows of some runs of the coupler point, asked for every part of its error over the cycle and as numbers of the whole.
-    fn rows_of_path(samples_per_turn: usize, execution: Execution) -> (StudyResponse, Vec<Vec<f64>>) {
+    fn rows_of_path(samples_per_turn: usize, execution: Execution) -> (PlanarResponse, Vec<Vec<f64>>) {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/four_bar_coupler_path/study.toml");
         let mut texts = Study::from_path(&path).unwrap().texts();
         let ask = |component: &str, of: &str, place: &str| {
@@ -608,7 +609,7 @@ mod tests {
         let (head, _) = texts.study.1.split_once("# How far the tool").unwrap();
         let head = head.replace("samples_per_turn = 90", &format!("samples_per_turn = {samples_per_turn}"));
         texts.study.1 = head + &asks.concat();
-        let response = StudyResponse::new(&Study::from_texts(&texts).unwrap()).unwrap();
+        let response = PlanarResponse::new(&Study::from_texts(&texts).unwrap()).unwrap();
         const CLEARANCES_M: [[f64; 2]; 3] = [[5e-5, 3e-5], [2e-5, 8e-5], [7e-5, 7e-5]];
         let mut inputs = CLEARANCES_M.iter().enumerate();
         let mut rows = vec![Vec::new(); 3];
@@ -657,13 +658,13 @@ mod tests {
 
     #[test]
     fn identity_the_slider_crank_keeps_its_96_nodes() {
-        let response = StudyResponse::new(&study_with("cases/slider_crank_worn_pin/study.toml", &[])).unwrap();
+        let response = PlanarResponse::new(&study_with("cases/slider_crank_worn_pin/study.toml", &[])).unwrap();
         let nodes = &response.shared.nominal_curve.nodes;
         assert_eq!(nodes.pieces(), [1; 96]);
     }
 
     /// The slider-crank whose gudgeon wears, with the wear asked for by `components`.
-    fn wear_response(components: &[&str]) -> StudyResponse {
+    fn wear_response(components: &[&str]) -> PlanarResponse {
         const STUDY: &str = "name = \"wear\"\nmodel = \"model.toml\"\n[cycle]\ntransient_turns = 0.5\nrecorded_turns = 0.75\n\
             [sampling]\nouter = 8\ninner = 8\ntolerance = \"1e-8 m\"\n\
             [random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n\
@@ -684,7 +685,7 @@ mod tests {
         let (outputs, asks): (Vec<String>, Vec<String>) = components.iter().map(asked).unzip();
         texts.model.1 += &outputs.concat();
         texts.study.1 = STUDY.to_owned() + &asks.concat();
-        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))).unwrap()
+        PlanarResponse::new(&Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))).unwrap()
     }
 
     const WEAR: [&str; 5] = ["friction_path", "bearing_volume", "journal_volume", "bearing_depth", "journal_depth"];
@@ -726,7 +727,7 @@ mod tests {
         texts.model.1 = short + "\n[output.rod_stress]\nstress_in = \"rod\"\n";
         texts.study.1 = STUDY.to_owned();
         let study = Study::from_texts(&texts).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-        let response = StudyResponse::new(&study).unwrap();
+        let response = PlanarResponse::new(&study).unwrap();
         let bits = |execution| {
             let inputs = [[7600.0, 7.1e-3], [7900.0, 8.8e-3], [7700.0, 8e-3]];
             let mut next = inputs.iter().enumerate();

@@ -1,140 +1,28 @@
-//! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
+//! A study as a function from uncertain inputs to numbers: what the uncertainty wing sees, for models in the plane and in space.
 
-use crate::file::{EpistemicSubject, MAX_POSES, Study, Where};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::file::Study;
+use crate::model::StudyModel;
+use crate::response::columns::ColumnPlan;
 use crate::response::extras::RunExtras;
-use crate::response::ideal_tables::IdealTables;
-use crate::response::outputs::OutputSource;
-use crate::response::recorder::{Shared, positions};
+use crate::response::planar_response::PlanarResponse;
+use crate::response::problem::PrepareError;
+use crate::response::spatial_response::SpatialResponse;
 use loosepin_bounds::{Failure, Response};
-use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
-use loosepin_mechanics::model::{
-    ContactId, CycleInput, CycleSpan, LawError, Model, NormalDescription, PlayId, Position, QuantityError, QuantityId,
-    Steady, Values,
-};
-use loosepin_result::study::PathError;
-use loosepin_simulate::{
-    Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window, demand_dynamics,
-};
-use loosepin_text::diagnostics::{Code, Problem, problems};
-use loosepin_uncertainty::EpistemicVariable;
-use std::sync::Arc;
+use loosepin_simulate::{Execution, RunFailure};
+use loosepin_text::numbers::{QuantityError, QuantityId, Values};
+use std::sync::atomic::AtomicBool;
 
-/// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
-pub const MAX_TURNS: f64 = 10_000.0;
-/// Recorded ones, at most: each has a table of the ideal motion.
-pub const MAX_RECORDED_TURNS: f64 = 1000.0;
-/// Numbers of a run that are asked for, at most: each has bounds of its own, with hundreds of numbers in the files and on the page.
-pub const MAX_COLUMNS: usize = 20_000;
-/// Combinations of contact laws, at most: each is a mechanism of its own.
-const MAX_LAWS: usize = 64;
-
-problems! {
-    /// Why a study cannot begin.
-    #[derive(Debug, Clone, PartialEq)]
-    pub enum PrepareError | Mechanism(MechanismError) | Law(LawError) {
-        /// The start of the drive is uncertain, so that samples would not be compared at the same input.
-        UncertainStart { path: String } => Code::AskNotPossible,
-            says("'{path}' is the start of the drive: every sample must start at the same position to be compared with \
-                  the ideal motion"),
-            hint("make the angle of a link uncertain instead, for example with the position of a point");
-        /// The speed of the drive may change its sign.
-        SpeedThroughZero { path: String } => Code::AskNotPossible,
-            says("'{path}' may be zero or change its sign: the turns of such a drive cannot be counted"),
-            hint("keep the whole range on one side of zero");
-        /// A pose that the recorded part does not reach.
-        PoseNotRecorded { output: String, angle_deg: f64, recorded_turns: f64 } => Code::AskNotPossible,
-            says("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there"),
-            hint("record more turns, or ask for an angle that is passed");
-        /// More poses than a study can bound.
-        TooManyPoses { poses: f64 } => Code::AskNotPossible,
-            says("the curves have {poses} poses; must be at most {MAX_POSES}"),
-            hint("use fewer samples_per_turn in the [cycle] of the study; 180 give a good curve");
-        /// More numbers of a run than a study can bound.
-        TooManyColumns { columns: usize } => Code::TooMany,
-            says("all questions together need {columns} numbers of each run; must be at most {MAX_COLUMNS}"),
-            hint("use fewer poses, or fewer samples_per_turn in the [cycle] of the study");
-        /// More turns than a run of a study may have; `key` of `table` says so.
-        TooManyTurns { turns: f64, what: &'static str, most: f64, table: &'static str, key: &'static str } => Code::AskNotPossible,
-            says("{turns} turns are {what}; must be at most {most}"),
-            hint("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model");
-        /// More mechanisms than are made.
-        TooManyLaws { combinations: usize } => Code::AskNotPossible,
-            says("{combinations} combinations of contact laws; must be at most {MAX_LAWS}"),
-            hint("shorten the lists of laws");
-        /// A path whose point stands still somewhere.
-        PathStandsStill { output: String, share_percent: f64 } => Code::AskNotPossible,
-            says("output '{output}': its point hardly moves after {share_percent:.1} % of the recorded part; its path has no direction there"),
-            hint("use component = \"magnitude\", or x and y");
-        /// The nominal run.
-        Nominal { failure: RunFailure } => Problem::code(failure),
-            says("the nominal mechanism, with unknown inputs at the middle of their intervals: {failure}"),
-            hint_of(failure.hint());
-    }
-}
-
-impl From<SampleError> for PrepareError {
-    fn from(error: SampleError) -> Self {
-        RunFailure::from(error).into()
-    }
-}
-
-impl From<RunFailure> for PrepareError {
-    fn from(failure: RunFailure) -> Self {
-        Self::Nominal { failure }
-    }
-}
-
-impl From<QuantityError> for PrepareError {
-    fn from(error: QuantityError) -> Self {
-        Self::Mechanism(error.into())
-    }
-}
-
-/// A compiled study: one mechanism for each combination of laws (a single one where no law is uncertain), one table of inputs.
-///
-/// A law is no number: all lanes of a batch have the same. So the runs of each combination are batches of their own, with the
-/// same random numbers.
+/// A prepared study.
 #[derive(Debug)]
-pub struct StudyResponse {
-    /// The mechanism of each combination of laws, that of the first laws first, the law of the first contact changing fastest;
-    /// compiled at the nominal values with the epistemic inputs in the middle of their intervals and at the first of a list.
-    pub mechanisms: Vec<Mechanism>,
-    /// Columns of a run, and the nominal ideal motion.
-    pub shared: Shared,
-    /// Names of the joints with play, each of which has extras in a row.
-    pub joints: Vec<String>,
-    /// Nominal values with the epistemic inputs in the middle.
-    pub nominal: Values,
-    /// The mechanism with every clearance at zero, and its nominal sample: what deviations are measured against.
-    pub(crate) ideal: Mechanism,
-    pub(crate) nominal_ideal: Sample<f64>,
-    pub(crate) nominal_window: Window,
-    pub(crate) ideal_tables: IdealTables,
-    random: Vec<QuantityId>,
-    epistemic: Vec<Epistemic>,
-    pub(crate) restitutions: Vec<Option<QuantityId>>,
-    pub(crate) transient_turns: f64,
-    pub(crate) recorded_turns: f64,
-    pub(crate) span: CycleSpan,
-    pub(crate) settings: Settings,
-    /// Evaluations after which a run is given up; its ideal motion has as many as the settings say.
-    pub(crate) largest_evaluations: u64,
-}
-
-/// Target of the value of an epistemic input.
-#[derive(Debug, Clone, Copy)]
-enum Epistemic {
-    /// To a number of the model.
-    Quantity(QuantityId),
-    /// To the distribution of a random input: the mechanism does not see it.
-    Parameter,
-    /// To the choice of a mechanism: number of laws in the list.
-    Law(usize),
+pub enum StudyResponse {
+    /// Its runs are integrated.
+    Planar(Box<PlanarResponse>),
+    /// Its positions are closed, without dynamics.
+    Spatial(Box<SpatialResponse>),
 }
 
 impl StudyResponse {
-    /// Compiles `study`.
+    /// Prepares `study`.
     ///
     /// # Errors
     /// The nominal mechanism has no ideal motion over the recorded part.
@@ -148,121 +36,85 @@ impl StudyResponse {
     /// # Errors
     /// As for [`Self::new`].
     pub(crate) fn with_plays(study: &Study, at: &[(QuantityId, f64)]) -> Result<Self, PrepareError> {
-        let middle: Vec<(QuantityId, f64)> = study
-            .epistemic
-            .iter()
-            .filter_map(|input| {
-                let value = match input.variable.range() {
-                    Some(range) => 0.5 * (range.lower() + range.upper()),
-                    None => input.variable.middle(),
-                };
-                Some((input.quantity()?, value))
-            })
-            .collect();
-        demand_dynamics(&study.model)?;
-        check_drive(study)?;
-        check_turns(study.cycle.transient_turns, study.cycle.recorded_turns)?;
-        let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
-        if poses > MAX_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
-            return Err(PrepareError::TooManyPoses { poses });
-        }
-        let nominal = study.model.quantities.evaluate(&middle)?;
-        // The drawing is at its own temperature, whatever the file and the study say of the parts in use.
-        let drawing = study.model.quantities.at_drawing(&nominal);
-        let models = models_with_laws(study)?;
-        let compiled_at = study.model.quantities.evaluate(&[&middle[..], at].concat())?;
-        let mechanisms = models.iter().map(|model| Mechanism::new(model, &compiled_at));
-        let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
-        let mechanism = &mechanisms[0];
-        let of_drawing = if at.is_empty() { mechanism.clone() } else { Mechanism::new(&models[0], &nominal)? };
-        let nominal_input = study.model.input(study.cycle.span, &nominal);
-        let plan = ColumnPlan::new(study, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
-        if plan.columns.len() > MAX_COLUMNS {
-            return Err(PrepareError::TooManyColumns { columns: plan.columns.len() });
-        }
-        check_poses(study, &plan)?;
-        let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
-        let ideal = mechanism.without_play();
-        let nominal_ideal = Sample::new(&of_drawing, &drawing).map_err(RunFailure::from)?.without_play();
-        let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
-        // Where all motion is solved there are no steps with a dense output.
-        let turns = (study.cycle.recorded_turns, !mechanism.is_ideal());
-        let shared = share_nominal(plan, &ideal, &drawing, &nominal_ideal, &nominal_window, &settings, turns)?;
-        let play_name = |&play: &PlayId| study.model.play_name(play).to_owned();
-        let restitutions = mechanism
-            .plays
-            .iter()
-            .map(|&play| study.model.play_contact(play))
-            .map(|contact| contact.and_then(|contact| study.model.contacts[contact.0].law.restitution()))
-            .collect();
-        Ok(Self {
-            joints: mechanism.plays.iter().map(play_name).collect(),
-            ideal,
-            nominal_ideal,
-            nominal_window,
-            ideal_tables: IdealTables::default(),
-            random: study.random.iter().map(|input| input.quantity).collect(),
-            epistemic: study
-                .epistemic
-                .iter()
-                .map(|input| match &input.subject {
-                    EpistemicSubject::Quantity(quantity) => Epistemic::Quantity(*quantity),
-                    EpistemicSubject::Parameter { .. } => Epistemic::Parameter,
-                    EpistemicSubject::Law { laws, .. } => Epistemic::Law(laws.len()),
-                })
-                .collect(),
-            restitutions,
-            transient_turns: study.cycle.transient_turns,
-            recorded_turns: study.cycle.recorded_turns,
-            span: study.cycle.span,
-            largest_evaluations: settings.largest_evaluations,
-            settings,
-            mechanisms,
-            shared,
-            nominal,
-        })
-    }
-
-    /// The mechanism with the first law of every list: where the laws do not matter, and where one has to stand for all.
-    pub fn mechanism(&self) -> &Mechanism {
-        &self.mechanisms[0]
-    }
-
-    /// Which of the mechanisms runs with these epistemic inputs.
-    pub fn variant(&self, epistemic: &[f64]) -> usize {
-        let (mut variant, mut weight) = (0, 1);
-        for (input, &value) in self.epistemic.iter().zip(epistemic) {
-            if let Epistemic::Law(laws) = *input {
-                variant += weight * value as usize;
-                weight *= laws;
+        match &study.model {
+            StudyModel::Planar(model) => {
+                PlanarResponse::with_plays(study, model, at).map(|own| Self::Planar(Box::new(own)))
             }
+            StudyModel::Spatial(model) => SpatialResponse::new(study, model).map(|own| Self::Spatial(Box::new(own))),
         }
-        variant
+    }
+
+    /// The runs that are integrated, if they are.
+    pub fn planar(&self) -> Option<&PlanarResponse> {
+        match self {
+            Self::Planar(own) => Some(own),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The runs that are integrated, to be limited.
+    pub fn planar_mut(&mut self) -> Option<&mut PlanarResponse> {
+        match self {
+            Self::Planar(own) => Some(own),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The columns of a run.
+    pub fn plan(&self) -> &ColumnPlan {
+        match self {
+            Self::Planar(own) => &own.shared.plan,
+            Self::Spatial(own) => &own.plan,
+        }
+    }
+
+    /// Nominal values with the epistemic inputs in the middle.
+    pub fn nominal(&self) -> &Values {
+        match self {
+            Self::Planar(own) => &own.nominal,
+            Self::Spatial(own) => &own.nominal,
+        }
+    }
+
+    /// Nominal ideal value of each column's output at its pose; NaN for reduced columns.
+    pub fn nominal_at_pose(&self) -> &[f64] {
+        match self {
+            Self::Planar(own) => &own.shared.nominal_at_pose,
+            Self::Spatial(own) => &own.nominal_at_pose,
+        }
+    }
+
+    /// Names of the joints with play that have extras in a row.
+    pub fn joints(&self) -> &[String] {
+        self.planar().map_or(&[], |own| &own.joints)
+    }
+
+    /// Turns that a run records.
+    pub fn recorded_turns(&self) -> f64 {
+        match self {
+            Self::Planar(own) => own.recorded_turns,
+            Self::Spatial(own) => own.recorded_turns,
+        }
     }
 
     /// Extras of a run, read from its row.
     pub fn extras(&self, row: &[f64]) -> RunExtras {
-        RunExtras::read(row, self.joints.len())
+        RunExtras::read(row, self.joints().len())
     }
 
     /// Numbers of a row: columns, then extras.
     pub fn row_length(&self) -> usize {
-        self.shared.plan.columns.len() + RunExtras::count(self.joints.len())
+        self.plan().columns.len() + RunExtras::count(self.joints().len())
     }
 
-    /// How every run is integrated.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
+    /// How many kinds of runs there are: combinations of laws.
+    pub fn variants(&self) -> usize {
+        self.planar().map_or(1, |own| own.mechanisms.len())
     }
 
-    /// Gives every run up after this many evaluations.
-    pub fn limit_evaluations(&mut self, largest_evaluations: u64) {
-        self.largest_evaluations = largest_evaluations;
-    }
-
-    /// Time at the end of the nominal run, s.
-    pub fn nominal_end_s(&self) -> f64 {
-        self.nominal_window.end_s
+    /// Which of them runs with these epistemic inputs.
+    pub fn variant(&self, epistemic: &[f64]) -> usize {
+        self.planar().map_or(0, |own| own.variant(epistemic))
     }
 
     /// The values of the model for these inputs.
@@ -270,13 +122,44 @@ impl StudyResponse {
     /// # Errors
     /// A value breaks its rule.
     pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
-        let random = self.random.iter().copied().zip(random.iter().copied());
-        let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
-            Epistemic::Quantity(quantity) => Some((quantity, value)),
-            Epistemic::Parameter | Epistemic::Law(_) => None,
-        });
-        let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
-        self.mechanism().model.quantities.evaluate(&set)
+        match self {
+            Self::Planar(own) => own.values(random, epistemic),
+            Self::Spatial(own) => own.values(random, epistemic),
+        }
+    }
+
+    /// One run, alone.
+    ///
+    /// # Errors
+    /// The one reason why the run failed.
+    pub fn run(&self, random: &[f64], epistemic: &[f64], row: &mut [f64]) -> Result<(), RunFailure> {
+        match self {
+            Self::Planar(own) => own.run(random, epistemic, row),
+            Self::Spatial(own) => own.row(random, epistemic).map(|own| row.copy_from_slice(&own)),
+        }
+    }
+
+    /// Runs on this thread until `next` gives no more inputs, all of them of the kind `variant`; `finished` gets the rows, or the one reason
+    /// why a run failed, under the index that came with the inputs. A row has the same bits whatever the thread. Once `stop` is set, a life of
+    /// wear ends as [`RunFailure::Stopped`].
+    pub fn run_all_until<'i>(
+        &self,
+        variant: usize,
+        execution: Execution,
+        stop: &AtomicBool,
+        mut next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
+        mut finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
+    ) {
+        match self {
+            Self::Planar(own) => {
+                own.run_all_until(variant, execution, stop, next, finished);
+            }
+            Self::Spatial(own) => {
+                while let Some((index, random, epistemic)) = next() {
+                    finished(index, own.row(random, epistemic));
+                }
+            }
+        }
     }
 }
 
@@ -284,193 +167,4 @@ impl Response for StudyResponse {
     fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
         self.run(random, epistemic, columns).map_err(|failure| Failure(failure.number()))
     }
-}
-
-/// The model with each combination of laws, those of the first contact changing fastest; the model alone where no law is
-/// uncertain.
-fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
-    let lists: Vec<(ContactId, &[NormalDescription])> = study
-        .epistemic
-        .iter()
-        .filter_map(|input| match &input.subject {
-            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
-            EpistemicSubject::Law { contact, laws } => Some((*contact, &laws[..])),
-        })
-        .collect();
-    let combinations = lists.iter().fold(1_usize, |product, (_, laws)| product.saturating_mul(laws.len()));
-    if combinations > MAX_LAWS {
-        return Err(PrepareError::TooManyLaws { combinations });
-    }
-    let of = |combination: usize| {
-        let mut rest = combination;
-        lists.iter().try_fold(study.model.clone(), |model, (contact, laws)| {
-            let law = laws[rest % laws.len()];
-            rest /= laws.len();
-            model.with_law(*contact, law)
-        })
-    };
-    Ok((0..combinations).map(of).collect::<Result<Vec<Model>, LawError>>()?)
-}
-
-/// Checks that a run of `transient` turns and `recorded` ones ends within a practical time.
-pub fn check_turns(transient: f64, recorded: f64) -> Result<(), PrepareError> {
-    for (turns, what, most, key) in [
-        (recorded, "recorded", MAX_RECORDED_TURNS, "recorded_turns"),
-        (transient + recorded, "run", MAX_TURNS, "transient_turns"),
-    ] {
-        if turns > most {
-            return Err(PrepareError::TooManyTurns { turns, what, most, table: "cycle", key });
-        }
-    }
-    Ok(())
-}
-
-/// The drive that the cycle counts must start where it always starts, and turn one way.
-fn check_drive(study: &Study) -> Result<(), PrepareError> {
-    let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
-    let Some(Steady { speed, start }) = study.model.drives[drive.0].law.steady() else { return Ok(()) };
-    let random = study.random.iter().map(|input| {
-        let corners = |known: &EpistemicVariable| known.ends().to_vec();
-        let range = input
-            .variables(&study.epistemic, corners)
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lower, upper], variable| {
-                [lower.min(variable.quantile(1e-9)), upper.max(variable.quantile(1.0 - 1e-9))]
-            });
-        (&input.path, input.quantity, range)
-    });
-    let epistemic =
-        study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?, input.variable.ends())));
-    for (path, quantity, [lower, upper]) in random.chain(epistemic) {
-        let roots = |id: QuantityId| id == quantity || study.model.roots(id).contains(&quantity);
-        if roots(start) {
-            return Err(PrepareError::UncertainStart { path: path.clone() });
-        }
-        if quantity == speed && lower <= 0.0 && upper >= 0.0 {
-            return Err(PrepareError::SpeedThroughZero { path: path.clone() });
-        }
-    }
-    Ok(())
-}
-
-/// By this share of a turn a pose may lie beyond the end of the record: round-off of angles.
-const POSE_ROUND_OFF: f64 = 1e-9;
-
-/// The tables of the ideal motion may err by this share of the tolerance of positions, angles at the size of the mechanism.
-const SHARE_OF_TOLERANCE: f64 = 0.1;
-
-/// Loops are closed to less than this share of the size of the mechanism: no table can be held against anything nearer.
-const ROUND_OFF_OF_LOOPS: f64 = 1e-11;
-
-/// Every pose must be passed while the run is recorded.
-fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
-    let recorded_turns = study.cycle.recorded_turns;
-    for column in &plan.columns {
-        if let Location::Pose { turns, angle_rad } = column.spot
-            && turns > recorded_turns + POSE_ROUND_OFF
-        {
-            let output = plan.outputs[column.output].name.clone();
-            return Err(PrepareError::PoseNotRecorded { output, angle_deg: angle_rad.to_degrees(), recorded_turns });
-        }
-    }
-    Ok(())
-}
-
-/// A path has a direction wherever its point moves: where a part of its error counts that needs one, the point may be no slower than a share
-/// of its mean speed anywhere.
-fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, span_s: f64) -> Result<(), PrepareError> {
-    /// Speeds that are looked at, for each piece of the curve.
-    const LOOKS: usize = 4;
-    const MIN_SHARE: f64 = 0.01;
-    for output in plan.outputs.iter().enumerate().filter(|(index, _)| plan.is_used(*index)).map(|(_, output)| output) {
-        let OutputSource::Path(readings, part) = output.seen else { continue };
-        let places = readings.map(|reading| positions.iter().position(|known| *known == reading));
-        let ([Some(x), Some(y)], true) = (places, part != PathError::Magnitude) else { continue };
-        let looks = LOOKS * curve.nodes.pieces().iter().sum::<usize>();
-        let velocity = |look: usize| [x, y].map(|reading| curve.jet(reading, look as f64 / looks as f64, span_s)[1]);
-        let velocities: Vec<[f64; 2]> = (0..=looks).map(velocity).collect();
-        let mean = velocities.iter().map(|[x, y]| x.hypot(*y)).sum::<f64>() / velocities.len() as f64;
-        let slow = velocities.windows(2).position(|pair| !(least_length(pair[0], pair[1]) > MIN_SHARE * mean));
-        if let Some(look) = slow {
-            let share_percent = 100.0 * (look as f64 + 0.5) / looks as f64;
-            return Err(PrepareError::PathStandsStill { output: output.name.clone(), share_percent });
-        }
-    }
-    Ok(())
-}
-
-/// The least length of a vector on its straight way from one to another.
-fn least_length([x, y]: [f64; 2], to: [f64; 2]) -> f64 {
-    let [along_x, along_y] = [to[0] - x, to[1] - y];
-    let square = along_x * along_x + along_y * along_y;
-    let share = if square > 0.0 { (-(x * along_x + y * along_y) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (x + share * along_x).hypot(y + share * along_y)
-}
-
-/// The recorded part of a run.
-pub(crate) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f64) -> Result<Window, RunFailure> {
-    if !(input.speed_rad_s.abs() > 0.0) {
-        return Err(RunFailure::StandsStill { drive: input.name.clone() });
-    }
-    let turn_s = input.turn_s();
-    let start_s = transient_turns * turn_s;
-    Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
-}
-
-/// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.
-fn share_nominal(
-    plan: ColumnPlan,
-    ideal: &Mechanism,
-    drawing: &Values,
-    nominal_ideal: &Sample<f64>,
-    nominal_window: &Window,
-    settings: &Settings,
-    (turns, is_integrated): (f64, bool),
-) -> Result<Shared, PrepareError> {
-    let arms = Arms::new(ideal, drawing);
-    let span_s = nominal_window.end_s - nominal_window.start_s;
-    let positions = positions(&plan);
-    let arm_m =
-        |reading: &Reading| if matches!(reading.position(), Some(Position::Angle(_))) { ideal.size_m } else { 1.0 };
-    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
-    let nominal_motion = reference.free_motion();
-    // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.
-    let fresh =
-        || IdealReference::with_motion(ideal, nominal_ideal, nominal_motion.as_ref(), nominal_window.end_s, settings);
-    let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
-    let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
-        let time_s = nominal_window.start_s + share * span_s;
-        let jet = |reading: &Reading| {
-            Ok(reference.jet(reading, &arms, time_s)?.map(|derivative| derivative * arm_m(reading)))
-        };
-        positions.iter().map(jet).collect::<Result<Vec<_>, SampleError>>()
-    })?;
-    reference = fresh()?;
-    let (start_s, nodes) = (nominal_window.start_s, Arc::new(nodes));
-    let nominal_curve = reference.curve(&positions, &arms, (start_s, span_s), nodes)?;
-    let mut pose_order: Vec<(f64, usize)> = plan
-        .columns
-        .iter()
-        .enumerate()
-        .filter_map(|(index, column)| match column.spot {
-            Location::Pose { turns, .. } => Some((turns, index)),
-            Location::Reduced(_) => None,
-        })
-        .collect();
-    pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
-    reference = fresh()?;
-    for (at, index) in pose_order {
-        let time_s = nominal_window.start_s + at * span_s / turns;
-        let dynamics = reference.at(time_s, true)?;
-        nominal_at_pose[index] = match plan.outputs[plan.columns[index].output].seen {
-            OutputSource::Reading(reading) => reading.value(&arms, dynamics),
-            // The ideal motion has no error.
-            OutputSource::Path(..) => 0.0,
-            // Wear is no number of a pose.
-            OutputSource::Wear(..) => f64::NAN,
-        };
-    }
-    check_paths(&plan, &positions, &nominal_curve, span_s)?;
-    Ok(Shared::new(plan, nominal_curve, nominal_motion, nominal_at_pose, is_integrated))
 }

@@ -6,7 +6,8 @@ use crate::file::{EpistemicInput, EpistemicSubject, MAX_RUNS, Study};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::recorded_output::RecordedOutput;
-use crate::response::study_response::{PrepareError, StudyResponse};
+use crate::response::problem::PrepareError;
+use crate::response::study_response::StudyResponse;
 use crate::runs::evaluate::{RunOutcome, Work, evaluate_into};
 use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use crate::runs::table::{ExtraColumns, RunColumn};
@@ -86,17 +87,17 @@ impl DesignRuns {
 
     /// Numbers of a row that a run delivers.
     pub fn columns(&self) -> usize {
-        self.response.shared.plan.columns.len()
+        self.response.plan().columns.len()
     }
 
     /// Everything that each run records, each once.
     pub fn recorded(&self) -> Vec<RecordedOutput> {
-        RecordedOutput::of_plan(&self.response.shared.plan)
+        RecordedOutput::of_plan(self.response.plan())
     }
 
     /// What each question asks for, in the order of the questions.
     pub fn asked(&self) -> Vec<RecordedOutput> {
-        let plan = &self.response.shared.plan;
+        let plan = self.response.plan();
         plan.asks.iter().filter_map(|ask| RecordedOutput::of_ask(plan, ask)).collect()
     }
 
@@ -112,6 +113,7 @@ impl DesignRuns {
         value.is_finite()
             && epistemic.is_none_or(|known| match &known.subject {
                 EpistemicSubject::Law { laws, .. } => (0..laws.len()).any(|place| place as f64 == value),
+                EpistemicSubject::Play => (-1.0..=1.0).contains(&value),
                 EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => true,
             })
     }
@@ -154,7 +156,7 @@ impl DesignRuns {
         let mut joints: Vec<Vec<String>> = Vec::new();
         for (plays, runs) in self.by_plays(&batch, &rows) {
             let other;
-            let response = if plays == self.response.mechanism().plays {
+            let response = if plays == self.plays() {
                 &self.response
             } else {
                 match self.other(&plays, &batch[runs[0]]) {
@@ -181,7 +183,7 @@ impl DesignRuns {
                     row.truncate(self.columns());
                 }
             }
-            joints.push(response.joints.clone());
+            joints.push(response.joints().to_vec());
         }
         let counters = self.counters(&extras, &joints);
         let coarse = judged.into_iter().filter_map(|judged| match judged {
@@ -201,10 +203,10 @@ impl DesignRuns {
     ) -> Vec<(Vec<PlayId>, Vec<usize>)> {
         let mut groups: Vec<(Vec<PlayId>, Vec<usize>)> = Vec::new();
         for (run, inputs) in batch.iter().enumerate().filter(|(run, _)| made[*run].is_none()) {
-            let model = &self.study.model;
-            let plays = match self.response.values(&inputs.random, &inputs.epistemic) {
-                Ok(values) => model.plays().filter(|&play| model.has_play(play, &values)).collect(),
-                Err(_) => self.response.mechanism().plays.clone(),
+            let values = self.response.values(&inputs.random, &inputs.epistemic).ok();
+            let plays = match self.study.model.planar().zip(values) {
+                Some((model, values)) => model.plays().filter(|&play| model.has_play(play, &values)).collect(),
+                None => self.plays().to_vec(),
             };
             match groups.iter_mut().find(|(known, _)| *known == plays) {
                 Some((_, runs)) => runs.push(run),
@@ -212,6 +214,11 @@ impl DesignRuns {
             }
         }
         groups
+    }
+
+    /// The joints with play of the model; none where nothing is integrated.
+    fn plays(&self) -> &[PlayId] {
+        self.response.planar().map_or(&[], |planar| &planar.mechanism().plays)
     }
 
     /// The study with the joints with play `plays`, which those of the run `inputs` are; compiled once.
@@ -224,7 +231,7 @@ impl DesignRuns {
         let epistemic = self.study.epistemic.iter().map(EpistemicInput::quantity).zip(&inputs.epistemic);
         let values = random.chain(epistemic).filter_map(|(quantity, &value)| Some((quantity?, value)));
         let at: Vec<(QuantityId, f64)> =
-            values.filter(|(quantity, _)| self.study.model.play_from(*quantity).next().is_some()).collect();
+            values.filter(|(quantity, _)| self.study.model.has_play_from(*quantity)).collect();
         let compiled = StudyResponse::with_plays(&self.study, &at).map(Arc::new).map_err(|error| error.to_string());
         others.push((plays.to_vec(), compiled.clone()));
         compiled
@@ -238,10 +245,10 @@ impl DesignRuns {
 
     /// The columns of counters; `joints` are those with play of each group of runs.
     fn counters(&self, extras: &[Option<(RunExtras, usize)>], joints: &[Vec<String>]) -> Vec<RunColumn> {
-        let model = &self.study.model;
-        let names = model.plays().map(|play| model.play_name(play).to_owned());
+        let names = self.study.model.play_names();
         let all: Vec<String> = names
-            .filter(|name| self.response.joints.contains(name) || joints.iter().flatten().any(|own| own == name))
+            .into_iter()
+            .filter(|name| self.response.joints().contains(name) || joints.iter().flatten().any(|own| own == name))
             .collect();
         let mut columns = ExtraColumns::new(&all);
         let failed = RunExtras::read(&vec![f64::NAN; RunExtras::count(all.len())], all.len());
@@ -279,12 +286,13 @@ impl DesignRuns {
     fn judged(&self, inputs: &RunInputs) -> Judged {
         let Ok(values) = self.response.values(&inputs.random, &inputs.epistemic) else { return Judged::Fine };
         let speed_rad_s = |values: &Values| self.study.model.input(self.study.cycle.span, values).speed_rad_s;
-        if !(speed_rad_s(&values) * speed_rad_s(&self.response.nominal) > 0.0) {
+        if !(speed_rad_s(&values) * speed_rad_s(self.response.nominal()) > 0.0) {
             return Judged::Refused("the drive stands still or turns the other way than in the model".to_owned());
         }
-        let Some(smallest) = SmallestClearance::of(&self.study.model, &values) else { return Judged::Fine };
+        let Some((model, planar)) = self.study.model.planar().zip(self.response.planar()) else { return Judged::Fine };
+        let Some(smallest) = SmallestClearance::of(model, &values) else { return Judged::Fine };
         let clearance_m = smallest.clearance_m;
-        match smallest.check(self.response.settings.tolerance_m) {
+        match smallest.check(planar.settings.tolerance_m) {
             Ok(None) => Judged::Fine,
             Ok(Some(warning)) => Judged::Coarse(clearance_m, warning.to_string()),
             Err(error) => Judged::Refused(error.to_string()),

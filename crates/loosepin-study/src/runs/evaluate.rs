@@ -43,7 +43,7 @@ pub(crate) fn evaluate_into<F: Send>(
 ) -> Vec<Option<RunOutcome<F>>> {
     let Work { batch, is_waiting, response, stop } = *work;
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
-        response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
+        (0..response.variants()).map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
     for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| is_waiting[*index]) {
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }

@@ -91,7 +91,7 @@ impl RunRows {
     /// The study cannot begin.
     pub fn asked_columns(&self) -> Result<Vec<Vec<usize>>, StudyError> {
         let response = self.response(&[])?;
-        Ok(response.shared.plan.asks.iter().map(|ask| ask.columns.clone()).collect())
+        Ok(response.plan().asks.iter().map(|ask| ask.columns.clone()).collect())
     }
 
     /// Contacts that began in the recorded turns of the run of `row`, for each joint with play.

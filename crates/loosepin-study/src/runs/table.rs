@@ -96,14 +96,14 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     }
     for (k, input) in study.epistemic.iter().enumerate() {
         let data = match &input.subject {
-            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => {
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } | EpistemicSubject::Play => {
                 number(&|run| inputs[run].epistemic[k])
             }
             EpistemicSubject::Law { .. } => text(&|run| input.written(&study.model, inputs[run].epistemic[k]).into()),
         };
         push(input.path.clone(), input.unit(&study.model), data);
     }
-    let plan = &response.shared.plan;
+    let plan = response.plan();
     let scalars: Vec<usize> = (0..plan.columns.len()).filter(|&column| is_scalar(plan, column)).collect();
     let (values, extras) = numbers(response, table, &scalars);
     for (&index, values) in scalars.iter().zip(values) {
@@ -114,7 +114,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).into()));
     let reason = |run: usize| table.failure(run).map_or("", |failure| RunFailure::code_of(failure.0));
     push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).into()));
-    columns.extend(extras.into_columns(&response.joints));
+    columns.extend(extras.into_columns(response.joints()));
     RunsTable { columns }
 }
 
@@ -186,7 +186,7 @@ impl ExtraColumns {
 /// The `scalars` of all runs, column by column, and their extras. Every row is read once: where runs are many, rows lie in a file.
 fn numbers(response: &StudyResponse, table: &SampleTable, scalars: &[usize]) -> (Vec<Vec<f64>>, ExtraColumns) {
     let mut values: Vec<Vec<f64>> = scalars.iter().map(|_| Vec::with_capacity(table.len())).collect();
-    let mut columns = ExtraColumns::new(&response.joints);
+    let mut columns = ExtraColumns::new(response.joints());
     for run in 0..table.len() {
         let row = table.values(run);
         for (own, &column) in values.iter_mut().zip(scalars) {

@@ -74,7 +74,7 @@ impl InputFile {
         paths: &[String],
         motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
     ) -> Result<MotionRecord, Diagnostics> {
-        let model = self.model();
+        let model = self.model().demand_planar("this motion")?;
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
         let paths = model.points_of_paths(paths)?;
@@ -96,7 +96,7 @@ impl InputFile {
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it
     /// cannot be followed.
     pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
-        let model = self.model();
+        let model = self.model().planar()?;
         let set = model.set_values(&self.with_widest_play(&[])).ok()?;
         let mechanism = Mechanism::new(&set.model, &set.values).ok()?;
         if mechanism.is_driven() {

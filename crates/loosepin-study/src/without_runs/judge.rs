@@ -40,13 +40,14 @@ pub(crate) fn judge(
     if study.requirements.is_empty() {
         return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
     }
-    let set_values = study.model.set_values(set)?;
+    let model = study.model.demand_planar("the judgement of requirements without runs")?;
+    let set_values = model.set_values(set)?;
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
     let mut limits = study.input_limits();
     limits.retain(|input| !is_set(&input.path));
     let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
-    let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(&study.model))?;
-    let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(&study.model))?;
+    let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(model))?;
+    let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(model))?;
     Ok(Judgement { requirements, allowances })
 }
 
@@ -80,7 +81,7 @@ impl Judge<'_> {
         for input in limits {
             let away =
                 f64::max((input.low_si - values[input.quantity]).abs(), (input.high_si - values[input.quantity]).abs());
-            let decides_play = self.model.play_from(input.quantity).next().is_some();
+            let decides_play = self.study.model.has_play_from(input.quantity);
             let moves = match dimension_direction(&mechanism, &values, input.quantity) {
                 Ok(direction) => !direction.leaves_motion_alone(&mechanism),
                 Err(_) => false,
@@ -144,7 +145,7 @@ impl Judge<'_> {
                     }
                 }
                 OutputSource::Wear(..) => Asked::No("wear needs runs"),
-                OutputSource::Path(..) => NO_POSITION,
+                OutputSource::Path(..) | OutputSource::InSpace(_) => NO_POSITION,
             }
         });
         let asked = asked.collect();
@@ -226,7 +227,7 @@ impl Judge<'_> {
                 let values = with(&set, input.quantity, value)?;
                 Some(self.model.play_from(input.quantity).map(|(_, clearance)| values[clearance]).sum::<f64>())
             };
-            if self.model.play_from(input.quantity).next().is_none() {
+            if !self.study.model.has_play_from(input.quantity) {
                 continue;
             }
             match (sum(input.low_si.max(0.0)), sum(input.high_si)) {

@@ -21,19 +21,19 @@ impl Study {
             Some((path, setting))
         };
         let all = self.input_limits().into_iter();
-        let known = all.filter(|input| self.model.play_from(input.quantity).next().is_some());
+        let known = all.filter(|input| self.model.has_play_from(input.quantity));
         known.filter_map(|input| widest((input.path, input.quantity, [input.low_si.max(0.0), input.high_si]))).collect()
     }
 
     /// The sum of all clearances that depend on a quantity where it is `value_si`, m; `None` if the model cannot take that.
     fn sum_of_clearances_m(&self, id: QuantityId, value_si: f64) -> Option<f64> {
-        let values = self.model.quantities.evaluate(&[(id, value_si)]).ok()?;
-        Some(self.model.play_from(id).map(|(_, clearance)| values[clearance]).sum())
+        let values = self.model.quantities().evaluate(&[(id, value_si)]).ok()?;
+        Some(self.model.play_from(id).into_iter().map(|play| values[play.quantity]).sum())
     }
 
     /// A value as it is read by people, with all digits where those do not give it back.
     fn written_exactly(&self, id: QuantityId, value_si: f64) -> String {
-        let dimension = self.model.quantities[id].dimension;
+        let dimension = self.model.quantities()[id].dimension;
         let readable = format_value(value_si, dimension);
         if parse_quantity(&readable).is_ok_and(|read| read.value_si == value_si) {
             return readable;

@@ -2,18 +2,19 @@
 
 use std::path::Path;
 
-use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::{Code, Diagnostics, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use crate::file::Study;
 use crate::file::says_study;
+use crate::model::StudyModel;
+use loosepin_mechanics::model::Model;
 
 /// Kind and content of a file.
 #[derive(Debug, Clone)]
 pub enum InputFile {
     /// A mechanism with its nominal values.
-    Model(Box<Model>),
+    Model(StudyModel),
     /// The uncertain inputs of a model, and the questions.
     Study(Box<Study>),
 }
@@ -35,25 +36,25 @@ impl InputFile {
         if is_study {
             Study::from_path(path).map(|study| InputFile::Study(Box::new(study)))
         } else {
-            Model::from_path(path).map(|model| InputFile::Model(Box::new(model)))
+            StudyModel::from_source(read_source(path)?).map(InputFile::Model)
         }
     }
 
     /// The model, or that of the study.
-    pub fn model(&self) -> &Model {
+    pub fn model(&self) -> &StudyModel {
         match self {
             InputFile::Model(model) => model,
             InputFile::Study(study) => &study.model,
         }
     }
 
-    /// The model.
+    /// The planar model, for `what` takes no other.
     ///
     /// # Errors
-    /// It is a study.
-    pub fn into_model(self) -> Result<Model, Diagnostics> {
+    /// It is a study; the model is in space.
+    pub fn into_planar_model(self, what: &str) -> Result<Model, Diagnostics> {
         match self {
-            InputFile::Model(model) => Ok(*model),
+            InputFile::Model(model) => model.into_planar(what),
             InputFile::Study(study) => {
                 let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
                 Err(Diagnostics::one(&problem, Some(Place::new(study.source(), 0..0))))

@@ -1,16 +1,26 @@
 //! Inputs of a study or of a run of a model, for its hash.
 
 use crate::file::Study;
-use loosepin_mechanics::model::Model;
+use crate::model::StudyModel;
 use loosepin_result::repeat::{InputRole, Repeat};
-use loosepin_simulate::input_files;
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
+use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::Source;
+use std::sync::Arc;
 
 /// Adds a model file, and the tables that it names, to what a result is computed from.
-pub fn add_model(hasher: &mut InputsHasher, model: &Model) {
-    hasher.add("model", model.source().text());
-    for table in model.tables() {
+pub fn add_model(hasher: &mut InputsHasher, model: &StudyModel) {
+    add_texts(hasher, model.source(), model.tables());
+}
+
+/// The same for a planar model.
+pub fn add_planar_model(hasher: &mut InputsHasher, model: &Model) {
+    add_texts(hasher, model.source(), model.tables());
+}
+
+fn add_texts(hasher: &mut InputsHasher, model: &Source, tables: &[Arc<Source>]) {
+    hasher.add("model", model.text());
+    for table in tables {
         hasher.add("table", table.text());
     }
 }
@@ -32,7 +42,7 @@ impl Study {
     /// The files of the study, and those of its model.
     pub fn input_files(&self) -> impl Iterator<Item = (InputRole, &Source)> {
         let tables = self.tables().iter().map(|table| (InputRole::Table, &**table));
-        std::iter::once((InputRole::Study, &**self.source())).chain(tables).chain(input_files(&self.model))
+        std::iter::once((InputRole::Study, &**self.source())).chain(tables).chain(self.model.input_files())
     }
 }
 

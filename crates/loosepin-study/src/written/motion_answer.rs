@@ -4,7 +4,6 @@ use crate::written::input_file::InputFile;
 use crate::written::inputs::{add_model, add_study};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::repeat::Repeat;
-use loosepin_simulate::input_files;
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
 use loosepin_text::diagnostics::Diagnostics;
 use std::sync::atomic::AtomicBool;
@@ -29,7 +28,7 @@ impl InputFile {
         let written = set.iter().map(|set| ("--set", set)).chain(paths.iter().map(|path| ("--path", path)));
         let arguments: Vec<String> = written.flat_map(|(name, text)| [name.to_owned(), text.clone()]).collect();
         record.repeat = match self {
-            InputFile::Model(model) => Repeat::new("motion", &arguments, input_files(model)),
+            InputFile::Model(model) => Repeat::new("motion", &arguments, model.input_files()),
             InputFile::Study(study) => Repeat::new("motion", &arguments, study.input_files()),
         };
         Ok(record)

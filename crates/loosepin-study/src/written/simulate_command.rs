@@ -13,7 +13,7 @@ pub(crate) fn run_command(study: &Study, inputs: &RunInputs) -> String {
         random.map(|(input, &value)| number_setting(&input.path, &input.unit(&study.model), value)).collect();
     for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
         // A parameter of a distribution has done its work: the value drawn from it is set above.
-        if matches!(input.subject, EpistemicSubject::Parameter { .. }) {
+        if matches!(input.subject, EpistemicSubject::Parameter { .. } | EpistemicSubject::Play) {
             continue;
         }
         settings.push(match input.law(value) {
@@ -59,6 +59,10 @@ pub fn exact_value(value_si: f64, unit: &SiUnit) -> String {
 
 /// With the cycle and the tolerance of the study.
 fn command(study: &Study, model_path: &str, settings: &[String]) -> String {
+    if study.model.spatial().is_some() {
+        let set: String = settings.iter().map(|setting| format!(" --set \"{setting}\"")).collect();
+        return format!("loosepin motion {}{set}", shell_word(model_path));
+    }
     let set: String = settings.iter().map(|setting| format!(" --set \"{setting}\"")).collect();
     format!(
         "loosepin simulate {}{set} --transient {} --turns {} --tolerance \"{:?} m\"",

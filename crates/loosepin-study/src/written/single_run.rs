@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use crate::file::Study;
-use crate::written::inputs::add_model;
+use crate::written::inputs::add_planar_model;
 use crate::written::simulate_command::witness_settings;
 use crate::written::stored_records::run_tables;
 use crate::written::tables::{FilesError, SUMMARY_FILE};
@@ -25,7 +25,7 @@ pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Pla
     let cycle = Cycle {
         transient_turns: study.cycle.transient_turns,
         recorded_turns: study.cycle.recorded_turns,
-        ..study.model.cycle.clone()
+        ..study.model.cycle()
     };
     let settings_of_run = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_simulation() };
     let overrides = Override::from_settings(&settings);
@@ -45,7 +45,7 @@ pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Pla
 /// The hash of everything that a single run of `model` is computed from.
 pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[MeasuredTable]) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Simulation);
-    add_model(&mut hasher, model);
+    add_planar_model(&mut hasher, model);
     for set in settings {
         hasher.add("set", set);
     }

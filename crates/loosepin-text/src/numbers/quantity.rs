@@ -187,6 +187,24 @@ impl QuantityTable {
         self.orders.iter().try_for_each(|order| self.check_order(*order, values))
     }
 
+    /// The free numbers that a quantity depends on, itself if it is one.
+    pub fn roots(&self, id: QuantityId) -> Vec<QuantityId> {
+        let mut roots = Vec::new();
+        let mut seen = vec![false; self.len()];
+        let mut waiting = vec![id];
+        while let Some(id) = waiting.pop() {
+            if std::mem::replace(&mut seen[id.0], true) {
+                continue;
+            }
+            match &self[id].origin {
+                Origin::Expression { depends_on } => waiting.extend(depends_on),
+                _ => roots.push(id),
+            }
+        }
+        roots.sort();
+        roots
+    }
+
     /// The values where no body is longer than drawn; the same where none can be. Rules are not checked.
     pub fn at_drawing(&self, values: &Values) -> Values {
         let mut drawn = values.clone();

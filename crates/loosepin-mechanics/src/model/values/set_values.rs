@@ -92,7 +92,7 @@ impl Model {
     fn diagnostic_of_set(&self, error: &QuantityError, settings: &[(Setting, &str)]) -> Diagnostic {
         let blamed = |path: &str| {
             let id = self.quantities.id(path)?;
-            let roots = self.roots(id);
+            let roots = self.quantities.roots(id);
             settings.iter().find(|(setting, _)| setting.id == id || roots.contains(&setting.id))
         };
         let limit_path = match error {

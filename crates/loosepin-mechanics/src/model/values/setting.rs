@@ -87,7 +87,7 @@ impl Model {
             Origin::Literal | Origin::Default => Ok(id),
             Origin::Fixed => Err(PathError::Fixed { path: path.to_owned() }),
             Origin::Expression { .. } => {
-                let depends_on = self.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
+                let depends_on = self.quantities.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
                 Err(PathError::Expression { path: path.to_owned(), depends_on })
             }
         }
@@ -105,30 +105,12 @@ impl Model {
         }
     }
 
-    /// The free numbers that a quantity depends on, itself if it is one.
-    pub fn roots(&self, id: QuantityId) -> Vec<QuantityId> {
-        let mut roots = Vec::new();
-        let mut seen = vec![false; self.quantities.len()];
-        let mut waiting = vec![id];
-        while let Some(id) = waiting.pop() {
-            if std::mem::replace(&mut seen[id.0], true) {
-                continue;
-            }
-            match &self.quantities[id].origin {
-                Origin::Expression { depends_on } => waiting.extend(depends_on),
-                _ => roots.push(id),
-            }
-        }
-        roots.sort();
-        roots
-    }
-
     /// The joints and couplings with play whose stated clearance is this quantity or depends on it, each with its clearance: that of the
     /// parts at their temperature.
     pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
         self.play_clearances().filter(move |(_, clearance)| {
             let stated = self.quantities.stated_clearance(*clearance);
-            stated == id || self.roots(stated).contains(&id)
+            stated == id || self.quantities.roots(stated).contains(&id)
         })
     }
 

@@ -220,10 +220,10 @@ impl StudyReader {
         if !entry.is_table() {
             return self.reader.wrong_type(entry, "a table such as { crank = \"60 deg\" }");
         }
-        if !matches!(self.model.cycle.span, CycleSpan::Turns(_)) {
+        if !matches!(self.model.cycle().span, CycleSpan::Turns(_)) {
             return self.refused(&MeasuredProblem::NoDriveAngle { entry: entry.path.describe() }, entry.span);
         }
-        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
+        let due = self.model.cycle_input(&self.model.quantities().nominal()).name;
         let mut angle_rad = None;
         for angle in self.reader.any_keys(entry) {
             if angle.name != due {
@@ -297,7 +297,7 @@ impl StudyReader {
         if !text.contains('.') {
             return self.refused(&MeasuredProblem::NotAPoint { entry: entry.path.describe(), found: text }, entry.span);
         }
-        let bodies = self.model.bodies.iter().enumerate();
+        let bodies = self.model.planar().into_iter().flat_map(|model| &model.bodies).enumerate();
         let all: Vec<(String, PointId)> = bodies
             .flat_map(|(body, known)| {
                 let points = known.points.iter().enumerate();

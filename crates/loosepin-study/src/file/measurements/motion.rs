@@ -217,7 +217,7 @@ impl StudyReader {
 
     fn joint_with_play(&mut self, entry: &Entry<'_>) -> Option<(usize, String)> {
         let found = self.reader.text(entry)?.to_owned();
-        let names: Vec<String> = self.model.plays().map(|play| self.model.play_name(play).to_owned()).collect();
+        let names = self.model.play_names();
         if let Some(play) = names.iter().position(|name| *name == found) {
             return Some((play, found));
         }
@@ -373,7 +373,7 @@ impl StudyReader {
             return self.refused(&MotionProblem::Gap { entry: words() }, entry.span);
         }
         let turn = match table.abscissa {
-            Abscissa::Time => self.model.input(cycle.span, &self.model.quantities.nominal()).turn_s(),
+            Abscissa::Time => self.model.input(cycle.span, &self.model.quantities().nominal()).turn_s(),
             Abscissa::DriveAngle => TAU,
         };
         let turns = cycle.recorded_turns;

@@ -112,11 +112,11 @@ impl StudyReader {
                     name: column.name.clone(),
                     nearest: nearest_name(&column.name, known.iter().map(String::as_str)).map(str::to_owned),
                 },
-                Some(input) if self.model.quantities[input.quantity].dimension != column.dimension => {
+                Some(input) if self.model.quantities()[input.quantity].dimension != column.dimension => {
                     SpecimenProblem::ColumnDimension {
                         name: column.name.clone(),
                         found: column.dimension,
-                        due: self.model.quantities[input.quantity].dimension,
+                        due: self.model.quantities()[input.quantity].dimension,
                     }
                 }
                 Some(_) => continue,
@@ -138,7 +138,7 @@ impl StudyReader {
 
     /// Refuses rows that are no mechanism of the model at the lower ends, the middles and the upper ends of the epistemic inputs alike.
     fn check_rows(&mut self, sample: &JointSample, rows: &[Vec<f64>]) -> Option<()> {
-        let quantities = &self.model.quantities;
+        let quantities = &self.model.quantities();
         let mut values = quantities.nominal();
         let others = |fraction: f64| -> Vec<(QuantityId, f64)> {
             let epistemic = self.epistemic.iter();
@@ -180,7 +180,7 @@ impl StudyReader {
             Ok(variable) => Some(variable),
             Err(error) => {
                 let RandomInput { path, quantity, .. } = &self.random[input];
-                let dimension = self.model.quantities[*quantity].dimension;
+                let dimension = self.model.quantities()[*quantity].dimension;
                 let problem = StudyProblem::Distribution { entry: format!("column '{path}'"), error, dimension };
                 let place = sample.column_place(&sample.columns[order[input]]);
                 self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));

@@ -174,7 +174,7 @@ impl StudyReader {
     fn allowed_input(&self, path: &str) -> Option<(AllowedInput, f64, Dimension)> {
         if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
             let input = &self.epistemic[index];
-            let dimension = self.model.quantities[input.quantity()?].dimension;
+            let dimension = self.model.quantities()[input.quantity()?].dimension;
             // Masses and degrees have no single end that could be moved.
             let EpistemicVariable::Interval(interval) = &input.variable else { return None };
             return Some((AllowedInput::UpperEnd(index), interval.lower(), dimension));
@@ -186,7 +186,7 @@ impl StudyReader {
             Distribution::Normal { .. } | Distribution::Lognormal { .. } | Distribution::TruncatedNormal { .. }
         );
         let is_known = input.parameters.iter().all(|own| own.parameter != Parameter::StandardDeviation);
-        let dimension = self.model.quantities[input.quantity].dimension;
+        let dimension = self.model.quantities()[input.quantity].dimension;
         (has_deviation && is_known).then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
     }
 

@@ -40,7 +40,7 @@ impl StudyReader {
     ) -> Option<Where> {
         if let Some(entry) = everywhere {
             if let Some(found) = angle_of(entry, &mut self.reader) {
-                let drive = self.model.cycle_input(&self.model.quantities.nominal()).name;
+                let drive = self.model.cycle_input(&self.model.quantities().nominal()).name;
                 let problem = StudyProblem::AngleForCurve { entry: entry.path.describe(), found, drive };
                 return self.refused(&problem, entry.span);
             }
@@ -56,7 +56,7 @@ impl StudyReader {
         if !entry.is_table() {
             return self.reader.wrong_type(entry, "a table such as { crank = [\"60 deg\"] }");
         }
-        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
+        let due = self.model.cycle_input(&self.model.quantities().nominal()).name;
         let mut angles_rad = Vec::new();
         for entry in self.reader.any_keys(entry) {
             if entry.name != due {

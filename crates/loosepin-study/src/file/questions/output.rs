@@ -4,7 +4,7 @@ use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
 use crate::file::words::{DEVIATIONS, words};
 use crate::response::outputs::{COMPONENTS, OutputSource, StudyOutput};
-use loosepin_mechanics::model::{Recorded, WearMeasure};
+use loosepin_mechanics::model::WearMeasure;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, required};
@@ -37,14 +37,16 @@ impl StudyReader {
     ) -> Option<usize> {
         let entry = entry.as_ref()?;
         let name = self.reader.text(entry)?.to_owned();
-        let outputs = &self.model.outputs;
-        let Some(index) = outputs.iter().position(|output| output.name == name) else {
-            let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
-            let nearest = nearest_name(&name, outputs.iter().map(|output| output.name.as_str())).map(str::to_owned);
+        let names = self.model.output_names();
+        let Some(index) = names.iter().position(|output| *output == name) else {
+            let known = names.iter().map(|output| format!("'{output}'")).collect();
+            let nearest = nearest_name(&name, names.iter().copied()).map(str::to_owned);
             let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
             return self.refused(&problem, entry.span);
         };
-        if !matches!(outputs[index].kind.recorded(), Recorded::Path(_)) {
+        let own = self.outputs.iter().filter(|output| output.output == index);
+        let components: Vec<&'static str> = own.filter_map(|output| output.component).collect();
+        if components.is_empty() {
             if let Some(component) = component {
                 let problem = StudyProblem::ComponentOfNoPath { entry: table.path.describe(), name };
                 return self.refused(&problem, component.key_span);
@@ -54,7 +56,8 @@ impl StudyReader {
         let Some(component) = component else {
             return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
         };
-        let component = self.reader.choice(component, &COMPONENTS.map(|name| (name, name)))?;
+        let choices: Vec<(&str, &'static str)> = components.iter().map(|&name| (name, name)).collect();
+        let component = self.reader.choice(component, &choices)?;
         self.outputs.iter().position(|output| output.output == index && output.component == Some(component))
     }
 
@@ -73,7 +76,7 @@ impl StudyReader {
             let problem = StudyProblem::WearOfDeviation { entry: entry.path.describe() };
             return self.refused(&problem, entry.span);
         }
-        let has_play = self.model.plays().next().is_some();
+        let has_play = self.model.has_play();
         if deviation == Deviation::Clearance && !has_play {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }

@@ -158,10 +158,10 @@ impl StudyReader {
 
     /// The cycles after which wear is stated; `None` if they are an input, of which each run has its own.
     fn cycles_of_wear(&self) -> Option<f64> {
-        let cycles = self.model.wear?.cycles;
+        let cycles = self.model.planar()?.wear?.cycles;
         let is_input = self.random.iter().any(|input| input.quantity == cycles)
             || self.epistemic.iter().any(|input| input.quantity() == Some(cycles));
-        (!is_input).then(|| self.model.quantities.nominal()[cycles])
+        (!is_input).then(|| self.model.quantities().nominal()[cycles])
     }
 
     /// A limit of a magnitude.

@@ -4,7 +4,7 @@ use crate::file::description::AllowedFit;
 use crate::file::random_inputs::random_problem::RandomProblem;
 use crate::file::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
-use loosepin_mechanics::model::{Joint, PlayId, QuantityId};
+use loosepin_mechanics::model::QuantityId;
 use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Key, Kind, Table, optional};
 use loosepin_text::units::{Dimension, Rule, format_value};
@@ -122,11 +122,7 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<FitPlace<'t>> {
-        let joint_of = |play| match play {
-            PlayId::Joint(joint) => Some(&self.model.joints[joint.0]),
-            PlayId::Coupling(_) => None,
-        };
-        let concerned: Vec<&Joint> = self.model.play_from(quantity).filter_map(|(play, _)| joint_of(play)).collect();
+        let concerned = self.model.bearings_with_play_from(quantity);
         let per_radial = self.per_radial(quantity);
         let is_play = per_radial.is_some() && !concerned.is_empty();
         if !is_play {
@@ -135,16 +131,16 @@ impl StudyReader {
         let has_diameter = self.reader.demand(table, "diameter");
         let diameter_entry = table.get("diameter").filter(|_| has_diameter)?;
         let diameter_m = self.reader.measured(&diameter_entry, Dimension::LENGTH, Rule::Positive)?;
-        for joint in concerned {
-            let Some(clearance) = joint.kind.pin_clearance() else { continue };
-            let bearing_m = 2.0 * self.model.quantities.nominal()[clearance.bearing_radius_m];
+        for (joint, bearing_radius_m) in concerned {
+            let Some(radius) = bearing_radius_m else { continue };
+            let bearing_m = 2.0 * self.model.quantities().nominal()[radius];
             if (bearing_m - diameter_m).abs() > OTHER_DIAMETER * bearing_m {
                 let [diameter, bearing] =
                     [diameter_m, bearing_m].map(|value_m| format_value(value_m, Dimension::LENGTH));
                 let problem = RandomProblem::OtherDiameter {
                     entry: diameter_entry.path.describe(),
                     diameter,
-                    joint: joint.name.clone(),
+                    joint,
                     bearing,
                 };
                 let place = Place::new(&self.reader.source, diameter_entry.span);
@@ -157,7 +153,7 @@ impl StudyReader {
     /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. `None` if it is
     /// neither of the joints that depend on it.
     fn per_radial(&self, quantity: QuantityId) -> Option<f64> {
-        let quantities = &self.model.quantities;
+        let quantities = self.model.quantities();
         if quantities[quantity].dimension != Dimension::LENGTH {
             return None;
         }
@@ -169,7 +165,7 @@ impl StudyReader {
                 (times * values[quantities.stated_clearance(clearance)] - tried_m).abs() <= ROUND_OFF * tried_m
             })
         };
-        let mut all = self.model.play_from(quantity).map(|(_, clearance)| found(clearance));
+        let mut all = self.model.play_from(quantity).into_iter().map(|play| found(play.quantity));
         let first = all.next()??;
         all.all(|other| other == Some(first)).then_some(first)
     }

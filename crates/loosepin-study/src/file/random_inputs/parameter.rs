@@ -59,8 +59,8 @@ impl StudyReader {
         table: &RandomTable<'_>,
         quantity: QuantityId,
     ) -> Option<RandomVariable> {
-        let dimension = self.model.quantities[quantity].dimension;
-        let nominal_si = Some(self.model.quantities.nominal()[quantity]);
+        let dimension = self.model.quantities()[quantity].dimension;
+        let nominal_si = Some(self.model.quantities().nominal()[quantity]);
         self.parameters = Parameters { pass, found: Vec::new(), nominal_si, is_inner: false };
         let distribution: Distribution = self.distribution(&FAMILIES, &table.table, dimension)?;
         let distribution = self.cut(table, distribution, dimension)?;

@@ -90,7 +90,7 @@ impl StudyReader {
         table: &RandomTable<'_>,
         quantity: QuantityId,
     ) -> Option<(RandomVariable, Vec<UncertainParameter>, Option<String>)> {
-        let (path, dimension) = (entry.name, self.model.quantities[quantity].dimension);
+        let (path, dimension) = (entry.name, self.model.quantities()[quantity].dimension);
         self.refuse_stray(&table.table, &BELONGS_TO);
         let stated = if let Some(entry) = &table.samples {
             self.samples(table, entry, dimension)
@@ -231,10 +231,10 @@ impl StudyReader {
 
     /// Reads a value with its tolerance: normal about the middle of the limits, which lie 3 Cp standard deviations away.
     fn tolerance(&mut self, table: &RandomTable<'_>, entry: &Entry<'_>, quantity: QuantityId) -> Option<Stated> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let dimension = self.model.quantities()[quantity].dimension;
         let [cp, cpk] = [&table.cp, &table.cpk].map(|read| read.as_ref().map(|entry| (self.capability(entry), entry)));
         let text = self.reader.text(entry)?;
-        let nominal_si = self.model.quantities.nominal()[quantity];
+        let nominal_si = self.model.quantities().nominal()[quantity];
         let Some(tolerance) = parse_tolerance(text, Measured { value_si: nominal_si, dimension }) else {
             let is_limit = parse_quantity(text).is_ok_and(|limit| {
                 limit.dimension == dimension && limit.value_si > 0.0 && limit.value_si < 0.5 * nominal_si.abs()
@@ -251,7 +251,7 @@ impl StudyReader {
             return None;
         }
         // What a clearance is in the model plays no part: no ideal motion depends on it.
-        let is_play = self.model.play_from(quantity).next().is_some();
+        let is_play = self.model.has_play_from(quantity);
         if !is_play && (tolerance.nominal.value_si - nominal_si).abs() > ROUND_OFF * nominal_si.abs() {
             let [written, nominal] = format_apart([tolerance.nominal.value_si, nominal_si], dimension);
             let problem = StudyProblem::OtherNominal { entry: entry.path.describe(), written, nominal };
@@ -264,8 +264,8 @@ impl StudyReader {
         }
         for limit_si in [lower, upper] {
             // Limits are what parts may be: no probability excuses an impossible one.
-            if let Err(error) = self.model.quantities.evaluate(&[(quantity, limit_si)]) {
-                let (path, end) = (self.model.quantities[quantity].path.clone(), format_value(limit_si, dimension));
+            if let Err(error) = self.model.quantities().evaluate(&[(quantity, limit_si)]) {
+                let (path, end) = (self.model.quantities()[quantity].path.clone(), format_value(limit_si, dimension));
                 return self.refused(&StudyProblem::ImpossibleEnd { path, end, error }, entry.span);
             }
         }

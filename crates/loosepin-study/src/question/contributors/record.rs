@@ -32,9 +32,9 @@ pub fn contributors(
     double_loop: &DoubleLoop,
     plan: Option<&ContributorPlan>,
 ) -> Vec<Contributors> {
-    let asks = &material.response.shared.plan.asks;
+    let asks = &material.response.plan().asks;
     let is_asked = asks.iter().any(Ask::is_for_contributors);
-    let first = if is_asked { Vec::new() } else { first_numbers(&material.response.shared.plan) };
+    let first = if is_asked { Vec::new() } else { first_numbers(material.response.plan()) };
     let of_first = first.iter().map(|(deviation, column)| Subject {
         deviation: *deviation,
         columns: std::slice::from_ref(column),
@@ -86,12 +86,13 @@ fn of_columns(
     let pinching = double_loop.pinching(material.table, columns).ok().flatten();
     let at = if is_curve { ResponsePoint::Whole } else { material.point_of(columns[0], false) };
     let output = material.name_of(columns[0]);
-    let plan_of_columns = &material.response.shared.plan;
+    let plan_of_columns = material.response.plan();
     // To first order the distance from the path is the error across it.
     let asked = &plan_of_columns.outputs[plan_of_columns.columns[columns[0]].output];
     let still_name = match asked.seen {
         OutputSource::Path(_, PathError::Contour) => {
-            let path = &study.model.outputs[asked.output].name;
+            let names = study.model.output_names();
+            let path = names.get(asked.output).copied().unwrap_or_default();
             format!("{path} {}", PathError::Normal.word())
         }
         _ => output.clone(),
@@ -200,18 +201,18 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
         paths: Vec::new(),
         overrides: Vec::new(),
     };
-    motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
+    motion(material.response.planar()?.mechanism(), material.response.nominal(), &plan).ok()
 }
 
 /// Names of the joints and couplings whose play an input decides.
-fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
+fn play_from(study: &Study, input: &EpistemicInput) -> Vec<String> {
     let plays = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
-    plays.map(|(play, _)| study.model.play_name(play)).collect()
+    plays.map(|play| play.name).collect()
 }
 
 /// The pose of a question at a single one.
 fn spot(material: &Material<'_>, subject: &Subject<'_>) -> Option<f64> {
-    match material.response.shared.plan.columns[subject.columns[0]].spot {
+    match material.response.plan().columns[subject.columns[0]].spot {
         Location::Pose { angle_rad, .. } if !subject.is_curve => Some(angle_rad),
         _ => None,
     }
@@ -260,11 +261,11 @@ impl Still<'_> {
     }
 
     /// The share of `joints` in the first-order effect of all; `None` if there are none.
-    fn play_share(&self, joints: &[&str]) -> Option<f64> {
+    fn play_share(&self, joints: &[String]) -> Option<f64> {
         let all = &self.output.clearance.contributors;
         let own: Vec<f64> = all
             .iter()
-            .filter(|known| joints.contains(&known.joint.as_str()))
+            .filter(|known| joints.contains(&known.joint))
             .map(|own| self.sum(&own.first_order_si, |value| value))
             .collect();
         let total = self.sum(&self.output.clearance.first_order_si, |value| value);

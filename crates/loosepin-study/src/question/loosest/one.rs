@@ -272,7 +272,7 @@ fn cheapest<E>(
 }
 
 pub fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
-    let table = &study.model.quantities;
+    let table = &study.model.quantities();
     match allowance.input {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
         AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => (Loosened::Fit, SiUnit::LENGTH),

@@ -15,7 +15,7 @@ use loosepin_text::units::distinct;
 /// Nothing can be promised.
 pub fn promise_plan(study: &Study, response: &StudyResponse) -> Result<Option<PromisePlan>, StudyError> {
     let Some(settings) = study.promise else { return Ok(None) };
-    let plan = &response.shared.plan;
+    let plan = response.plan();
     let promised = plan.asks.iter().filter(|ask| !ask.promised.is_empty());
     let bands = promised.flat_map(|ask| ask.bands()).collect();
     Ok(Some(PromisePlan::try_new(problem(study, response), promised_ends(plan), bands, settings)?))

@@ -63,7 +63,7 @@ struct RareQuestion {
 
 /// Planned where an ask names a method.
 pub fn planned(basis: &QuestionContext<'_>) -> Planned {
-    let number = requests(&basis.response.shared.plan.asks).count();
+    let number = requests(&basis.response.plan().asks).count();
     let is_asked = number > 0 && !basis.is_surrogate_alone;
     Ok(if is_asked {
         Some(Box::new(RareQuestion { most_runs: most_rare_runs(basis.double_loop) * number }))
@@ -79,7 +79,7 @@ impl Question for RareQuestion {
 
     fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError> {
         let Some(double_loop) = &found.double_loop else { return Ok(()) };
-        let steps = RareSteps::new(runs.study, &runs.response.shared.plan.asks, double_loop, &found.bounds);
+        let steps = RareSteps::new(runs.study, &runs.response.plan().asks, double_loop, &found.bounds);
         found.rare = take_steps(steps, runs, None)?;
         Ok(())
     }

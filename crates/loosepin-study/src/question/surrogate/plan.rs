@@ -18,7 +18,7 @@ pub fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<
     let mut problem = problem(study, response);
     // Distribution functions are shown of the direct runs.
     problem.requests.retain(|request| request.statistic.is_single());
-    let groups = groups(&response.shared.plan);
+    let groups = groups(response.plan());
     let settings = SurrogateSettings { choice, training: training_runs, confirming: confirming_runs, groups };
     Ok(Some(SurrogatePlan::try_new(problem, settings)?))
 }

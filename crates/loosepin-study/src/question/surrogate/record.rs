@@ -33,7 +33,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     let is_curve = columns.len() > 1;
     let mut record = SurrogateOutput {
         output: material.name_of(column),
-        of: material.response.shared.plan.columns[column].deviation,
+        of: material.response.plan().columns[column].deviation,
         at: if is_curve { ResponsePoint::Whole } else { material.point_of(column, false) },
         unit: material.unit_of(column),
         problem: None,
@@ -74,7 +74,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     let learning = learned.residual.learning.iter();
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
-    let pose = |column: usize| match material.response.shared.plan.columns[column].spot {
+    let pose = |column: usize| match material.response.plan().columns[column].spot {
         Location::Pose { angle_rad, .. } => Some(angle_rad),
         Location::Reduced(_) => None,
     };
@@ -121,7 +121,7 @@ pub fn saved_surrogates(
             let named = material.witness(&epistemic).into_iter();
             SavedOutput {
                 output: material.name_of(columns[0]),
-                of: material.response.shared.plan.columns[columns[0]].deviation,
+                of: material.response.plan().columns[columns[0]].deviation,
                 at: columns.iter().map(|&column| material.point_of(column, columns.len() > 1)).collect(),
                 unit: material.unit_of(columns[0]),
                 members: named.filter(|(path, _)| lists.contains(&path.as_str())).collect(),

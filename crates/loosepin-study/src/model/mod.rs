@@ -1,0 +1,169 @@
+//! The model of a study, in the plane or in space: what a study asks of both, in one place.
+//!
+//! What only one of them has is reached by [`StudyModel::planar`] and [`StudyModel::spatial`].
+
+mod inputs;
+mod turn;
+
+use loosepin_mechanics::model::Model;
+use loosepin_result::repeat::InputRole;
+use loosepin_space::{SpatialModel, is_spatial};
+use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Place, Source, problems};
+use loosepin_text::numbers::QuantityTable;
+use loosepin_text::units::{Dimension, DisplayUnits};
+use std::sync::Arc;
+
+/// A model of a mechanism.
+#[derive(Debug, Clone)]
+pub enum StudyModel {
+    /// In the plane, with its dynamics.
+    Planar(Box<Model>),
+    /// In space, without dynamics.
+    Spatial(Box<SpatialModel>),
+}
+
+problems! {
+    /// Why something cannot be done with a model in space.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpaceRefusal {
+        NotInSpace { what: String } => Code::WrongKindOfFile,
+            says("{what} is for planar models; this one says geometry = \"space\""),
+            hint("models in space take check, motion and study");
+    }
+}
+
+fn refused(what: &str, source: &Arc<Source>) -> Diagnostics {
+    Diagnostics::one(&SpaceRefusal::NotInSpace { what: what.to_owned() }, Some(Place::new(source, 0..0)))
+}
+
+impl From<Model> for StudyModel {
+    fn from(model: Model) -> Self {
+        Self::Planar(Box::new(model))
+    }
+}
+
+impl From<SpatialModel> for StudyModel {
+    fn from(model: SpatialModel) -> Self {
+        Self::Spatial(Box::new(model))
+    }
+}
+
+impl StudyModel {
+    /// Reads the text of a model file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its place.
+    pub fn from_source(source: Arc<Source>) -> Result<Self, Diagnostics> {
+        if is_spatial(&source) {
+            return SpatialModel::from_source(&source).map(Self::from);
+        }
+        Model::from_source(source).map(Self::from)
+    }
+
+    /// The model, if it is planar.
+    pub fn planar(&self) -> Option<&Model> {
+        match self {
+            Self::Planar(model) => Some(model),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The model, if it is in space.
+    pub fn spatial(&self) -> Option<&SpatialModel> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(model) => Some(model),
+        }
+    }
+
+    /// The planar model, for `what` takes no other.
+    ///
+    /// # Errors
+    /// The model is in space.
+    pub fn demand_planar(&self, what: &str) -> Result<&Model, Diagnostics> {
+        self.planar().ok_or_else(|| refused(what, self.source()))
+    }
+
+    /// The planar model itself, for `what` takes no other.
+    ///
+    /// # Errors
+    /// The model is in space.
+    pub fn into_planar(self, what: &str) -> Result<Model, Diagnostics> {
+        match self {
+            Self::Planar(model) => Ok(*model),
+            Self::Spatial(model) => Err(refused(what, model.source())),
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Planar(model) => &model.name,
+            Self::Spatial(model) => &model.name,
+        }
+    }
+
+    /// Every number of it.
+    pub fn quantities(&self) -> &QuantityTable {
+        match self {
+            Self::Planar(model) => &model.quantities,
+            Self::Spatial(model) => &model.quantities,
+        }
+    }
+
+    /// The file that it was read from.
+    pub fn source(&self) -> &Arc<Source> {
+        match self {
+            Self::Planar(model) => model.source(),
+            Self::Spatial(model) => model.source(),
+        }
+    }
+
+    /// The CSV files that were read with it.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        self.planar().map_or(&[], Model::tables)
+    }
+
+    /// The file of the model and the tables that it names.
+    pub fn input_files(&self) -> impl Iterator<Item = (InputRole, &Source)> {
+        let tables = self.tables().iter().map(|table| (InputRole::Table, &**table));
+        std::iter::once((InputRole::Model, &**self.source())).chain(tables)
+    }
+
+    /// Likely mistakes in it.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        match self {
+            Self::Planar(model) => &model.warnings,
+            Self::Spatial(model) => &model.warnings,
+        }
+    }
+
+    /// Place of an entry of the file, by its dotted path.
+    pub fn place(&self, path: &str) -> Option<Place> {
+        match self {
+            Self::Planar(model) => model.place(path),
+            Self::Spatial(model) => model.place(path),
+        }
+    }
+
+    /// Names of its outputs, in file order.
+    pub fn output_names(&self) -> Vec<&str> {
+        match self {
+            Self::Planar(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
+            Self::Spatial(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
+        }
+    }
+
+    /// How numbers are shown to people.
+    pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
+        match self {
+            Self::Planar(model) => model.shown_in(usual),
+            Self::Spatial(_) => usual,
+        }
+    }
+
+    /// Dimension of a quantity by its path.
+    pub fn dimension_of(&self, path: &str) -> Option<Dimension> {
+        self.quantities().id(path).map(|id| self.quantities()[id].dimension)
+    }
+}

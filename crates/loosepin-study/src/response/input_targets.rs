@@ -1,0 +1,86 @@
+//! What the values of uncertain inputs are for.
+
+use crate::file::{EpistemicSubject, Study};
+use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
+
+/// Target of the value of an epistemic input.
+#[derive(Debug, Clone, Copy)]
+enum EpistemicTarget {
+    /// To a number of the model.
+    Quantity(QuantityId),
+    /// To the distribution of a random input: the mechanism does not see it.
+    Parameter,
+    /// To the choice of a mechanism: number of laws in the list.
+    Law(usize),
+    /// To the places of the journals in their play.
+    Play,
+}
+
+/// What the values of uncertain inputs are for, in their order.
+#[derive(Debug, Clone)]
+pub(crate) struct InputTargets {
+    random: Vec<QuantityId>,
+    epistemic: Vec<EpistemicTarget>,
+}
+
+impl InputTargets {
+    /// The targets of the inputs of `study`.
+    pub fn new(study: &Study) -> Self {
+        let epistemic = study.epistemic.iter().map(|input| match &input.subject {
+            EpistemicSubject::Quantity(quantity) => EpistemicTarget::Quantity(*quantity),
+            EpistemicSubject::Parameter { .. } => EpistemicTarget::Parameter,
+            EpistemicSubject::Law { laws, .. } => EpistemicTarget::Law(laws.len()),
+            EpistemicSubject::Play => EpistemicTarget::Play,
+        });
+        Self { random: study.random.iter().map(|input| input.quantity).collect(), epistemic: epistemic.collect() }
+    }
+
+    /// Which combination of laws these epistemic inputs choose, the law of the first contact changing fastest.
+    pub fn variant(&self, epistemic: &[f64]) -> usize {
+        let (mut variant, mut weight) = (0, 1);
+        for (input, &value) in self.epistemic.iter().zip(epistemic) {
+            if let EpistemicTarget::Law(laws) = *input {
+                variant += weight * value as usize;
+                weight *= laws;
+            }
+        }
+        variant
+    }
+
+    /// Where the journals are: -1 at the lower end of what play makes, 1 at the upper one; the middle where there is no such input.
+    pub fn play(&self, epistemic: &[f64]) -> f64 {
+        let own = self.epistemic.iter().zip(epistemic);
+        own.filter(|(input, _)| matches!(input, EpistemicTarget::Play)).map(|(_, &value)| value).next().unwrap_or(0.0)
+    }
+
+    /// The values of a model for these inputs.
+    ///
+    /// # Errors
+    /// A value breaks its rule.
+    pub fn values(
+        &self,
+        quantities: &QuantityTable,
+        random: &[f64],
+        epistemic: &[f64],
+    ) -> Result<Values, QuantityError> {
+        let random = self.random.iter().copied().zip(random.iter().copied());
+        let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
+            EpistemicTarget::Quantity(quantity) => Some((quantity, value)),
+            EpistemicTarget::Parameter | EpistemicTarget::Law(_) | EpistemicTarget::Play => None,
+        });
+        let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
+        quantities.evaluate(&set)
+    }
+}
+
+/// The epistemic inputs that are quantities, in the middle of their intervals.
+pub(crate) fn in_the_middle(study: &Study) -> Vec<(QuantityId, f64)> {
+    let middle = study.epistemic.iter().filter_map(|input| {
+        let value = match input.variable.range() {
+            Some(range) => 0.5 * (range.lower() + range.upper()),
+            None => input.variable.middle(),
+        };
+        Some((input.quantity()?, value))
+    });
+    middle.collect()
+}
