@@ -43,6 +43,7 @@ mod model;
 mod motion;
 mod output;
 mod play;
+mod sampling;
 
 pub use accuracy::{
     AccuracyError, AssemblyReserve, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm,
@@ -79,3 +80,4 @@ pub use output::{JointOutput, PointOutput, RotationOutput, RotationSineOutput, S
 pub use play::block::{Block, PlayPart};
 pub use play::kind_of_play::KindOfPlay;
 pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};
+pub use sampling::{PartOfOutput, PlaySide, SampledPart, SamplingError, TurnSample, TurnSampler};

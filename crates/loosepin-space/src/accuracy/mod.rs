@@ -9,14 +9,14 @@ mod extreme;
 mod first_order;
 mod gains;
 mod largest_norm;
-mod play_set;
+pub(crate) mod play_set;
 mod pose_accuracy;
 mod random;
 mod reserve;
 mod sampled;
 mod scatter;
-mod search;
-mod slice;
+pub(crate) mod search;
+pub(crate) mod slice;
 mod variance;
 mod worst_case;
 

@@ -6,7 +6,7 @@ use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::slice::{Planes, dot};
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
-use crate::closure::newton::{close, largest};
+use crate::closure::newton::{Closed, close, largest};
 use crate::closure::position::Position;
 use crate::closure::singular::RANK_THRESHOLD;
 use crate::kind::frames::{JointFrames, MarkerShift};
@@ -51,12 +51,17 @@ impl<'a> PoseAccuracy<'a> {
         // To round-off: deviations are differences.
         let closed = close(&loops, &position.poses, &[], &position.drive_values(), &position.borders, None)
             .map_err(|_| AccuracyError::NotAPosition)?;
+        Self::of_closed(loops, position, closed)
+    }
+
+    /// The accuracy in a position of which the borders are known, closed to round-off.
+    pub(crate) fn of_closed(loops: Loops<'a>, position: &Position, closed: Closed) -> Result<Self, AccuracyError> {
         let position = Position { poses: closed.poses, ..position.clone() };
         let (frames, system, apart) = (closed.frames, closed.system, closed.apart);
         if !(system.singular_ratio() > RANK_THRESHOLD) {
             return Err(AccuracyError::Singular);
         }
-        let set = PlaySet::new(mechanism);
+        let set = PlaySet::new(loops.mechanism);
         let middle = vec![0.0; set.variables()];
         let play_columns = play_columns(&loops, &frames, &set, &middle);
         let redundant = redundant(&system, &play_columns);

@@ -58,6 +58,11 @@ impl PoseAccuracy<'_> {
         }
         let change = self.changes(errors);
         let right: Vec<f64> = self.system.redundant_rows().iter().map(|row| dot(row, &change)).collect();
+        self.reserve_of(&right)
+    }
+
+    /// The largest θ for which plays with h·p = θ h0 are admissible; `right` is h0 of each redundant row.
+    pub(crate) fn reserve_of(&self, right: &[f64]) -> Result<AssemblyReserve, AccuracyError> {
         let size = right.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
         if size <= f64::MIN_POSITIVE {
             let variables_m = vec![0.0; self.set.variables()];
@@ -70,12 +75,12 @@ impl PoseAccuracy<'_> {
         let rows: Vec<Vec<f64>> = self
             .redundant
             .iter()
-            .zip(&right)
+            .zip(right)
             .map(|(row, h0)| row.iter().copied().chain([-h0 * LARGEST_FACTOR]).collect())
             .collect();
         let reach = self.redundant.iter().flatten().fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let own = Planes::new(&self.redundant, self.set.variables(), UNREACHED * reach);
-        if own.unreached(&right) > UNREACHED * size.max(reach) {
+        if own.unreached(right) > UNREACHED * size.max(reach) {
             return Err(AccuracyError::NoPlace);
         }
         let planes = Planes::new(&rows, set.variables(), UNREACHED * reach);

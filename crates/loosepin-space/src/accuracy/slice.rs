@@ -75,14 +75,19 @@ impl Planes {
         along
     }
 
-    /// The largest part of b that no v makes.
-    pub(crate) fn unreached(&self, b: &[f64]) -> f64 {
+    /// The part of b that no v makes.
+    pub(crate) fn rest(&self, b: &[f64]) -> Vec<f64> {
         let mut rest = b.to_vec();
         for left in &self.left {
             let share = dot(left, &rest);
             add(&mut rest, left, -share);
         }
-        rest.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+        rest
+    }
+
+    /// The largest entry of that part.
+    pub(crate) fn unreached(&self, b: &[f64]) -> f64 {
+        self.rest(b).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
     /// b in the orthonormal rows.

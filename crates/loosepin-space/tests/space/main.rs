@@ -9,5 +9,6 @@ mod model_files;
 mod model_motions;
 mod quasi_static;
 mod refusals;
+mod sampling;
 mod searches;
 mod stops;

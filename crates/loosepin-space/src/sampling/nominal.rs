@@ -1,0 +1,202 @@
+//! The nominal motion, from which samples are closed.
+
+use super::error::SamplingError;
+use super::part::{PartOfOutput, SampledPart};
+use crate::closure::bordered::Bordered;
+use crate::closure::loops::Loops;
+use crate::closure::position::Position;
+use crate::closure::{Cycle, cycle};
+use crate::geometry::pose::Pose;
+use crate::geometry::vector::Vec3;
+use crate::mechanism::drive::DriveValue;
+use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::model::{ModelOutput, ModelOutputKind, SpatialModel};
+use crate::motion::motion;
+use crate::output::SpatialOutput;
+use crate::output::kind_of_output::{KindOfOutput, OutputState};
+use loosepin_text::numbers::Values;
+use std::f64::consts::FRAC_PI_2;
+
+/// Longest step, in turns, in which turns of a body are counted.
+const LONGEST_STEP_TURNS: f64 = 1.0 / 36.0;
+/// Speed of a point below which it turns back or rests, relative to the characteristic length and the rate of the turn.
+const RESTING: f64 = 1e-9;
+
+/// The nominal motion at the places of all samples.
+#[derive(Debug, Clone)]
+pub(super) struct Nominal {
+    /// The nominal mechanism.
+    pub mechanism: SpatialMechanism,
+    pub places: Vec<NominalPlace>,
+}
+
+/// A place of the nominal motion.
+#[derive(Debug, Clone)]
+pub(super) struct NominalPlace {
+    /// In turns.
+    pub turn: f64,
+    pub position: Position,
+    /// Sign of the determinant of the bordered loop equations.
+    pub sign: f64,
+    /// Nominal values of each part: of `Along`, `Across` and `Magnitude` 0.
+    pub values: Vec<f64>,
+    /// Unit vector along the nominal path, for the parts that need it.
+    pub tangents: Vec<Option<Vec3>>,
+}
+
+/// Values of all drives at places in turns.
+pub(super) fn drives_at(model: &SpatialModel, values: &Values, turn_s: f64, turn: f64) -> Vec<DriveValue> {
+    model.drive_values(values, turn * turn_s)
+}
+
+/// Follows a mechanism from time zero to all places, looking at each gap in steps that are short enough to count turns. Positions with those in
+/// between; the second list says where the places are among them.
+pub(super) fn followed(
+    mechanism: &SpatialMechanism,
+    turns: &[f64],
+    drives: &dyn Fn(f64) -> Vec<DriveValue>,
+) -> Result<(Vec<Position>, Vec<usize>), SamplingError> {
+    let (mut inputs, mut places) = (vec![0.0], Vec::with_capacity(turns.len()));
+    for turn in turns {
+        let from = inputs.last().copied().unwrap_or_default();
+        let steps = ((turn - from).abs() / LONGEST_STEP_TURNS - 1e-9).ceil().max(1.0);
+        inputs.extend((1..steps as usize).map(|step| from + (turn - from) * step as f64 / steps));
+        inputs.push(*turn);
+        places.push(inputs.len() - 1);
+    }
+    let Cycle { positions, stopped } = cycle(mechanism, &inputs, drives);
+    match stopped {
+        None => Ok((positions, places)),
+        Some(why) => {
+            let reached = positions.len().saturating_sub(1);
+            Err(SamplingError::DoesNotClose { turn: inputs.get(reached).copied().unwrap_or_default(), why })
+        }
+    }
+}
+
+impl Nominal {
+    pub(super) fn new(
+        model: &SpatialModel,
+        values: &Values,
+        turns: &[f64],
+        parts: &[SampledPart],
+    ) -> Result<Self, SamplingError> {
+        let is_ascending = turns.windows(2).all(|pair| pair[0] <= pair[1]);
+        if turns.is_empty() || !is_ascending || !turns.iter().all(|turn| turn.is_finite()) {
+            return Err(SamplingError::BadTurns);
+        }
+        let mechanism = model.mechanism(values)?;
+        let turn_s = model.cycle_input(values)?.turn_s;
+        let (positions, numbers) = followed(&mechanism, turns, &|turn| drives_at(model, values, turn_s, turn))?;
+        let mut places = Vec::with_capacity(turns.len());
+        let loops = Loops::new(&mechanism);
+        for (turn, number) in turns.iter().zip(&numbers) {
+            let position = positions[*number].clone();
+            let jacobian = loops.jacobian(&loops.frames(&position.poses, &[]));
+            let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &position.borders);
+            places.push(NominalPlace {
+                turn: *turn,
+                sign: system.sign(),
+                position,
+                values: Vec::new(),
+                tangents: Vec::new(),
+            });
+        }
+        for part in parts {
+            let components = components_of(model, values, part)?;
+            let output = &model.outputs[part.output];
+            let counted = match (part.part, components.as_slice()) {
+                (PartOfOutput::Number, [own]) if own.point().is_none() => {
+                    Some(turned(own, &mechanism, &positions, &numbers, output)?)
+                }
+                _ => None,
+            };
+            for (number, place) in places.iter_mut().enumerate() {
+                let value = match &counted {
+                    Some(counted) => counted.get(number).copied().unwrap_or_default(),
+                    None => place_of(part.part, &components, &place.position.poses),
+                };
+                place.values.push(value);
+                let tangent = match part.part.needs_path() {
+                    true => Some(tangent(&mechanism, place, &components, turn_s, output)?),
+                    false => None,
+                };
+                place.tangents.push(tangent);
+            }
+        }
+        Ok(Self { mechanism, places })
+    }
+}
+
+/// The components of the output of a part, if it has that part.
+pub(super) fn components_of(
+    model: &SpatialModel,
+    values: &Values,
+    part: &SampledPart,
+) -> Result<Vec<SpatialOutput>, SamplingError> {
+    let Some(output) = model.outputs.get(part.output) else {
+        return Err(SamplingError::NoOutput { output: part.output, outputs: model.outputs.len() });
+    };
+    let is_path = matches!(output.kind, ModelOutputKind::Path { .. });
+    if is_path == (part.part == PartOfOutput::Number) {
+        return Err(SamplingError::PartDoesNotFit { output: output.name.clone(), part: part.part.word() });
+    }
+    Ok(model.outputs_of(part.output, values)?)
+}
+
+/// The component that a part is the number of, where it is one.
+pub(super) fn component(part: PartOfOutput) -> Option<usize> {
+    match part {
+        PartOfOutput::Number | PartOfOutput::X => Some(0),
+        PartOfOutput::Y => Some(1),
+        PartOfOutput::Z => Some(2),
+        PartOfOutput::Along | PartOfOutput::Across | PartOfOutput::Magnitude => None,
+    }
+}
+
+/// The place of a point along the direction of a part; 0 of what has none.
+pub(super) fn place_of(part: PartOfOutput, components: &[SpatialOutput], poses: &[Pose]) -> f64 {
+    let own = component(part).and_then(|number| components.get(number)).and_then(SpatialOutput::point);
+    own.map_or(0.0, |own| poses[own.body].point_m(own.point_m).dot(own.direction))
+}
+
+/// Turns of a body at the places, counted from the first of them.
+fn turned(
+    output: &SpatialOutput,
+    mechanism: &SpatialMechanism,
+    positions: &[Position],
+    places: &[usize],
+    own: &ModelOutput,
+) -> Result<Vec<f64>, SamplingError> {
+    let mut counted = vec![0.0];
+    for pair in positions.windows(2) {
+        let [from, to] = [&pair[0], &pair[1]].map(|position| OutputState { mechanism, poses: &position.poses });
+        let step = output.deviation(&from, &to);
+        if !(step.abs() <= FRAC_PI_2) {
+            return Err(SamplingError::CoarseTurn { output: own.name.clone() });
+        }
+        counted.push(counted.last().copied().unwrap_or_default() + step);
+    }
+    let first = places.first().map_or(0.0, |place| counted[*place]);
+    Ok(places.iter().map(|place| counted[*place] - first).collect())
+}
+
+/// The direction of the nominal path: that of the velocity, or where the point turns back that of the acceleration.
+fn tangent(
+    mechanism: &SpatialMechanism,
+    place: &NominalPlace,
+    components: &[SpatialOutput],
+    turn_s: f64,
+    output: &ModelOutput,
+) -> Result<Vec3, SamplingError> {
+    let at_rest = || SamplingError::AtRest { output: output.name.clone(), turn: place.turn };
+    let point = components.first().and_then(SpatialOutput::point).ok_or_else(at_rest)?;
+    let rates = motion(mechanism, &place.position);
+    let arm = place.position.poses[point.body].orientation.rotation().apply(point.point_m);
+    let limit = RESTING * mechanism.characteristic_length_m() / turn_s;
+    let [velocity, acceleration] =
+        [rates.point_velocity_m_s(point.body, arm), rates.point_acceleration_m_s2(point.body, arm)];
+    let along = if velocity.length() > limit { velocity } else { acceleration };
+    let is_moving = velocity.length() > limit || acceleration.length() > limit / turn_s;
+    along.normalised().filter(|_| is_moving).ok_or_else(at_rest)
+}

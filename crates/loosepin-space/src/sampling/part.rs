@@ -1,0 +1,68 @@
+//! What is read off a sample, and what play may do in it.
+
+/// What play may do in a sample.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum PlaySide {
+    /// Nothing: joints are ideal, and loops with redundant rows must close without play.
+    None,
+    /// All that it can to first order, by the closed form; loops with redundant rows by duality.
+    #[default]
+    FirstOrder,
+    /// All that one climb with exactly closed loops finds from the place that is worst to first order. It is reached by that place of the
+    /// journals; that no other place makes more is not proven.
+    Exact,
+}
+
+/// A number of an output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartOfOutput {
+    /// The number of `position_of` and `turn_of`, m or rad.
+    Number,
+    /// Place of the point of `path_of` along x of the ground, m.
+    X,
+    /// Along y.
+    Y,
+    /// Along z.
+    Z,
+    /// Displacement d·t of the point along its nominal path, t the unit vector of its velocity there, m. Where the point turns back, t is
+    /// along its acceleration: the direction in which it leaves.
+    Along,
+    /// Displacement across the nominal path, |d - t (d·t)|, m.
+    Across,
+    /// Displacement in any direction, |d|, m.
+    Magnitude,
+}
+
+impl PartOfOutput {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Number => "number",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::Along => "along",
+            Self::Across => "across",
+            Self::Magnitude => "magnitude",
+        }
+    }
+
+    /// Whether it is a length, so that it is never negative.
+    pub fn is_length(self) -> bool {
+        matches!(self, Self::Across | Self::Magnitude)
+    }
+
+    /// Whether it is read off by the direction of the path.
+    pub(super) fn needs_path(self) -> bool {
+        matches!(self, Self::Along | Self::Across)
+    }
+}
+
+/// A number that is read off at each place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SampledPart {
+    /// Number of the output in [`crate::SpatialModel::outputs`].
+    pub output: usize,
+    /// What is read off of it.
+    pub part: PartOfOutput,
+}
