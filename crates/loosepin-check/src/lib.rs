@@ -40,7 +40,7 @@ use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 /// Warnings about likely mistakes in a valid file.
 pub fn warnings(file: &InputFile) -> &[Diagnostic] {
     match file {
-        InputFile::Model(model) => &model.warnings,
+        InputFile::Model(model) => model.warnings(),
         InputFile::Study(study) => &study.warnings,
     }
 }
@@ -59,7 +59,10 @@ pub fn check(file: &InputFile) -> Result<Article, Diagnostics> {
 /// As for [`check`]; that it was stopped.
 pub fn check_until(file: &InputFile, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     match file {
-        InputFile::Model(model) => check_model(model, stop),
+        InputFile::Model(model) => match model.spatial() {
+            Some(model) => check_space(model),
+            None => check_model(model.demand_planar()?, stop),
+        },
         InputFile::Study(study) => check_study(study, stop),
     }
 }
@@ -79,13 +82,16 @@ fn check_model(model: &Model, stop: &AtomicBool) -> Result<Article, Diagnostics>
 
 fn check_study(study: &Study, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     let values = study::middle_values(study)?;
-    let model = &study.model;
+    if study.model.spatial().is_some() {
+        return study::article_in_space(study);
+    }
+    let model = study.model.demand_planar()?;
     let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if study.needs_runs() || !mechanism.is_driven() {
         model.demand_dynamics()?;
     }
     let tried = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
-    study::article(study, &values, &tried)
+    study::article(study, model, &values, &tried)
 }
 
 #[cfg(test)]

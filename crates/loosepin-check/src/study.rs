@@ -1,6 +1,6 @@
 //! Description of a study.
 
-use loosepin_mechanics::model::{ContactId, JointId, QuantityError, QuantityId, Values};
+use loosepin_mechanics::model::{ContactId, JointId, Model, QuantityError, QuantityId, Values};
 use loosepin_study::{
     Budget, CorrelationMeasure, CostEstimate, EpistemicInput, EpistemicSubject, PromiseCost, Study, StudyError,
     default_threads, distribution_words, estimate_cost,
@@ -23,42 +23,62 @@ pub fn middle_values(study: &Study) -> Result<Values, Diagnostics> {
     let middle: Vec<(QuantityId, f64)> =
         epistemic.filter_map(|input| Some((input.quantity()?, input.variable.middle()))).collect();
     let report = |error: QuantityError| Diagnostic::error(&error, study.model.place(error.path()));
-    study.model.quantities.evaluate(&middle).map_err(|error| report(error).into())
+    study.model.quantities().evaluate(&middle).map_err(|error| report(error).into())
 }
 
 /// Uncertain inputs, questions, and an estimate of the time.
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
-pub fn article(study: &Study, values: &Values, tried: &TrialResult) -> Result<Article, Diagnostics> {
-    let of_model = format!("of {}: {}", study.model_path.display(), study.model.name);
-    let questions = format!(
-        "{} and {}",
-        counted_or_no(study.asks.len(), "question", "questions"),
-        counted_or_no(study.requirements.len(), "requirement", "requirements")
-    );
-    let is_complete = study.model.missing_for_runs.is_empty();
+pub fn article(study: &Study, model: &Model, values: &Values, tried: &TrialResult) -> Result<Article, Diagnostics> {
+    let is_complete = model.missing_for_runs.is_empty();
     let for_identify = (is_complete && !study.has_questions()).then(|| {
         let readings = counted_or_no(study.measured.len() + study.motion.len(), "reading", "readings");
         format!("{readings} for identify; loosepin study needs a question")
     });
-    let mut sections = vec![Section::of_sentences("model", [of_model]), inputs(study)];
-    sections.push(Section::of_sentences("questions", [questions].into_iter().chain(for_identify)));
+    let mut sections = vec![of_model(study), inputs(study)];
+    sections.push(Section::of_sentences("questions", [questions(study)].into_iter().chain(for_identify)));
     if !is_complete {
-        sections.push(missing(&study.model));
+        sections.push(missing(model));
     } else if study.has_questions() {
-        sections.extend(force_laws(&study.model, values, joints_with_force_bound(study), &listed_laws(study)));
+        sections.extend(force_laws(model, values, joints_with_force_bound(study), &listed_laws(study)));
         sections.push(plan(study, tried)?);
     }
     Ok(Article { title: study.name.clone(), sections })
 }
 
+/// As [`article`], of a study of a mechanism in space.
+///
+/// # Errors
+/// The study cannot be planned, or its nominal motion does not close.
+pub fn article_in_space(study: &Study) -> Result<Article, Diagnostics> {
+    let mut sections = vec![of_model(study), inputs(study), Section::of_sentences("questions", [questions(study)])];
+    if study.has_questions() {
+        let positions = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
+        let run = format!(
+            "A run: {} positions, loops closed exactly, without dynamics; at each the journals are anywhere in their play",
+            format_number(positions.round())
+        );
+        sections.push(planned(study, run)?);
+    }
+    Ok(Article { title: study.name.clone(), sections })
+}
+
+fn of_model(study: &Study) -> Section {
+    let words = format!("of {}: {}", study.model_path.display(), study.model.name());
+    Section::of_sentences("model", [words])
+}
+
+fn questions(study: &Study) -> String {
+    format!(
+        "{} and {}",
+        counted_or_no(study.asks.len(), "question", "questions"),
+        counted_or_no(study.requirements.len(), "requirement", "requirements")
+    )
+}
+
 /// A run, what is promised, and how long all runs take.
 fn plan(study: &Study, tried: &TrialResult) -> Result<Section, Diagnostics> {
-    let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
-        StudyError::AllFailed { reason, .. } => reason.diagnostic(&study.model),
-        error => error.diagnostic(study),
-    })?;
     let run = format!(
         "A run: {} of start-up, {} recorded, of {} each, positions to {:e} m",
         counted_turns(study.cycle.transient_turns),
@@ -66,6 +86,15 @@ fn plan(study: &Study, tried: &TrialResult) -> Result<Section, Diagnostics> {
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
     );
+    planned(study, run)
+}
+
+/// `run` in words, what is promised, and how long all runs take.
+fn planned(study: &Study, run: String) -> Result<Section, Diagnostics> {
+    let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
+        StudyError::AllFailed { reason, .. } if let Some(model) = study.model.planar() => reason.diagnostic(model),
+        error => error.diagnostic(study),
+    })?;
     let time = time_words(study, most_runs, run_s);
     let Some(promise) = promise else { return Ok(Section::of_sentences("plan", [run, time])) };
     let mut section = Section::of_sentences("plan", [run]);
@@ -132,7 +161,7 @@ fn format_percent(share: f64) -> String {
 
 /// Random inputs with their distributions, and unknown inputs as intervals, lists and other structures.
 fn inputs(study: &Study) -> Section {
-    let dimension = |id: QuantityId| study.model.quantities[id].dimension;
+    let dimension = |id: QuantityId| study.model.quantities()[id].dimension;
     let random = study.random.iter().map(|input| {
         let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
         let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));

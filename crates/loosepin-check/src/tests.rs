@@ -133,7 +133,7 @@ fn case_text(case: &str, file: &str) -> String {
 
 /// Describes the model, or shows what is wrong with it.
 fn describe(text: &str) {
-    let described = Model::from_text("model.toml", text).and_then(|model| check(&InputFile::Model(Box::new(model))));
+    let described = Model::from_text("model.toml", text).and_then(|model| check(&InputFile::Model(model.into())));
     match described {
         Ok(article) => assert!(article_text(&article, None).contains("A run: ")),
         Err(diagnostics) => {
@@ -187,7 +187,7 @@ fn no_mutated_study_makes_check_panic() {
 /// What `check` says of a model, or reports about.
 fn said(text: &str) -> String {
     let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    match check(&InputFile::Model(Box::new(model))) {
+    match check(&InputFile::Model(model.into())) {
         Ok(article) => article_text(&article, None),
         Err(diagnostics) => diagnostics.to_string(),
     }
@@ -247,7 +247,7 @@ fn more_turns_than_a_run_can_have_are_refused_with_play_and_without() {
 fn a_check_ends_when_it_is_stopped() {
     let text = include_str!("../../../cases/slider_crank_worn_pin/model.toml");
     let model = Model::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    let file = InputFile::Model(Box::new(model));
+    let file = InputFile::Model(model.into());
     let stopped = check_until(&file, &std::sync::atomic::AtomicBool::new(true)).map(|_| ());
     assert!(stopped.is_err_and(|diagnostics| diagnostics.to_string().contains("E0807")));
 }

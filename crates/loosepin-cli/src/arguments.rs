@@ -10,7 +10,7 @@ use loosepin::model::Rule;
 use loosepin::simulate::EXPONENT_TURNS;
 use loosepin::store::Shard;
 use loosepin::sweep::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS};
-use loosepin::templates::{TEMPLATES, Template, find_template};
+use loosepin::templates::{Template, all_templates, find_template};
 
 /// Accuracy of mechanisms with tolerances and joint play
 #[derive(Debug, Parser)]
@@ -575,7 +575,7 @@ pub struct ManualArguments {
 
 /// A parser of template names.
 fn template() -> impl TypedValueParser<Value = &'static Template> {
-    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description()));
+    let names = all_templates().map(|template| PossibleValue::new(template.name).help(template.description()));
     PossibleValuesParser::new(names).try_map(|name| find_template(&name).ok_or("no such template"))
 }
 

@@ -71,6 +71,7 @@ impl Default for Options {
 /// # Errors
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
 pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -> Result<Identification, Diagnostics> {
+    study.model.demand_planar()?;
     let confidence = options.confidence;
     if !(0.5..=MAX_CONFIDENCE).contains(&confidence) {
         return Err(Diagnostics::one(&IdentifyProblem::Confidence { found: confidence }, None));
@@ -99,7 +100,7 @@ pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -
     let motion = identify_motion(study, options.specimen.as_ref(), &asked, heard)?;
     let answer = |random_inputs, specimens| Identification {
         study: study.name.clone(),
-        model: study.model.name.clone(),
+        model: study.model.name().to_owned(),
         version: loosepin_text::VERSION.to_owned(),
         confidence,
         random_inputs,

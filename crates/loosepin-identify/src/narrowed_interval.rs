@@ -35,8 +35,7 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<NarrowedInt
     let mut all = Vec::new();
     for play in known.iter().filter(|play| play.is_interval) {
         let Some(written) = written_ends(study, &play.path) else { continue };
-        let dimension = study.model.quantities.id(&play.path).map(|id| study.model.quantities[id].dimension);
-        let Some(dimension) = dimension else { continue };
+        let Some(dimension) = study.model.dimension_of(&play.path) else { continue };
         let before = written.clone().map(|(text, _)| text);
         let mut after = before.clone();
         for (end, is_narrowed) in play.is_narrowed().into_iter().enumerate() {

@@ -70,7 +70,7 @@ impl<'s> Rig<'s> {
     /// # Errors
     /// No play among the inputs, or one that is a dimension as well; a mechanism that drives do not move alone.
     pub fn new(study: &'s Study, random_share: f64) -> Result<Self, Diagnostics> {
-        let model = &study.model;
+        let model = study.model.demand_planar()?;
         let (mut plays, mut others, mut middle) = (Vec::new(), Vec::new(), Vec::new());
         for input in &study.epistemic {
             let Some(quantity) = input.quantity() else { continue };
@@ -255,7 +255,7 @@ impl<'s> Rig<'s> {
 
     /// The mechanism with each other law that the study lists for a contact.
     fn other_laws(&self) -> Result<Vec<Mechanism>, Diagnostics> {
-        let model = &self.study.model;
+        let model = self.study.model.demand_planar()?;
         let mut all = Vec::new();
         for input in &self.study.epistemic {
             let EpistemicSubject::Law { contact, laws } = &input.subject else { continue };
@@ -312,10 +312,9 @@ fn push_input(
     is_random: bool,
     (plays, others): (&mut Vec<PlayInput>, &mut Vec<OtherInput>),
 ) {
-    let model = &study.model;
-    let unit = SiUnit::of_dimension(model.quantities[quantity].dimension);
+    let unit = SiUnit::of_dimension(study.model.quantities()[quantity].dimension);
     let path = path.to_owned();
-    let mut owners = model.play_from(quantity).map(|(play, _)| model.play_name(play).to_owned());
+    let mut owners = study.model.play_from(quantity).into_iter().map(|play| play.name);
     match (owners.next(), owners.next()) {
         (None, _) => others.push(OtherInput { path, quantity, interval_si, unit, is_random }),
         (Some(owner), second) => {

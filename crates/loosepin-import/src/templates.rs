@@ -31,7 +31,7 @@ macro_rules! templates {
     };
 }
 
-/// Every template, in the order in which they are listed.
+/// The templates of planar mechanisms, in the order in which they are listed.
 pub static TEMPLATES: &[Template] = templates! {
     "slider-crank"
     "four-bar"
@@ -52,6 +52,23 @@ pub static TEMPLATES: &[Template] = templates! {
     "flexible-four-bar"
 };
 
+/// The templates of mechanisms in space, in the order in which they are listed, after the planar ones.
+pub static SPATIAL_TEMPLATES: &[Template] = templates! {
+    "spatial-slider-crank"
+    "spatial-four-bar"
+    "universal-joint-shaft"
+    "spherical-platform"
+    "six-axis-arm"
+    "bricard"
+    "suspension-corner"
+    "steering-linkage"
+};
+
+/// Every template, in the order in which they are listed.
+pub fn all_templates() -> impl Iterator<Item = &'static Template> {
+    TEMPLATES.iter().chain(SPATIAL_TEMPLATES)
+}
+
 impl Template {
     /// The mechanism in one line.
     pub fn description(&self) -> &'static str {
@@ -66,7 +83,7 @@ impl Template {
 
 /// The template called `name`.
 pub fn find_template(name: &str) -> Option<&'static Template> {
-    TEMPLATES.iter().find(|template| template.name == name)
+    all_templates().find(|template| template.name == name)
 }
 
 problems! {

@@ -38,7 +38,7 @@ pub struct Model(pub Arc<model::Model>);
 impl Model {
     /// The model as a file whose kind is known.
     fn file(&self) -> InputFile {
-        InputFile::Model(Box::new(self.0.as_ref().clone()))
+        InputFile::Model(self.0.as_ref().clone().into())
     }
 
     /// The turns that are run, those of the model where nothing else is said.
@@ -178,7 +178,7 @@ impl Model {
     #[allow(clippy::type_complexity, reason = "keys of a question")]
     fn question_of(&self, name: &str) -> PyResult<(String, Option<&'static str>, &'static str, Place)> {
         let NamedQuestion { output, component, of, place } =
-            NamedQuestion::of_name(&self.0, name).map_err(|error| raise_problem(&error))?;
+            NamedQuestion::of_name(&self.0.as_ref().clone().into(), name).map_err(|error| raise_problem(&error))?;
         let place = match place {
             NamedPlace::Cycle => ("at", "cycle".to_owned(), None),
             NamedPlace::Reduced(word) => ("reduce", word.to_owned(), None),

@@ -68,8 +68,9 @@ impl Study {
 
     /// The model, as its file has it.
     #[getter]
-    fn model(&self) -> Model {
-        Model(self.0.model.clone().into())
+    fn model(&self) -> PyResult<Model> {
+        let model = self.0.model.demand_planar().map_err(raise)?;
+        Ok(Model(std::sync::Arc::new(model.clone())))
     }
 
     /// Warnings about it or its model.

@@ -8,7 +8,7 @@ pub type StudyInput = (String, String, bool, String, f64, f64, Option<f64>, Opti
 
 /// The inputs of `study`: random ones, then unknown ones, each kind in file order.
 pub fn of(study: &study::Study) -> Vec<StudyInput> {
-    let nominal = study.model.quantities.nominal();
+    let nominal = study.model.quantities().nominal();
     let random = study.random.iter().map(|input| {
         let [lower, upper] = [0.0, 1.0].map(|probability| input.variable.quantile(probability));
         (true, lower, upper, Some(nominal[input.quantity]), None)
@@ -17,7 +17,7 @@ pub fn of(study: &study::Study) -> Vec<StudyInput> {
         let [lower, upper] = input.variable.ends();
         let laws = match &input.subject {
             EpistemicSubject::Law { laws, .. } => Some(laws.iter().map(|law| law.name().to_owned()).collect()),
-            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } | EpistemicSubject::Play => None,
         };
         (false, lower, upper, input.quantity().map(|quantity| nominal[quantity]), laws)
     });

@@ -82,10 +82,9 @@ impl StudyError {
     /// The diagnostic about the study, or about its model, at the part that it concerns.
     pub fn diagnostic(&self, study: &Study) -> Diagnostic {
         match self {
-            Self::Prepare(PrepareError::Mechanism(error)) => study
-                .model
-                .planar()
-                .map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model)),
+            Self::Prepare(PrepareError::Mechanism(error)) => {
+                study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model))
+            }
             Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
                 Diagnostic { hint, ..Diagnostic::error(self, Some(place)) }

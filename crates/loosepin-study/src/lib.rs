@@ -37,15 +37,16 @@ pub use file::{
     study_schema, takes_mean_of_model,
 };
 pub use iso_286::FitError;
+pub use model::{Clearance, StudyModel};
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;
 pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards};
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
 pub use response::further_outputs::FurtherOutputs;
 pub use response::outputs::OutputSource;
+pub use response::planar_response::MAX_COLUMNS;
 pub use response::recorded_output::RecordedOutput;
 pub use response::sampled_feature::sampled_feature;
-pub use response::planar_response::MAX_COLUMNS;
 pub use run_options::RunOptions;
 pub use runs::design_runs::{DesignRuns, DesignTable, argument_of};
 pub use runs::external_runs::{RequestedRuns, RunProvider};
@@ -57,7 +58,7 @@ pub use study_run::run_study;
 pub use written::export::{ExportError, export_networks};
 pub use written::folder::{ClaimOutcome, StudyOutcome, begin_in_folder, conclude, read_study, store_identity};
 pub use written::input_file::{InputFile, InputFileProblem};
-pub use written::inputs::{add_model, add_study, study_inputs};
+pub use written::inputs::{add_model, add_planar_model, add_study, study_inputs};
 pub use written::simulate_command::exact_value;
 pub use written::single_run::{FinishedRun, check_measured, run_and_compare, run_inputs, run_into, witness_run};
 pub use written::stored_records::{RecordFiles, read_record, read_run, run_tables};

@@ -3,12 +3,11 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use loosepin::check::{check, check_space, warnings};
+use loosepin::check::{check, warnings};
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::report::article_text;
 use loosepin::study::InputFile;
 
-use super::space::read_space;
 use crate::arguments::CheckArguments;
 use crate::console;
 use crate::ending::{Done, Ending};
@@ -35,10 +34,6 @@ pub fn run(arguments: &CheckArguments) -> Ending {
 }
 
 fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Diagnostics> {
-    if let Some(model) = read_space(path)? {
-        warn_once(&model.warnings, seen);
-        return Ok(article_text(&check_space(&model)?, None));
-    }
     let file = InputFile::from_path(path)?;
     warn_once(warnings(&file), seen);
     // Lines as they are: programs look for them.

@@ -6,7 +6,7 @@ use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::simulate::SmallestClearance;
 use loosepin::study::{InputFile, Study};
-pub use loosepin::study::{add_model, add_study};
+pub use loosepin::study::{add_model, add_planar_model, add_study};
 
 use crate::console;
 use crate::ending::Failure;
@@ -29,7 +29,9 @@ pub fn read_model(path: &Path) -> Result<Model, Failure> {
 pub fn read_study(path: &Path) -> Result<Study, Failure> {
     let study = InputFile::from_path(path)?.into_study()?;
     warn(&study.warnings);
-    study.model.demand_dynamics()?;
+    if let Some(model) = study.model.planar() {
+        model.demand_dynamics()?;
+    }
     Ok(study)
 }
 

@@ -10,21 +10,21 @@ use loosepin::simulate::motion_csv;
 use loosepin::study::InputFile;
 
 use super::inputs::warn;
-use super::space::{move_in_space, read_space};
+use super::space::move_in_space;
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use crate::arguments::MotionArguments;
 use crate::ending::{Done, Ending};
 
 /// Shows the ideal motion, and the quasi-static effect of play and of random inputs on it.
 pub fn run(arguments: &MotionArguments) -> Ending {
-    if let Some(model) = read_space(&arguments.file)? {
-        return move_in_space(arguments, &model);
-    }
     let file = InputFile::from_path(&arguments.file)?;
     warn(warnings(&file));
+    if let Some(model) = file.model().spatial() {
+        return move_in_space(arguments, model);
+    }
     let record = file.motion_answer(&arguments.set, &arguments.path, &AtomicBool::new(false))?;
     let inputs = file.motion_inputs(&arguments.set, &arguments.path);
-    let claim = claim(ResultKind::Motion, &file.model().name, inputs, &arguments.output);
+    let claim = claim(ResultKind::Motion, file.model().name(), inputs, &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<MotionRecord>(folder);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use loosepin::templates::{TEMPLATES, Template, write_template};
+use loosepin::templates::{Template, all_templates, write_template};
 
 use crate::arguments::NewArguments;
 use crate::console;
@@ -11,7 +11,7 @@ use crate::ending::{Done, Ending, Failure};
 /// Lists the templates, or writes one.
 pub fn run(arguments: &NewArguments) -> Ending {
     let Some(template) = arguments.template else {
-        console::print(&TEMPLATES.iter().map(described).collect::<Vec<_>>().join("\n"))?;
+        console::print(&all_templates().map(described).collect::<Vec<_>>().join("\n"))?;
         return Ok(Done::Well);
     };
     let folder: PathBuf = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(template.name));

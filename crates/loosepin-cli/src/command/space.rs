@@ -1,29 +1,16 @@
 //! Models in space, as far as commands know them.
 
 use std::io::ErrorKind;
-use std::path::Path;
 
-use loosepin::diagnostics::Diagnostics;
-use loosepin::document::read_source;
 use loosepin::files::{io_error_words, write_new_files};
 use loosepin::report::spatial_motion_text;
 use loosepin::results::MOTION_FILE;
 use loosepin::simulate::spatial_motion_csv;
-use loosepin::space::{SpatialModel, SpatialMotionProblem, is_spatial};
+use loosepin::space::{SpatialModel, SpatialMotionProblem};
 
-use super::inputs::warn;
 use crate::arguments::MotionArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
-
-/// The model of a file that says that it is one in space.
-///
-/// # Errors
-/// What is wrong with it; a file that cannot be read.
-pub fn read_space(path: &Path) -> Result<Option<SpatialModel>, Diagnostics> {
-    let source = read_source(path)?;
-    if is_spatial(&source) { SpatialModel::from_source(&source).map(Some) } else { Ok(None) }
-}
 
 /// Shows the ideal motion in space and the worst cases of play; with `--out`, `motion.csv` in a new folder has them at each position.
 pub fn move_in_space(arguments: &MotionArguments, model: &SpatialModel) -> Ending {
@@ -40,7 +27,6 @@ pub fn move_in_space(arguments: &MotionArguments, model: &SpatialModel) -> Endin
     if let Some(file) = file.as_ref().filter(|file| file.symlink_metadata().is_ok()) {
         return Err(Failure::of(&SpatialMotionProblem::Exists { file: file.display().to_string() }));
     }
-    warn(&model.warnings);
     let record = model.motion_record(&model.quantities.nominal())?;
     console::print(&spatial_motion_text(&record))?;
     if let Some((folder, file)) = arguments.output.folder.as_ref().zip(file) {

@@ -10,7 +10,7 @@ use loosepin::sweep::{
 };
 use loosepin::units::Dimension;
 
-use super::inputs::{add_model, check_tolerance, read_model};
+use super::inputs::{add_planar_model, check_tolerance, read_model};
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use super::threads::threads;
@@ -70,7 +70,7 @@ fn request(arguments: &SweepArguments) -> SweepRequest<'_> {
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Sweep);
-    add_model(&mut hasher, model);
+    add_planar_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
     }

@@ -40,7 +40,7 @@ fn what_does_not_know_space_refuses_it() {
     let place =
         format!("model.toml:{}:12", SLIDER_CRANK.lines().position(|line| line.starts_with("geometry")).unwrap() + 1);
     let message = format!(
-        "{place}: error[E0905]: this command works on planar models; a model in space is known to check and motion"
+        "{place}: error[E0905]: this command works on planar models; a model in space is known to check, motion and study"
     );
     desk.fail(&["simulate", "model.toml"], &message);
     desk.fail(

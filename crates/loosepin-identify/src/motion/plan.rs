@@ -55,8 +55,7 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
             all.push(feature(words, &known.name, subject, known.unit.clone()));
         }
     }
-    for (play, id) in study.model.plays().enumerate() {
-        let joint = study.model.play_name(id);
+    for (play, joint) in study.model.play_names().iter().enumerate() {
         all.push(feature(format!("{joint}, impacts"), joint, MotionSubject::Impacts { play }, SiUnit::NONE));
     }
     all

@@ -28,9 +28,9 @@ pub(crate) fn value(input: &EpistemicInput, share: f64) -> f64 {
 /// An input with the interval that it has after the measurement.
 pub(crate) fn bounds(study: &Study, input: &EpistemicInput, after_si: [f64; 2]) -> PlayBounds {
     let unit = match &input.subject {
-        EpistemicSubject::Quantity(quantity) => SiUnit::of_dimension(study.model.quantities[*quantity].dimension),
+        EpistemicSubject::Quantity(quantity) => SiUnit::of_dimension(study.model.quantities()[*quantity].dimension),
         EpistemicSubject::Parameter { dimension, .. } => SiUnit::of_dimension(*dimension),
-        EpistemicSubject::Law { .. } => SiUnit::NONE,
+        EpistemicSubject::Law { .. } | EpistemicSubject::Play => SiUnit::NONE,
     };
     let before_si = input.variable.ends();
     PlayBounds {

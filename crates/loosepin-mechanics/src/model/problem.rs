@@ -10,7 +10,7 @@ problems! {
     #[derive(Debug, Clone, PartialEq)]
     pub enum ModelProblem | Entry(EntryProblem) {
         InSpace => Code::WrongKindOfFile,
-            says("this command works on planar models; a model in space is known to check and motion");
+            says("this command works on planar models; a model in space is known to check, motion and study");
         NotAnActuator {
             entry: String,
             text: String,

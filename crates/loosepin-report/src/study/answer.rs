@@ -110,6 +110,7 @@ fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> S
             let name = plain_name(&input.path, &result.inputs);
             match &input.kind {
                 InputKind::Random => None,
+                InputKind::Play => Some("every place of the journals in their play".to_owned()),
                 InputKind::Interval { lower_si, upper_si } | InputKind::SecondOrder { lower_si, upper_si } => {
                     Some(format!(
                         "every {name} from {} to {}",
@@ -338,8 +339,14 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
+    let turns = |number: f64| turns(number, result.cycle.drive_speed_rad_s, writer);
+    let cycle = if result.cycle.method.is_empty() {
+        format!("loops closed at each position of {}, without dynamics", turns(result.cycle.recorded_turns))
+    } else {
+        format!("{} of start-up, {} recorded", turns(result.cycle.transient_turns), turns(result.cycle.recorded_turns))
+    };
     format!(
-        "{runs}, {failed} Assumptions: the model as written, {}, {} of start-up, {} recorded.",
+        "{runs}, {failed} Assumptions: the model as written, {}, {cycle}.",
         match random {
             0 => "no random input".to_owned(),
             some => {
@@ -350,8 +357,6 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
                 )
             }
         },
-        turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s, writer),
-        turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s, writer),
     )
 }
 

@@ -58,6 +58,8 @@ pub enum InputKind {
         /// Upper end of what is looked at.
         upper_si: f64,
     },
+    /// The places of the journals of a mechanism in space: anywhere in their play, at each position.
+    Play,
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.

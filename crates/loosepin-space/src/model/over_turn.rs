@@ -12,7 +12,7 @@ use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::numbers::Values;
 use loosepin_text::units::SiUnit;
 use std::f64::consts::FRAC_PI_2;

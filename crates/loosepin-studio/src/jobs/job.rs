@@ -92,8 +92,9 @@ pub fn run_witness(
     let study = study_of(&result).map_err(message_and_hint)?;
     let (settings, plan) = witness_run(&study, &command.witness).ok_or_else(missing)?;
     let values = witness_words(&result).into_iter().nth(witness).map(|words| words.values.join(", "));
-    named(format!("{}: {}", study.model.name, values.unwrap_or_default()));
-    simulated(folder, &study.model, &settings, &plan, stop).map_err(|diagnostics| words(&diagnostics))
+    named(format!("{}: {}", study.model.name(), values.unwrap_or_default()));
+    let model = study.model.demand_planar().map_err(|diagnostics| words(&diagnostics))?;
+    simulated(folder, model, &settings, &plan, stop).map_err(|diagnostics| words(&diagnostics))
 }
 
 fn simulated(

@@ -81,30 +81,31 @@ fn seen_after(
     let mut reshaped = drag.map(|drag| drag.reshaped.clone());
     let mut drawing = None;
     let view = file.ok().and_then(|file| {
+        let model = file.model().planar()?;
         let warnings = match &file {
-            InputFile::Model(model) => &model.warnings,
-            InputFile::Study(study) => &study.warnings,
+            InputFile::Model(model) => model.warnings(),
+            InputFile::Study(study) => &study.warnings[..],
         };
         warnings.iter().for_each(|warning: &Diagnostic| diagnostics.push(warning.clone()));
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
-        match file.ideal_motion_until(positions, &[], &known_points(file.model(), &look.traced), stop) {
+        match file.ideal_motion_until(positions, &[], &known_points(model, &look.traced), stop) {
             Ok(record) => {
                 if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
                     reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
                 }
-                let view = view(&file, &record, look.curve.as_ref(), &texts);
+                let view = view((&file, model), &record, look.curve.as_ref(), &texts);
                 drawing = Some(record.drawing);
                 Some(view)
             }
             Err(_) if stop.load(Ordering::Relaxed) => None,
             Err(found) => file
                 .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
-                .map(|drawing| controlled(&file, &drawing, &texts))
+                .map(|drawing| controlled((&file, model), &drawing, &texts))
                 .or_else(|| {
                     let view = look.poses.as_ref().map(|poses| {
                         let mut poses = poses.clone();
                         poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
-                        incomplete(&file, &found, &poses, &texts)
+                        incomplete((&file, model), &found, &poses, &texts)
                     });
                     diagnostics.extend(found);
                     view
@@ -133,7 +134,7 @@ fn known_points(model: &Model, names: &[String]) -> Vec<String> {
     known.take(MAX_TRACED).cloned().collect()
 }
 
-fn view(file: &InputFile, record: &MotionRecord, curve: Option<&CurveKey>, texts: &Texts) -> View {
+fn view((file, model): (&InputFile, &Model), record: &MotionRecord, curve: Option<&CurveKey>, texts: &Texts) -> View {
     let limits = match (file, &texts.study) {
         (InputFile::Study(study), Some(source)) => limits(study, source),
         _ => Vec::new(),
@@ -150,29 +151,27 @@ fn view(file: &InputFile, record: &MotionRecord, curve: Option<&CurveKey>, texts
         curves: live_curves(record),
         curve: curve.and_then(|wanted| live_curve(record, wanted)),
         limits: limits.into_iter().flatten().collect(),
-        outline: outline(file.model(), &record.drawing, outputs(record)),
-        quantities: quantities(file.model(), texts),
+        outline: outline(model, &record.drawing, outputs(record)),
+        quantities: quantities(model, texts),
     }
 }
 
 /// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
-fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
+fn controlled(file: (&InputFile, &Model), drawing: &Drawing, texts: &Texts) -> View {
     let sentence = "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone.";
     let view = drawn(file, drawing, "Moved by its actuators".to_owned(), texts);
     View { sentences: vec![sentence.to_owned()], ..view }
 }
 
 /// What does not move yet is drawn where its bodies were put.
-fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
-    let model = file.model();
+fn incomplete((file, model): (&InputFile, &Model), found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
     let words = why_not(file, found);
-    let view = drawn(file, &still_drawing(model, &placed(model, poses)), words.clone(), texts);
+    let view = drawn((file, model), &still_drawing(model, &placed(model, poses)), words.clone(), texts);
     View { incomplete: Some(words), ..view }
 }
 
 /// A mechanism without an ideal motion: its drawing and its texts.
-fn drawn(file: &InputFile, drawing: &Drawing, mobility: String, texts: &Texts) -> View {
-    let model = file.model();
+fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: String, texts: &Texts) -> View {
     View {
         title: title(file),
         mobility,
@@ -195,7 +194,7 @@ fn named_outputs(model: &Model) -> Vec<OutputView> {
 
 fn title(file: &InputFile) -> String {
     match file {
-        InputFile::Model(model) => model.name.clone(),
+        InputFile::Model(model) => model.name().to_owned(),
         InputFile::Study(study) => study.name.clone(),
     }
 }

@@ -118,7 +118,7 @@ impl Texts {
     ) -> Result<InputFile, Diagnostics> {
         let model = Model::from_source(Arc::clone(&self.model))?;
         match &self.study {
-            None => Ok(InputFile::Model(Box::new(model))),
+            None => Ok(InputFile::Model(model.into())),
             Some(study) => {
                 let path = PathBuf::from(self.model.name());
                 Ok(InputFile::Study(Box::new(read(study, model, &path)?)))

@@ -77,10 +77,9 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
             }
-            (_, None) if matches!(input.subject, EpistemicSubject::Play) => (
-                InputKind::Interval { lower_si, upper_si },
-                "journals anywhere in their play, at each position on the worse side".to_owned(),
-            ),
+            (_, None) if matches!(input.subject, EpistemicSubject::Play) => {
+                (InputKind::Play, "journals anywhere in their play, at each position on the worse side".to_owned())
+            }
             (_, None) => (
                 InputKind::Interval { lower_si, upper_si },
                 format!("somewhere between {} and {}", written(lower_si), written(upper_si)),

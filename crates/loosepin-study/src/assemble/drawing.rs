@@ -152,7 +152,7 @@ mod tests {
         let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
         let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal()[input.quantity]).collect();
         let values = response.values(&nominal, &middle).unwrap();
-        let (cycle, settings) = (study.cycle.clone(), *response.settings());
+        let (cycle, settings) = (study.cycle.clone(), *response.planar().unwrap().settings());
         let plan = Plan {
             cycle,
             settings,
@@ -161,7 +161,7 @@ mod tests {
             second_run: false,
             overrides: Vec::new(),
         };
-        let mechanism = &response.mechanisms[response.variant(&middle)];
+        let mechanism = &response.planar().unwrap().mechanisms[response.variant(&middle)];
         let whole = simulate(mechanism, &values, &plan).unwrap();
         let mut poses = simulate_poses(mechanism, &values, &plan).unwrap();
         // Loops are closed from the pose that was asked for before: that differs.

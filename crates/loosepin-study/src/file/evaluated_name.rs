@@ -1,8 +1,8 @@
 //! From the name of a number in results, `slider total maximum_absolute`, back to the question that asks for it.
 
 use super::words::{DEVIATIONS, REDUCTIONS};
-use crate::response::outputs::study_outputs;
 use crate::model::StudyModel;
+use crate::response::outputs::study_outputs;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 
 /// The keys of a question.
@@ -57,7 +57,12 @@ impl NamedQuestion {
         let found = curve.rsplit_once(' ').and_then(|(output, word)| {
             let output = outputs.iter().find(|known| known.name == output)?;
             let of = DEVIATIONS.iter().find(|(known, _)| *known == word)?.0;
-            Some(Self { output: model.output_names().get(output.output).map_or(String::new(), |name| (*name).to_owned()), component: output.component, of, place })
+            Some(Self {
+                output: model.output_names().get(output.output).map_or(String::new(), |name| (*name).to_owned()),
+                component: output.component,
+                of,
+                place,
+            })
         });
         found.ok_or_else(|| {
             let curves = outputs.iter().flat_map(|output| DEVIATIONS.map(|(of, _)| format!("{} {of}", output.name)));

@@ -135,7 +135,11 @@ impl Study {
     ///
     /// # Errors
     /// Everything that is wrong with the text, each with its place.
-    pub fn of_model(source: &Arc<Source>, model: impl Into<StudyModel>, model_path: &Path) -> Result<Study, Diagnostics> {
+    pub fn of_model(
+        source: &Arc<Source>,
+        model: impl Into<StudyModel>,
+        model_path: &Path,
+    ) -> Result<Study, Diagnostics> {
         read(source, Stage::Complete, |_| Ok((model.into(), model_path.to_owned())))
     }
 
@@ -144,7 +148,11 @@ impl Study {
     ///
     /// # Errors
     /// As for [`Study::of_model`].
-    pub fn draft_of_model(source: &Arc<Source>, model: impl Into<StudyModel>, model_path: &Path) -> Result<Study, Diagnostics> {
+    pub fn draft_of_model(
+        source: &Arc<Source>,
+        model: impl Into<StudyModel>,
+        model_path: &Path,
+    ) -> Result<Study, Diagnostics> {
         read(source, Stage::Draft, |_| Ok((model.into(), model_path.to_owned())))
     }
 

@@ -35,7 +35,8 @@ impl StudyModel {
                 own.map(|(play, quantity)| Clearance { name: model.play_name(play).to_owned(), quantity }).collect()
             }
             Self::Spatial(model) => {
-                let depends = |clearance: QuantityId| clearance == id || model.quantities.roots(clearance).contains(&id);
+                let depends =
+                    |clearance: QuantityId| clearance == id || model.quantities.roots(clearance).contains(&id);
                 spatial_clearances(model).filter(|own| depends(own.quantity)).collect()
             }
         }
@@ -106,7 +107,6 @@ impl StudyModel {
     pub fn check_law(&self, contact: ContactId, law: NormalDescription) -> Result<(), LawError> {
         self.planar().map_or(Ok(()), |model| model.with_law(contact, law).map(|_| ()))
     }
-
 }
 
 /// The clearances of joints in space, in file order: of a pin the radial one and that along its axis.

@@ -3,12 +3,14 @@
 //! What only one of them has is reached by [`StudyModel::planar`] and [`StudyModel::spatial`].
 
 mod inputs;
+pub use inputs::Clearance;
 mod turn;
 
-use loosepin_mechanics::model::Model;
+use loosepin_mechanics::model::{Model, ModelProblem};
 use loosepin_result::repeat::InputRole;
 use loosepin_space::{SpatialModel, is_spatial};
-use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Place, Source, problems};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
+use loosepin_text::document::parse_toml;
 use loosepin_text::numbers::QuantityTable;
 use loosepin_text::units::{Dimension, DisplayUnits};
 use std::sync::Arc;
@@ -22,18 +24,12 @@ pub enum StudyModel {
     Spatial(Box<SpatialModel>),
 }
 
-problems! {
-    /// Why something cannot be done with a model in space.
-    #[derive(Debug, Clone, PartialEq)]
-    pub enum SpaceRefusal {
-        NotInSpace { what: String } => Code::WrongKindOfFile,
-            says("{what} is for planar models; this one says geometry = \"space\""),
-            hint("models in space take check, motion and study");
-    }
-}
-
-fn refused(what: &str, source: &Arc<Source>) -> Diagnostics {
-    Diagnostics::one(&SpaceRefusal::NotInSpace { what: what.to_owned() }, Some(Place::new(source, 0..0)))
+/// That a model in space is where only planar ones are taken, at its key `geometry`.
+fn refused(source: &Arc<Source>) -> Diagnostics {
+    let toml = parse_toml(source).ok();
+    let value = toml.as_ref().and_then(|toml| toml.get_ref().get("geometry"));
+    let span = value.map_or(0..0, |value| value.span());
+    Diagnostics::one(&ModelProblem::InSpace, Some(Place::new(source, span)))
 }
 
 impl From<Model> for StudyModel {
@@ -76,22 +72,22 @@ impl StudyModel {
         }
     }
 
-    /// The planar model, for `what` takes no other.
+    /// The planar model, where no other is taken.
     ///
     /// # Errors
     /// The model is in space.
-    pub fn demand_planar(&self, what: &str) -> Result<&Model, Diagnostics> {
-        self.planar().ok_or_else(|| refused(what, self.source()))
+    pub fn demand_planar(&self) -> Result<&Model, Diagnostics> {
+        self.planar().ok_or_else(|| refused(self.source()))
     }
 
-    /// The planar model itself, for `what` takes no other.
+    /// The planar model itself, where no other is taken.
     ///
     /// # Errors
     /// The model is in space.
-    pub fn into_planar(self, what: &str) -> Result<Model, Diagnostics> {
+    pub fn into_planar(self) -> Result<Model, Diagnostics> {
         match self {
             Self::Planar(model) => Ok(*model),
-            Self::Spatial(model) => Err(refused(what, model.source())),
+            Self::Spatial(model) => Err(refused(model.source())),
         }
     }
 

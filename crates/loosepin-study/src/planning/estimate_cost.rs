@@ -187,7 +187,7 @@ fn time_variant(response: &PlanarResponse, variant: usize, (runs, inputs): (usiz
 #[cfg(test)]
 mod tests {
     use super::{Timing, estimate_cost};
-    use crate::response::study_response::StudyResponse;
+    use crate::response::planar_response::PlanarResponse;
     use crate::written::texts::study_with;
     use loosepin_simulate::{Execution, RunFailure};
     use std::time::Duration;
@@ -221,8 +221,8 @@ mod tests {
 
     #[test]
     fn a_run_that_is_timed_is_given_up_after_the_evaluations_it_has() {
-        let mut response = StudyResponse::new(&study_with(WORN_PIN, &[])).unwrap();
-        planar.limit_evaluations(50);
+        let mut response = PlanarResponse::new(&study_with(WORN_PIN, &[])).unwrap();
+        response.limit_evaluations(50);
         let mut waiting = [(0, &[0.05, 0.12][..], &[0.0005, 0.8][..])].into_iter();
         let mut outcomes = Vec::new();
         response.run_all(0, Execution::best(), || waiting.next(), |_, outcome| outcomes.push(outcome.map(|_| ())));

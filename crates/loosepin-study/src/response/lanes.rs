@@ -2,8 +2,8 @@
 
 use crate::response::extras::{JointExtras, RunExtras};
 use crate::response::ideal_tables::{CachedIdealMotion, IdealKey};
-use crate::response::recorder::{Recorder, References};
 use crate::response::planar_response::{PlanarResponse, window};
+use crate::response::recorder::{Recorder, References};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, LifePlan, Observer, PlaySummary, Queue, Run, RunFailure, RunReport,
@@ -233,6 +233,7 @@ where
 mod tests {
     use crate::Study;
     use crate::response::planar_response::PlanarResponse;
+    use crate::response::study_response::StudyResponse;
     use crate::runs::evaluate::{Work, evaluate};
     use loosepin_bounds::{Purpose, RunInputs};
     use loosepin_mechanics::model::Model;
@@ -298,7 +299,12 @@ mod tests {
         let [round, point, replicate, index] = [0; 4];
         let (random, epistemic) = (Vec::new(), COEFFICIENTS_M2_N[1].to_vec());
         let batch = [RunInputs { round, purpose: Purpose::DoubleLoop, point, replicate, index, random, epistemic }];
-        let work = Work { batch: &batch, is_waiting: &[true], response: &response, stop: &stop };
+        let work = Work {
+            batch: &batch,
+            is_waiting: &[true],
+            response: &StudyResponse::Planar(Box::new(response)),
+            stop: &stop,
+        };
         let rows = evaluate(&work, vec![None], &|| false, &|_, _| panic!("a row was kept"));
         assert!(rows.iter().all(Option::is_none));
     }

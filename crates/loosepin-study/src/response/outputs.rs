@@ -6,7 +6,7 @@ use loosepin_mechanics::model::{JointId, Model, Position, Recorded, WearMeasure}
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Reading, columns, relative_words};
 use loosepin_space::SampledPart;
-use loosepin_text::units::{Dimension, SiUnit, distinct};
+use loosepin_text::units::{Dimension, SiUnit};
 
 /// One number of a model that a study can ask about.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,11 +80,6 @@ pub const COMPONENTS: [&str; 6] = {
     }
     names
 };
-
-/// The names of the components that outputs have, each once, in the order in which they come.
-pub fn components(outputs: &[StudyOutput]) -> Vec<&'static str> {
-    distinct(outputs.iter().filter_map(|output| output.component))
-}
 
 /// All that can be asked of a model, in file order; of a path each of its parts.
 pub fn study_outputs(model: &StudyModel) -> Vec<StudyOutput> {

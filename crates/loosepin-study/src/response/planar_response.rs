@@ -133,12 +133,6 @@ impl PlanarResponse {
         self.targets.variant(epistemic)
     }
 
-    /// Numbers of a row: columns, then extras.
-    #[cfg(test)]
-    pub fn row_length(&self) -> usize {
-        self.shared.plan.columns.len() + RunExtras::count(self.joints.len())
-    }
-
     /// How every run is integrated.
     pub fn settings(&self) -> &Settings {
         &self.settings
@@ -160,6 +154,24 @@ impl PlanarResponse {
     /// A value breaks its rule.
     pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
         self.targets.values(&self.mechanism().model.quantities, random, epistemic)
+    }
+}
+
+#[cfg(test)]
+impl PlanarResponse {
+    /// Compiles `study`, whose model is planar.
+    pub fn new(study: &Study) -> Result<Self, PrepareError> {
+        Self::with_plays(study, study.model.demand_planar().unwrap(), &[])
+    }
+
+    /// Numbers of a row: columns, then extras.
+    pub fn row_length(&self) -> usize {
+        self.shared.plan.columns.len() + RunExtras::count(self.joints.len())
+    }
+
+    /// Extras of a run, read from its row.
+    pub fn extras(&self, row: &[f64]) -> RunExtras {
+        RunExtras::read(row, self.joints.len())
     }
 }
 

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::file::{Deviation, Reduction, Study};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::response::columns::{ColumnPlan, Location, StudyColumn};
 use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::outputs::OutputSource;
@@ -93,7 +93,9 @@ impl SpatialResponse {
             };
             reads.push(Read { part, place });
         }
-        let sampler = TurnSampler::new(model, &nominal, &turns, &parts).map_err(failure)?;
+        let sampler =
+            TurnSampler::new(model, &nominal, &turns, &parts).and_then(|own| own.with_play_side(PlaySide::Exact));
+        let sampler = sampler.map_err(failure)?;
         let ideal = &sampler.nominal().ideal_si;
         let at_pose = |read: &Read| read.place.map_or(f64::NAN, |place| ideal[read.part * turns.len() + place]);
         Ok(Self {
@@ -123,9 +125,9 @@ impl SpatialResponse {
     /// A value breaks its rule; the loops do not close.
     pub fn row(&self, random: &[f64], epistemic: &[f64]) -> Result<Vec<f64>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = self.sampler.sample(&values, PlaySide::Exact).map_err(failure)?;
+        let sample = self.sampler.sample(&values).map_err(failure)?;
         let share = 0.5 * (1.0 + self.targets.play(epistemic));
-        let column = |(read, column): (&Read, &crate::response::columns::StudyColumn)| {
+        let column = |(read, column): (&Read, &StudyColumn)| {
             let ends = self.ends(&sample, read, column.deviation, column.spot);
             ends.lower + (ends.upper - ends.lower) * share
         };
@@ -153,10 +155,9 @@ impl SpatialResponse {
                     Ends { lower: sample.from_nominal_si[own], upper: sample.from_nominal_si[own] }
                 }
                 Deviation::Clearance => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
-                Deviation::Total => Ends {
-                    lower: sample.smallest_from_nominal_si[own],
-                    upper: sample.largest_from_nominal_si[own],
-                },
+                Deviation::Total => {
+                    Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
+                }
             }
         };
         match (read.place, spot) {

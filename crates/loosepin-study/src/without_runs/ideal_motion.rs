@@ -74,7 +74,7 @@ impl InputFile {
         paths: &[String],
         motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
     ) -> Result<MotionRecord, Diagnostics> {
-        let model = self.model().demand_planar("this motion")?;
+        let model = self.model().demand_planar()?;
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
         let paths = model.points_of_paths(paths)?;

@@ -40,7 +40,7 @@ pub(crate) fn judge(
     if study.requirements.is_empty() {
         return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
     }
-    let model = study.model.demand_planar("the judgement of requirements without runs")?;
+    let model = study.model.demand_planar()?;
     let set_values = model.set_values(set)?;
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
     let mut limits = study.input_limits();

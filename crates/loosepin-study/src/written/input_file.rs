@@ -48,13 +48,13 @@ impl InputFile {
         }
     }
 
-    /// The planar model, for `what` takes no other.
+    /// The planar model.
     ///
     /// # Errors
     /// It is a study; the model is in space.
-    pub fn into_planar_model(self, what: &str) -> Result<Model, Diagnostics> {
+    pub fn into_model(self) -> Result<Model, Diagnostics> {
         match self {
-            InputFile::Model(model) => model.into_planar(what),
+            InputFile::Model(model) => model.into_planar(),
             InputFile::Study(study) => {
                 let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
                 Err(Diagnostics::one(&problem, Some(Place::new(study.source(), 0..0))))

@@ -2,9 +2,9 @@
 
 use crate::file::Study;
 use crate::model::StudyModel;
+use loosepin_mechanics::model::Model;
 use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
-use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::Source;
 use std::sync::Arc;
 

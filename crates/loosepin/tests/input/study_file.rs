@@ -57,7 +57,7 @@ fn a_study_is_read_in_file_order_and_si() {
 fn poses_and_limits_of_angles_are_in_radians() {
     let study = template("four-bar");
     let Where::Poses { angles_rad } = &study.asks[1].location else { panic!("poses") };
-    assert_eq!(study.model.cycle_input(&study.model.quantities.nominal()).name, "crank");
+    assert_eq!(study.model.cycle_input(&study.model.quantities().nominal()).name, "crank");
     assert_eq!(*angles_rad, [60_f64.to_radians(), 240_f64.to_radians()]);
     assert_eq!(study.asks[1].asked[1], Asked::Statistic(Statistic::ProbabilityBeyond(0.1_f64.to_radians())));
 }

@@ -17,6 +17,7 @@ mod paths;
 mod position_tolerance;
 mod promise;
 mod silent;
+mod space;
 mod stress;
 mod study_accuracy;
 mod surrogates;

@@ -66,13 +66,19 @@ fn a_fit_of_a_warm_joint_is_that_of_its_drawing() {
                  [[ask]]\noutput = \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
     let study = Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let id = study.model.find("joint.gudgeon.radial_clearance").expect("a free number");
-    let plays: Vec<_> = study.model.play_from(id).collect();
+    let plays = study.model.play_from(id);
     assert_eq!(plays.len(), 1);
-    assert_ne!(plays[0].1, id, "what runs see is the clearance of the warm parts");
+    assert_ne!(plays[0].quantity, id, "what runs see is the clearance of the warm parts");
     // What no body states for itself cannot be set for it.
-    let hint = study.model.parse_setting("body.rod.temperature_rise=10K").expect_err("the rod states none").to_string();
+    let hint = study
+        .model
+        .planar()
+        .expect("planar")
+        .parse_setting("body.rod.temperature_rise=10K")
+        .expect_err("the rod states none")
+        .to_string();
     assert!(hint.contains("body 'rod' states no temperature_rise of its own"), "{hint}");
     // A temperature is no clearance.
     let rise = study.model.find("body.slider.temperature_rise").expect("a free number");
-    assert_eq!(study.model.play_from(rise).count(), 0);
+    assert_eq!(study.model.play_from(rise).len(), 0);
 }

@@ -87,7 +87,8 @@ impl Model {
             Origin::Literal | Origin::Default => Ok(id),
             Origin::Fixed => Err(PathError::Fixed { path: path.to_owned() }),
             Origin::Expression { .. } => {
-                let depends_on = self.quantities.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
+                let depends_on =
+                    self.quantities.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
                 Err(PathError::Expression { path: path.to_owned(), depends_on })
             }
         }

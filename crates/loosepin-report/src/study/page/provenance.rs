@@ -98,6 +98,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
         InputKind::Evidence { is_scattering: false, .. } => "evidence",
         InputKind::Evidence { is_scattering: true, .. } => "probability box",
         InputKind::Fuzzy { .. } => "fuzzy number",
+        InputKind::Play => "places of journals",
         InputKind::Choice { .. } => "one of a list",
     }
 }
@@ -115,11 +116,14 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
     });
     let turns = |number: f64| turns(number, cycle.drive_speed_rad_s, writer);
     let tolerance = writer.with_tag(&Tag::Given("tolerance")).value_shortest(cycle.tolerance_m, &SiUnit::LENGTH);
+    // Positions that are closed have neither steps nor a start.
+    let is_integrated = !cycle.method.is_empty();
+    let integration = if is_integrated { format!("{}, tolerance {tolerance}", cycle.method) } else { String::new() };
     let (start_up, recorded) = (turns(cycle.transient_turns), turns(cycle.recorded_turns));
     let known = [
         ("Cycle", format!("{}{speed}; {start_up} of start-up, then {recorded} recorded", cycle.drive)),
         ("Runs", runs_words(result, writer)),
-        ("Integration", format!("{}, tolerance {tolerance}", cycle.method)),
+        ("Integration", integration),
         ("Reading of an interval", readings.join("; ")),
         ("Guarantee of the bounds", guarantees),
         ("Seed", count(result.seed, &writer.with_tag(&Tag::Given("seed")))),

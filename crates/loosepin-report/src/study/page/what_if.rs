@@ -65,9 +65,11 @@ fn range_si(kind: &InputKind) -> Option<[f64; 2]> {
         }
         // The first cut is the widest.
         InputKind::Fuzzy { cuts } => cuts.first().map(|cut| [cut.lower_si, cut.upper_si]),
-        InputKind::Random | InputKind::Choice { .. } | InputKind::Evidence { .. } | InputKind::SecondOrder { .. } => {
-            None
-        }
+        InputKind::Random
+        | InputKind::Play
+        | InputKind::Choice { .. }
+        | InputKind::Evidence { .. }
+        | InputKind::SecondOrder { .. } => None,
     }
 }
 

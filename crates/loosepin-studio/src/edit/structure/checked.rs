@@ -255,7 +255,7 @@ pub fn said(before: &Texts, texts: &Texts) -> LibraryFindings {
 
 /// Why a mechanism does not move, in words: first how many degrees of freedom are too many or too few.
 pub fn why_not(file: &InputFile, found: &Diagnostics) -> String {
-    let model = file.model();
+    let Some(model) = file.model().planar() else { return found.to_string() };
     let bodies = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     match Mechanism::new(model, &model.quantities.nominal()) {
         Err(MechanismError::TooFewDrives { mobility, drives, undetermined }) => {

@@ -137,12 +137,8 @@ impl StudyReader {
             if (bearing_m - diameter_m).abs() > OTHER_DIAMETER * bearing_m {
                 let [diameter, bearing] =
                     [diameter_m, bearing_m].map(|value_m| format_value(value_m, Dimension::LENGTH));
-                let problem = RandomProblem::OtherDiameter {
-                    entry: diameter_entry.path.describe(),
-                    diameter,
-                    joint,
-                    bearing,
-                };
+                let problem =
+                    RandomProblem::OtherDiameter { entry: diameter_entry.path.describe(), diameter, joint, bearing };
                 let place = Place::new(&self.reader.source, diameter_entry.span);
                 self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
             }

@@ -1,0 +1,138 @@
+//! Studies of mechanisms in space against closed forms: a four-bar with two balls, whose rocker depends on the length of its coupler alone.
+
+use crate::silent::run;
+use loosepin::space::SpatialModel;
+use loosepin::study::Study;
+use loosepin::study::result::{BoundRecord, StudyResult};
+use loosepin::templates::{SPATIAL_TEMPLATES, find_template};
+
+const MM: f64 = 1e-3;
+const COUPLER_M: f64 = 0.25;
+
+/// Angle of the rocker of the four-bar with two balls for a coupler of this length, rad (shared notes of the project, closed form): D is the
+/// vector from the pin of the crank to the pivot, e2 and a2 are the direction from which the angle counts and the axis.
+///
+/// ```text
+/// P = 2k D·e2,  Q = 2k D·(a2×e2),  S = L² - k² - D·D,   ψ = atan2(Q, P) + acos(S/sqrt(P² + Q²))
+/// ```
+fn rocker_rad(crank_rad: f64, coupler_m: f64) -> f64 {
+    const CRANK_M: f64 = 0.05;
+    const ROCKER_M: f64 = 0.12;
+    let pivot_m = [0.22, 0.04, 0.06];
+    let pin_m = [CRANK_M * crank_rad.cos(), CRANK_M * crank_rad.sin(), 0.0];
+    let d: Vec<f64> = pivot_m.iter().zip(pin_m).map(|(pivot, pin)| pivot - pin).collect();
+    // a2 = (0.6, 0.8, 0), e2 = z: a2 × e2 = (0.8, -0.6, 0).
+    let p = 2.0 * ROCKER_M * d[2];
+    let q = 2.0 * ROCKER_M * (0.8 * d[0] - 0.6 * d[1]);
+    let s = coupler_m * coupler_m - ROCKER_M * ROCKER_M - d.iter().map(|x| x * x).sum::<f64>();
+    q.atan2(p) + (s / p.hypot(q)).acos()
+}
+
+fn four_bar() -> SpatialModel {
+    let text = find_template("spatial-four-bar").expect("template").model;
+    SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+}
+
+fn studied(inputs: &str, question: &str) -> StudyResult {
+    let text = format!(
+        "name = \"four-bar\"\nmodel = \"model.toml\"\n[sampling]\nouter = 6\ninner = 512\nreplicates = 4\n{inputs}\n[[ask]]\noutput = \"rocker\"\n{question}\n"
+    );
+    let study = Study::from_text("study.toml", &text, four_bar()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    run(&study).result
+}
+
+fn bound(result: &StudyResult) -> &BoundRecord {
+    &result.bounds[0]
+}
+
+/// Both balls have up to this much play: the coupler acts as if it were twice as much longer or shorter.
+const CLEARANCE: &str = "\"joint.rocker_ball.radial_clearance\" = { interval = [\"0.05 mm\", \"0.2 mm\"] }";
+
+#[test]
+fn analytic_unknown_play_alone_reaches_the_ends_of_the_closed_form() {
+    let result = studied(
+        &format!("[epistemic]\n{CLEARANCE}"),
+        "of = \"clearance\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [\"mean\"]",
+    );
+    let at = 60f64.to_radians();
+    let ends = [0.3, -0.3].map(|longer_mm| rocker_rad(at, COUPLER_M + longer_mm * MM) - rocker_rad(at, COUPLER_M));
+    let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    let found = bound(&result);
+    assert!((found.lower.value_si - low).abs() < 1e-9 * high, "{found:?} {low}");
+    assert!((found.upper.value_si - high).abs() < 1e-9 * high, "{found:?} {high}");
+}
+
+#[test]
+fn analytic_scatter_and_play_together_bound_a_quantile() {
+    let result = studied(
+        &format!(
+            "[random]\n\"parameter.coupler_length\" = {{ normal = {{ standard_deviation = \"0.05 mm\" }} }}\n[epistemic]\n{CLEARANCE}"
+        ),
+        "of = \"total\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [{ quantile = 0.9 }]",
+    );
+    let at = 60f64.to_radians();
+    // The quantile of 0.9 of a normal distribution. The rocker falls or rises with the coupler: its quantile is at one end of it.
+    const Z: f64 = 1.281_551_565_544_600_4;
+    let of = |sign: f64, play_mm: f64| {
+        rocker_rad(at, COUPLER_M + sign * Z * 0.05 * MM + play_mm * MM) - rocker_rad(at, COUPLER_M)
+    };
+    let rises = rocker_rad(at, COUPLER_M + MM) > rocker_rad(at, COUPLER_M);
+    let sign = if rises { 1.0 } else { -1.0 };
+    let (low, high) = (of(sign, -sign * 0.3), of(sign, sign * 0.3));
+    let found = bound(&result);
+    for (end, exact) in [(&found.lower, low), (&found.upper, high)] {
+        let error_si = (end.widened_si - end.value_si).abs();
+        assert!(error_si > 0.0 && error_si < 0.1 * high.abs(), "{found:?}");
+        assert!((end.value_si - exact).abs() < 2.0 * error_si, "{exact} {found:?}");
+    }
+}
+
+#[test]
+fn analytic_lengths_alone_have_the_standard_deviation_of_their_derivative() {
+    let result = studied(
+        "[random]\n\"parameter.coupler_length\" = { normal = { standard_deviation = \"0.01 mm\" } }",
+        "of = \"dimensional\"\nposes = { crank = [\"0 deg\"] }\nstatistics = [\"standard_deviation\"]",
+    );
+    let slope = (rocker_rad(0.0, COUPLER_M + 1e-6) - rocker_rad(0.0, COUPLER_M - 1e-6)) / 2e-6;
+    let exact = slope.abs() * 0.01 * MM;
+    let found = bound(&result);
+    assert!((found.upper.value_si - exact).abs() < 0.02 * exact, "{exact} {found:?}");
+}
+
+#[test]
+fn analytic_the_largest_deviation_of_a_turn_is_that_of_its_worst_position() {
+    let result = studied(
+        &format!("[epistemic]\n{CLEARANCE}"),
+        "of = \"clearance\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\"]",
+    );
+    let reach = |k: usize| {
+        let at = f64::from(k as u32) * 5f64.to_radians();
+        let ideal = rocker_rad(at, COUPLER_M);
+        [0.3, -0.3].map(|mm| (rocker_rad(at, COUPLER_M + mm * MM) - ideal).abs()).into_iter().fold(0.0, f64::max)
+    };
+    let largest = (0..72).map(reach).fold(0.0, f64::max);
+    let found = bound(&result);
+    assert!((found.upper.value_si - largest).abs() < 1e-9 * largest, "{found:?} {largest}");
+    // Journals that stay in the middle make no deviation.
+    assert!(found.lower.value_si.abs() < 1e-12, "{found:?}");
+}
+
+#[test]
+fn every_template_in_space_has_a_study_that_runs() {
+    for template in SPATIAL_TEMPLATES {
+        let model =
+            SpatialModel::from_text("model.toml", template.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let small = |line: &str| match line.split(" = ").next() {
+            Some("outer") => "outer = 4\n".to_owned(),
+            Some("inner") => "inner = 8\n".to_owned(),
+            _ => format!("{line}\n"),
+        };
+        let text: String = template.study.lines().map(small).collect();
+        let study =
+            Study::from_text("study.toml", &text, model).unwrap_or_else(|found| panic!("{}: {found}", template.name));
+        assert!(study.warnings.is_empty(), "{}: {:?}", template.name, study.warnings);
+        let result = run(&study).result;
+        assert_eq!(result.counts.failed, 0, "{}: {:?}", template.name, result.failures);
+        assert!(result.bounds.iter().any(|bound| bound.upper.value_si > 0.0), "{}", template.name);
+    }
+}
