@@ -22,7 +22,13 @@ pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
     let (start, closing) = if model.cycle.is_some() {
         let positions = model.positions(&mechanism, &values)?;
         let count = positions.len();
-        (positions.into_iter().next(), format!("The loops close over the whole turn, at {count} positions."))
+        (
+            positions.into_iter().next(),
+            match model.drives.is_empty() {
+                true => "The loops close at the start; nothing is driven.".to_owned(),
+                false => format!("The loops close at all {count} positions of the cycle."),
+            },
+        )
     } else {
         let found = assemble(&mechanism, &model.drive_values(&values, 0.0));
         let start = found.map_err(|error| model.not_closed(&error))?;

@@ -20,7 +20,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     warn(warnings(&file));
     if let Some(model) = file.model().spatial() {
-        return move_in_space(arguments, model);
+        return move_in_space(arguments, &file, model);
     }
     let record = file.motion_answer(&arguments.set, &arguments.path, &AtomicBool::new(false))?;
     let inputs = file.motion_inputs(&arguments.set, &arguments.path);

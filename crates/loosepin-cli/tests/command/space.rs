@@ -44,10 +44,11 @@ fn what_does_not_know_space_refuses_it() {
     );
     desk.fail(&["simulate", "model.toml"], &message);
     desk.fail(
-        &["motion", "model.toml", "--set", "a=1"],
-        "error[E0207]: --set cannot be used with a model in space yet",
+        &["motion", "model.toml", "--path", "rod.slider"],
+        "error[E0207]: --path cannot be used with a model in space yet",
     );
-    desk.write("study.toml", "model = \"model.toml\"\n");
-    let study = desk.run(&["check", "study.toml"]);
-    assert!(study.messages.contains("this command works on planar models"), "{}", study.messages);
+    desk.fail(
+        &["motion", "model.toml", "--set", "parameter.rod_lenght=310mm"],
+        "--set:1:1: error[E0405]: the model has no quantity 'parameter.rod_lenght'",
+    );
 }

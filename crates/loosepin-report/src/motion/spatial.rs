@@ -5,6 +5,8 @@ use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::{Cell, Column, Content, Section, Table};
 use loosepin_text::units::{Dimension, SiUnit, counted, format_number, format_value};
 
+/// A number below this share of those that it stands with is round-off.
+const ROUND_OFF: f64 = 1e-12;
 /// Digits of deviations.
 const DIGITS: i32 = 4;
 
@@ -52,11 +54,12 @@ fn outputs(record: &SpatialMotionRecord) -> Section {
 }
 
 fn row(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> Vec<Cell> {
-    let value = |value_si: f64| shown(value_si, &output.unit, value_si);
     let deviation = |value_si: f64| shown_deviation(value_si, output);
     let ends = (!output.ideal_si.is_empty()).then(|| {
         let ideal = output.ideal_si.iter().copied();
-        [ideal.clone().fold(f64::INFINITY, f64::min), ideal.fold(f64::NEG_INFINITY, f64::max)].map(value)
+        let ends = [ideal.clone().fold(f64::INFINITY, f64::min), ideal.fold(f64::NEG_INFINITY, f64::max)];
+        let scale_si = ends[0].abs().max(ends[1].abs());
+        ends.map(|value_si| shown(value_si, &output.unit, scale_si))
     });
     let [smallest, largest] = ends.map_or([None, None], |ends| ends.map(Some));
     let worst = record.has_play.then(|| output.first_order_si.get(output.worst.sample).copied()).flatten();
@@ -111,6 +114,7 @@ fn shown(value_si: f64, unit: &SiUnit, scale_si: f64) -> String {
     }
     let is_length = *unit == SiUnit::LENGTH;
     let size = scale_si.abs();
+    let value_si = if value_si.abs() < ROUND_OFF * size { 0.0 } else { value_si };
     let (per_si, symbol) = match (is_length, size > 0.0 && size < if is_length { 1e-3 } else { 1e-2 }) {
         (true, true) => (1e6, "µm"),
         (true, false) => (1e3, "mm"),

@@ -12,6 +12,8 @@ pub struct DrivePlace {
     pub driven_joint: String,
     /// Its coordinate there, rad or m.
     pub value: f64,
+    /// Whether that is a length, m.
+    pub is_length: bool,
 }
 
 /// The joint whose row is farthest from closing.
@@ -93,11 +95,10 @@ impl ClosureError {
 
 impl fmt::Display for DrivePlace {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "input {}", self.input)?;
         if self.driven_joint.is_empty() {
-            return Ok(());
+            return write!(out, "input {}", self.input);
         }
-        write!(out, ", '{}' at {}", self.driven_joint, self.value)
+        write!(out, "'{}' at {}", self.driven_joint, readable(self.value, self.is_length))
     }
 }
 
@@ -105,9 +106,15 @@ impl fmt::Display for OpenJoint {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         // To three digits.
         let apart = format!("{:.2e}", self.apart).parse().unwrap_or(self.apart);
-        let dimension = if self.is_length { Dimension::LENGTH } else { Dimension::ANGLE };
-        write!(out, "joint '{}' is {} apart", self.joint, format_value(apart, dimension))
+        write!(out, "joint '{}' is {} apart", self.joint, readable(apart, self.is_length))
     }
+}
+
+/// A length or an angle for people.
+fn readable(value_si: f64, is_length: bool) -> String {
+    // What a search ends at has no more digits than these.
+    let value_si = format!("{value_si:.5e}").parse().unwrap_or(value_si);
+    format_value(value_si, if is_length { Dimension::LENGTH } else { Dimension::ANGLE })
 }
 
 impl fmt::Display for ClosureError {
@@ -125,7 +132,8 @@ impl fmt::Display for ClosureError {
             Self::Reversed { joint } => {
                 write!(
                     out,
-                    "joint '{joint}': an axis of its bearing's marker points against that of its journal's; turn one of them"
+                    "joint '{joint}': at the start its axes in bearing and journal are more than a right angle apart; say where its bodies start \
+                     under [assembly] guess, or turn one of the axes"
                 )
             }
             Self::Locked { place, joint } => {

@@ -143,7 +143,8 @@ fn place_of(loops: &Loops, input: f64, here: &[f64], next: &[f64]) -> DrivePlace
     let moving = here.iter().zip(next).position(|(a, b)| a != b).or_else(|| (!here.is_empty()).then_some(0));
     let drive = moving.and_then(|number| loops.mechanism.drives().get(number).zip(here.get(number)));
     let driven_joint = drive.map_or(String::new(), |(drive, _)| loops.mechanism.joints()[drive.joint].name.clone());
-    DrivePlace { input, driven_joint, value: drive.map_or(0.0, |(_, value)| *value) }
+    let is_length = drive.is_some_and(|(drive, _)| drive.coordinate == JointCoordinate::Slide);
+    DrivePlace { input, driven_joint, value: drive.map_or(0.0, |(_, value)| *value), is_length }
 }
 
 /// A target that is the nearest to `from` of those that differ by whole turns, for drives that are angles.

@@ -1,6 +1,6 @@
 //! A model over its turn: ideal motion, worst cases, and who contributes, as a record.
 
-use super::parts::{ModelOutput, ModelOutputKind, SpatialModel};
+use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
 use crate::closure::cycle;
@@ -12,9 +12,9 @@ use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::Values;
-use loosepin_text::units::SiUnit;
+use loosepin_text::units::{Dimension, SiUnit, format_value};
 use std::f64::consts::FRAC_PI_2;
 
 impl SpatialModel {
@@ -33,10 +33,9 @@ impl SpatialModel {
         let mut poses = Vec::with_capacity(positions.len());
         // One after the other: the loop equations of all positions at once may be gigabytes.
         for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
-            let accuracy =
-                PoseAccuracy::new(&mechanism, position).map_err(|error| no_answer("the motion", *at, error))?;
+            let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
-                course.add(sample, &accuracy).map_err(|error| no_answer(&output.name, *at, error))?;
+                course.add(sample, &accuracy).map_err(|error| self.no_answer(&output.name, *at, error))?;
             }
             poses.push(accuracy.position().poses.clone());
         }
@@ -44,7 +43,7 @@ impl SpatialModel {
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
             let worst =
-                course.worst_case(&mechanism, &positions).map_err(|error| no_answer(&output.name, at, error))?;
+                course.worst_case(&mechanism, &positions).map_err(|error| self.no_answer(&output.name, at, error))?;
             self.output_record(output, course, worst, &states)
         });
         Ok(SpatialMotionRecord {
@@ -106,6 +105,16 @@ impl SpatialModel {
         })
     }
 
+    /// Why an output has no answer at a place of the input, at the table of the output; of all outputs where it has no name.
+    fn no_answer(&self, output: &str, input: f64, error: AccuracyError) -> Diagnostics {
+        let is_time = self.cycle.is_none_or(|cycle| matches!(cycle.span, ModelCycleSpan::Duration(_)));
+        let at = format_value(input, if is_time { Dimension::TIME } else { Dimension::ANGLE });
+        let subject = if output.is_empty() { "the motion".to_owned() } else { format!("output '{output}'") };
+        let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
+        let table = if output.is_empty() { "cycle".to_owned() } else { format!("output.{output}") };
+        Diagnostics::one(&problem, self.place(&table))
+    }
+
     fn words(&self, kind: ModelOutputKind) -> (String, SiUnit) {
         match kind {
             ModelOutputKind::Position { point, .. } => {
@@ -159,11 +168,6 @@ impl Course {
         let along = self.along.as_ref().ok_or(AccuracyError::NotAPosition)?;
         worst_case(&PoseAccuracy::new(mechanism, position)?, along, self.sample)
     }
-}
-
-fn no_answer(output: &str, input: f64, error: AccuracyError) -> Diagnostics {
-    let problem = SpatialMotionProblem::NoAnswer { output: output.to_owned(), input, why: error.to_string() };
-    Diagnostic::error(&problem, None).into()
 }
 
 /// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a path the displacement along the

@@ -2,7 +2,7 @@
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};
-use loosepin_text::units::{format_number, quoted};
+use loosepin_text::units::quoted;
 
 problems! {
     /// An error in a model file. `entry` is a path in words.
@@ -81,12 +81,14 @@ problems! {
             says("{why}"),
             hint("check lengths and axes; [assembly] guess says where bodies start");
         NoAnswer {
-            output: String,
-            /// The input there, rad or s.
-            input: f64,
+            /// The output, or the motion, in words.
+            subject: String,
+            /// The input there, in words.
+            at: String,
             why: String,
         } => Code::SingularPosition,
-            says("{output} at {}: {why}", format_number(*input));
+            says("{subject} at {at}: {why}"),
+            hint("`loosepin check` says which freedoms are left without a drive");
         /// The sum of turns from position to position does not tell which way round a large one went.
         CoarseTurn { output: String } => Code::BreaksRule,
             says("{output}: from one position to the next, a body may turn by a quarter of a turn at most, and a turn has at least 8 positions"),

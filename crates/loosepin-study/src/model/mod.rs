@@ -4,6 +4,7 @@
 
 mod inputs;
 pub use inputs::Clearance;
+mod settings;
 mod turn;
 
 use loosepin_mechanics::model::{Model, ModelProblem};

@@ -106,7 +106,7 @@ impl InputFile {
     }
 
     /// Settings of the most play, if play is uncertain in a study: the worst case is taken there; `set` has priority.
-    fn with_widest_play(&self, set: &[String]) -> Vec<String> {
+    pub fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
         let is_set =
             |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));

@@ -4,7 +4,7 @@ use crate::model::contact::LawError;
 use crate::model::ids::PlayId;
 use crate::model::parts::topology::Model;
 use crate::model::values::path_error::PathError;
-use loosepin_text::numbers::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
+use loosepin_text::numbers::{DIAMETRAL, Origin, Quantity, QuantityError, QuantityId, QuantityTable, RADIAL};
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, problems};
@@ -121,14 +121,7 @@ impl Model {
     /// # Errors
     /// A diagnostic whose place is in the text of the setting.
     pub fn parse_setting(&self, text: &str) -> Result<Setting, Diagnostic> {
-        let source = Source::new("--set", text);
-        let Some((path, value)) = text.split_once('=') else {
-            let error = SettingError::NoEqualsSign { text: text.to_owned() };
-            return Err(Diagnostic::error(&error, Some(Place::new(&source, 0..text.len()))));
-        };
-        let id = self.find_in(&source, path)?;
-        let value_si = self.value_in(&source, id, path.len() + 1, value)?;
-        Ok(Setting { id, value_si })
+        Setting::parse(text, &self.quantities, |path| self.find(path))
     }
 
     /// Reads a range `path=from..to` and checks both ends like [`Self::parse_setting`].
@@ -156,16 +149,50 @@ impl Model {
 
     /// The quantity named at the start of the text of `source`.
     fn find_in(&self, source: &Arc<Source>, path: &str) -> Result<QuantityId, Diagnostic> {
-        self.find(path.trim())
-            .map_err(|error| Diagnostic::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
+        find_in(source, path, |path| self.find(path))
     }
 
     /// The value of the quantity `id` that stands at `start` in the text of `source`, SI.
     fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Diagnostic> {
-        let quantity = &self.quantities[id];
-        let (path, due) = (quantity.path.as_str(), quantity.dimension);
-        measured(source, start, value, path, due, |value_si| quantity.check(value_si).map_err(SettingError::from))
+        value_in(source, &self.quantities[id], start, value)
     }
+}
+
+impl Setting {
+    /// Reads a setting `path=value` of a table of quantities and checks it by itself; `find` gives the quantity with a path.
+    ///
+    /// # Errors
+    /// A diagnostic whose place is in the text of the setting.
+    pub fn parse(
+        text: &str,
+        quantities: &QuantityTable,
+        find: impl Fn(&str) -> Result<QuantityId, PathError>,
+    ) -> Result<Setting, Diagnostic> {
+        let source = Source::new("--set", text);
+        let Some((path, value)) = text.split_once('=') else {
+            let error = SettingError::NoEqualsSign { text: text.to_owned() };
+            return Err(Diagnostic::error(&error, Some(Place::new(&source, 0..text.len()))));
+        };
+        let id = find_in(&source, path, find)?;
+        let value_si = value_in(&source, &quantities[id], path.len() + 1, value)?;
+        Ok(Setting { id, value_si })
+    }
+}
+
+/// The quantity named at the start of the text of `source`.
+fn find_in(
+    source: &Arc<Source>,
+    path: &str,
+    find: impl Fn(&str) -> Result<QuantityId, PathError>,
+) -> Result<QuantityId, Diagnostic> {
+    find(path.trim())
+        .map_err(|error| Diagnostic::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
+}
+
+/// The value of a quantity that stands at `start` in the text of `source`, SI.
+fn value_in(source: &Arc<Source>, quantity: &Quantity, start: usize, value: &str) -> Result<f64, Diagnostic> {
+    let (path, due) = (quantity.path.as_str(), quantity.dimension);
+    measured(source, start, value, path, due, |value_si| quantity.check(value_si).map_err(SettingError::from))
 }
 
 /// The value with its unit that stands at `start` in the text of `source`, SI: of the dimension that is due, and as `check` wants it.
