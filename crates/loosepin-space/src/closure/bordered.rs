@@ -27,63 +27,22 @@ pub(crate) struct Bordered {
     lu: RealLu,
 }
 
-impl Default for Bordered {
-    /// No equations.
-    fn default() -> Self {
-        Self { rows: 0, columns: 0, matrix: Vec::new(), lu: RealLu::new(0) }
-    }
-}
-
 impl Bordered {
     pub(crate) fn new(jacobian: &[f64], rows: usize, columns: usize, borders: &Borders) -> Self {
-        let mut system = Self::empty(rows, columns, borders);
-        system.factor(borders, &mut |matrix, width| {
-            for (own, entries) in matrix.chunks_mut(width.max(1)).zip(jacobian.chunks(columns.max(1))).take(rows) {
-                own[..columns].copy_from_slice(entries);
-            }
-        });
-        system
-    }
-
-    /// Room for a system with these borders.
-    pub(crate) fn empty(rows: usize, columns: usize, borders: &Borders) -> Self {
         let size = columns + borders.left.len();
-        Self { rows, columns, matrix: vec![0.0; size * size], lu: RealLu::new(size) }
-    }
-
-    /// Factors [[J, N], [Vᵀ, 0]]; `fill` puts J into a matrix of zeros whose rows have the length that it is given.
-    pub(crate) fn factor(&mut self, borders: &Borders, fill: &mut dyn FnMut(&mut [f64], usize)) {
-        let (size, columns) = (self.lu.order(), self.columns);
-        self.matrix.fill(0.0);
-        fill(&mut self.matrix, size);
+        let mut lu = RealLu::new(size);
+        for (row, entries) in jacobian.chunks(columns.max(1)).enumerate().take(rows) {
+            lu.matrix[row * size..row * size + columns].copy_from_slice(entries);
+        }
         for (k, null) in borders.left.iter().enumerate() {
-            null.iter().enumerate().for_each(|(row, entry)| self.matrix[row * size + columns + k] = *entry);
+            null.iter().enumerate().for_each(|(row, entry)| lu.matrix[row * size + columns + k] = *entry);
         }
         for (k, null) in borders.right.iter().enumerate() {
-            self.matrix[(self.rows + k) * size..(self.rows + k) * size + columns].copy_from_slice(null);
+            lu.matrix[(rows + k) * size..(rows + k) * size + columns].copy_from_slice(null);
         }
-        self.lu.matrix.copy_from_slice(&self.matrix);
-        self.lu.factor();
-    }
-
-    /// Number of unknowns, borders included.
-    pub(crate) fn order(&self) -> usize {
-        self.lu.order()
-    }
-
-    /// [`Self::solve`] in place: x, then ν.
-    pub(crate) fn solve_in_place(&self, vector: &mut [f64]) {
-        self.lu.solve(vector);
-    }
-
-    /// [`Self::solve_transposed`] in place: y, then ρ.
-    pub(crate) fn solve_transposed_in_place(&self, vector: &mut [f64]) {
-        self.lu.solve_transposed(vector);
-    }
-
-    /// Size of the smallest pivot over that of the largest.
-    pub(crate) fn pivot_ratio(&self) -> f64 {
-        self.lu.pivot_ratio()
+        let matrix = lu.matrix.clone();
+        lu.factor();
+        Self { rows, columns, matrix, lu }
     }
 
     /// x and ν with J x + N ν = b, Vᵀx = 0: ν is the part of b that no motion can make.

@@ -109,17 +109,12 @@ impl<'a> Loops<'a> {
     pub(crate) fn jacobian(&self, frames: &[JointFrames]) -> Vec<f64> {
         let columns = self.unknowns();
         let mut matrix = vec![0.0; self.rows.len() * columns];
-        self.add_jacobian(frames, &mut matrix, columns);
-        matrix
-    }
-
-    /// Adds the Jacobian to a matrix whose rows are `width` long.
-    pub(crate) fn add_jacobian(&self, frames: &[JointFrames], matrix: &mut [f64], width: usize) {
-        for (row, entries) in self.rows.iter().zip(matrix.chunks_mut(width.max(1))) {
+        for (row, entries) in self.rows.iter().zip(matrix.chunks_mut(columns.max(1))) {
             for (first, values) in self.row_entries(row, frames).into_iter().flatten() {
                 entries[first..first + 6].iter_mut().zip(values).for_each(|(entry, value)| *entry += value);
             }
         }
+        matrix
     }
 
     /// The entries of a row of the Jacobian by body: the first column of six, and what they are. `None` of the ground.

@@ -8,13 +8,14 @@
 //! the sample's own.
 
 use super::nominal::Base;
-use crate::closure::bordered::{Bordered, Borders};
+use super::place_system::PlaceSystem;
+use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, largest};
 use crate::geometry::pose::{Frame, Pose};
 use crate::geometry::quaternion::Quaternion;
 use crate::geometry::vector::Vec3;
-use crate::kind::frames::{JointFrames, MarkerShift};
+use crate::kind::frames::JointFrames;
 
 /// What Newton's method may move from a position close by, lengths over the characteristic length and rad: more is a hint at another branch.
 pub(super) const START_LIMIT: f64 = 0.1;
@@ -24,10 +25,8 @@ const MAX_STEPS: usize = 30;
 const NEARLY_CLOSED: f64 = 1e-11;
 /// A step with the sample's own system below this is the last one: what it leaves is its square, and the system is off by as much as it.
 const LAST_STEP: f64 = 1e-9;
-/// What a step with another system may leave at the end.
-const CLOSED_TO: f64 = 1e-16;
 /// A step that is a larger share of the one before asks for a system of its own.
-const CONTRACTION: f64 = 0.1;
+pub(super) const CONTRACTION: f64 = 0.1;
 /// Smallest pivot of a sample's system relative to that of the nominal one, both over their largest: below it the position may be singular.
 const SMALLEST_PIVOT: f64 = 1e-2;
 
@@ -37,7 +36,7 @@ pub(super) struct Closing {
     pub poses: Vec<Pose>,
     pub frames: Vec<JointFrames>,
     /// Of the ideal position.
-    pub system: Bordered,
+    pub system: PlaceSystem,
     /// How far redundant rows are from closing.
     pub apart: Vec<f64>,
     bodies: Vec<Frame>,
@@ -48,17 +47,12 @@ impl Closing {
     /// Closes the loops of ideal joints from a position close by, or says that this may have led to another branch: if the way was longer than
     /// `limit`, or the determinant of the system has another sign.
     pub(super) fn close_ideal(&mut self, loops: &Loops, base: &Base, limit: f64) -> bool {
-        let borders = &base.position.borders;
-        if self.system.order() != base.system.order() {
-            self.system = Bordered::empty(loops.rows.len(), loops.unknowns(), borders);
-            self.step = vec![0.0; base.system.order()];
-        }
         self.poses.clone_from(&base.position.poses);
         let (mut way, mut before, mut is_own) = (0.0, f64::INFINITY, false);
         for _ in 0..MAX_STEPS {
             loops.frames_into(&self.poses, &[], &mut self.bodies, &mut self.frames);
             if is_own {
-                self.factor(loops, borders);
+                self.system.factor(loops, &self.frames, &base.position.borders);
             }
             let size = self.newton_step(loops, &base.drives, if is_own { None } else { Some(&base.system) });
             way += size;
@@ -81,84 +75,32 @@ impl Closing {
     }
 
     /// The same for searches of other kinds.
-    pub(super) fn closed(&self) -> Closed {
+    pub(super) fn closed(&self, loops: &Loops, base: &Base) -> Closed {
+        let jacobian = loops.jacobian(&self.frames);
         Closed {
             poses: self.poses.clone(),
             frames: self.frames.clone(),
-            system: self.system.clone(),
+            system: Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &base.position.borders),
             apart: self.apart.clone(),
             way: 0.0,
         }
     }
 
-    /// The system at the frames.
-    fn factor(&mut self, loops: &Loops, borders: &Borders) {
-        let frames = &self.frames;
-        self.system.factor(borders, &mut |matrix, width| loops.add_jacobian(frames, matrix, width));
-    }
-
     /// One step with the given system or that of these poses; its size.
-    fn newton_step(&mut self, loops: &Loops, drives: &[f64], known: Option<&Bordered>) -> f64 {
+    fn newton_step(&mut self, loops: &Loops, drives: &[f64], known: Option<&PlaceSystem>) -> f64 {
         let unknowns = loops.unknowns();
-        self.step.fill(0.0);
-        self.step.iter_mut().zip(loops.residuals(&self.frames, drives)).for_each(|(entry, value)| *entry = -value);
-        known.unwrap_or(&self.system).solve_in_place(&mut self.step);
+        let system = known.unwrap_or(&self.system);
+        self.step.clear();
+        self.step.extend(loops.residuals(&self.frames, drives).map(|value| -value));
+        self.step.resize(system.order(), 0.0);
+        system.solve(&mut self.step);
         move_little(loops, &mut self.poses, &self.step);
         largest(&self.step[..unknowns])
     }
 }
 
-/// Displaced positions close to an ideal one, in memory of their own.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Displaced {
-    pub poses: Vec<Pose>,
-    pub frames: Vec<JointFrames>,
-    bodies: Vec<Frame>,
-    step: Vec<f64>,
-}
-
-impl Displaced {
-    /// Closes the loops with play from the poses that are there, by steps with the system of the ideal position. Whether that came to an end
-    /// within `limit`.
-    pub(super) fn close(
-        &mut self,
-        loops: &Loops,
-        system: &Bordered,
-        shifts: &[MarkerShift],
-        drives: &[f64],
-        limit: f64,
-    ) -> bool {
-        let unknowns = loops.unknowns();
-        let (mut way, mut before) = (0.0, f64::INFINITY);
-        for _ in 0..MAX_STEPS {
-            loops.frames_into(&self.poses, shifts, &mut self.bodies, &mut self.frames);
-            self.step.clear();
-            self.step.extend(loops.residuals(&self.frames, drives).map(|value| -value));
-            self.step.resize(system.order(), 0.0);
-            system.solve_in_place(&mut self.step);
-            let size = largest(&self.step[..unknowns]);
-            way += size;
-            if !(way <= limit) {
-                return false;
-            }
-            move_little(loops, &mut self.poses, &self.step);
-            // The first step does not say how good the system is.
-            let share = if before.is_finite() { size / before } else { CONTRACTION };
-            if size * share.min(CONTRACTION) <= CLOSED_TO {
-                return true;
-            }
-            if share > 0.5 {
-                // Round-off, or a system that is not good enough.
-                return size <= 1e-14;
-            }
-            before = size;
-        }
-        false
-    }
-}
-
 /// Moves poses by a vector of scaled unknowns, turns by 2 atan(θ/2): what Newton's method adds is made up for by its next step.
-fn move_little(loops: &Loops, poses: &mut [Pose], unknowns: &[f64]) {
+pub(super) fn move_little(loops: &Loops, poses: &mut [Pose], unknowns: &[f64]) {
     for (body, pose) in poses.iter_mut().enumerate().skip(1) {
         let (displacement_m, rotation_rad): (Vec3, Vec3) = loops.velocities(unknowns, body);
         let turn = Quaternion { w: 1.0, vector: rotation_rad * 0.5 };

@@ -63,11 +63,18 @@ impl Reach for Conditioned<'_> {
     }
 }
 
-/// Climbs from a place, again and again in the direction of the displacement so far where that changes.
+/// Climbs from a place, again and again in the direction of the displacement so far where that changes. From the middle if the loops do not close
+/// there.
 pub(super) fn climb(accuracy: &PoseAccuracy, goal: &Goal, start: &[f64]) -> Result<f64, AccuracyError> {
     let ideal = &accuracy.position.poses;
     let mut variables_m = accuracy.set.in_metres(start);
-    let mut poses = accuracy.close_at(ideal, &variables_m, None)?.poses;
+    let mut poses = match accuracy.close_at(ideal, &variables_m, None) {
+        Ok(closed) => closed.poses,
+        Err(_) => {
+            variables_m.fill(0.0);
+            ideal.clone()
+        }
+    };
     let mut best = f64::NEG_INFINITY;
     for _ in 0..MAX_CLIMBS {
         let (output, sign) = goal.tangent(ideal, &poses);

@@ -1,7 +1,8 @@
 //! Play without conditions: each block of variables goes where it likes, so that closed forms and short steps do.
 
-use super::closing::{Closing, Displaced};
+use super::closing::Closing;
 use super::conditioned;
+use super::displaced::{Displaced, DisplacedSystem};
 use super::goal::Goal;
 use super::nominal::Base;
 use super::part::PlaySide;
@@ -24,16 +25,15 @@ const FREE_SHARE: f64 = 1e-7;
 const MAX_STEPS: usize = 20;
 /// An expected improvement below this, relative to the worst case of first order, is the end.
 const LAST_IMPROVEMENT: f64 = 1e-11;
-/// Longest way from the ideal position to a displaced one, lengths over the characteristic length and rad.
-const LONGEST_WAY: f64 = 0.3;
 /// What a gradient of a displaced position may be off by, relative to it: the place that it points to is off as much, its value by the square.
-const GRADIENT_ERROR: f64 = 1e-8;
+const GRADIENT_ERROR: f64 = 1e-6;
 /// Most refinements of a gradient.
 const MAX_REFINEMENTS: usize = 12;
 
 /// Memory for displaced positions.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Room {
+    system: DisplacedSystem,
     at: Displaced,
     best: Displaced,
     shifts: Vec<MarkerShift>,
@@ -64,6 +64,7 @@ impl Free<'_, '_> {
         let scaled =
             variables_m.iter().zip(radii).map(|(value, radius)| if *radius > 0.0 { value / radius } else { 0.0 });
         let scaled: Vec<f64> = scaled.collect();
+        self.room.system.reset();
         self.room.at.poses.clone_from(&self.closing.poses);
         if self.close(&scaled) {
             return Ok(self.room.at.poses.clone());
@@ -76,12 +77,12 @@ impl Free<'_, '_> {
     fn close(&mut self, scaled: &[f64]) -> bool {
         let room = &mut *self.room;
         self.plays.shifts(self.loops, scaled, &mut room.metres, &mut room.shifts);
-        room.at.close(self.loops, &self.closing.system, &room.shifts, &self.base.drives, LONGEST_WAY)
+        room.system.close(self.loops, self.base, &self.closing.system, &room.shifts, &mut room.at)
     }
 
     /// The same position for searches of other kinds.
     fn accuracy(&self) -> Result<PoseAccuracy<'_>, AccuracyError> {
-        PoseAccuracy::of_closed(self.loops.clone(), &self.base.position, self.closing.closed())
+        PoseAccuracy::of_closed(self.loops.clone(), &self.base.position, self.closing.closed(self.loops, self.base))
     }
 
     /// The gradient of an output over the scaled unknowns, into `room.gradient`.
@@ -101,12 +102,13 @@ impl Free<'_, '_> {
     /// position, refined with the rows of the displaced one.
     fn displaced_gains(&mut self, output: &SpatialOutput) -> bool {
         self.gradient(output, true);
-        let (loops, system) = (self.loops, &self.closing.system);
+        let loops = self.loops;
         let room = &mut *self.room;
+        let system = room.system.system(&self.closing.system);
         room.entries.clear();
         room.entries.extend(loops.rows.iter().map(|row| loops.row_entries(row, &room.best.frames)));
         room.by_rows.clone_from(&room.gradient);
-        system.solve_transposed_in_place(&mut room.by_rows);
+        system.solve_gradient(&mut room.by_rows);
         let rows = loops.rows.len();
         let mut is_good = false;
         for _ in 0..MAX_REFINEMENTS {
@@ -119,7 +121,7 @@ impl Free<'_, '_> {
             for (null, along) in self.base.position.borders.right.iter().zip(&room.by_rows[rows..]) {
                 room.rest.iter_mut().zip(null).for_each(|(rest, entry)| *rest -= entry * along);
             }
-            system.solve_transposed_in_place(&mut room.rest);
+            system.solve_gradient(&mut room.rest);
             room.by_rows.iter_mut().zip(&room.rest).for_each(|(y, change)| *y += change);
             if largest(&room.rest[..rows]) <= GRADIENT_ERROR * largest(&room.by_rows[..rows]) {
                 is_good = true;
@@ -135,6 +137,7 @@ impl Free<'_, '_> {
         let mechanism = self.loops.mechanism;
         self.room.place.clear();
         self.room.place.extend_from_slice(start);
+        self.room.system.reset();
         self.room.at.poses.clone_from(&self.closing.poses);
         if !self.close(start) {
             return None;
@@ -184,7 +187,7 @@ impl Reach for Free<'_, '_> {
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError> {
         self.gradient(output, false);
         let size = largest(&self.room.gradient);
-        self.closing.system.solve_transposed_in_place(&mut self.room.gradient);
+        self.closing.system.solve_gradient(&mut self.room.gradient);
         let (by_rows, free) = self.room.gradient.split_at(self.loops.rows.len());
         if !(largest(free) <= FREE_SHARE * size) {
             return Err(AccuracyError::OutputIsFree);
@@ -201,14 +204,18 @@ impl Reach for Free<'_, '_> {
 
     fn farthest(&self, gains: &[f64], place: &mut Vec<f64>) -> Result<(), AccuracyError> {
         support(&self.plays.set, gains, place);
+        off_the_middle(&self.plays.set, place);
         Ok(())
     }
 
     fn climb(&mut self, goal: &Goal, start: &[f64]) -> Result<f64, AccuracyError> {
-        match self.steps(goal, start) {
-            Some(value) => Ok(value),
-            None => conditioned::climb(&self.accuracy()?, goal, start),
-        }
+        // Ideal joints are a place, too.
+        let ideal = goal.value(self.loops.mechanism, &self.closing.poses, &self.closing.poses);
+        let found = match self.steps(goal, start) {
+            Some(value) => value,
+            None => conditioned::climb(&self.accuracy()?, goal, start)?,
+        };
+        Ok(found.max(ideal))
     }
 }
 
@@ -220,6 +227,23 @@ fn support(set: &PlaySet, gains: &[f64], place: &mut Vec<f64>) {
         let length = PlaySet::length(block, place);
         if length > 0.0 {
             place[block.range()].iter_mut().for_each(|value| *value /= length);
+        }
+    }
+}
+
+/// Puts blocks that are in the middle onto their borders, each in a direction of its own: there the gradient may vanish, as that of a length by a
+/// lean does.
+fn off_the_middle(set: &PlaySet, place: &mut [f64]) {
+    const DIRECTIONS: [[f64; 3]; 4] = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [-0.28, -0.96, 0.0], [0.96, -0.28, 0.0]];
+    for (number, block) in set.blocks().iter().enumerate() {
+        let own = &mut place[block.range()];
+        if own.iter().all(|value| *value == 0.0) {
+            match own {
+                [axial] => *axial = 1.0,
+                own => {
+                    own.iter_mut().zip(DIRECTIONS[number % DIRECTIONS.len()]).for_each(|(value, part)| *value = part)
+                }
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use super::longest::longest;
 use super::nominal::{NominalPlace, component, place_of};
 use super::part::{PartOfOutput, PlaySide};
 use super::reach::Reach;
+use super::shortest::shortest;
 use super::turn_sample::Numbers;
 use crate::accuracy::AccuracyError;
 use crate::geometry::pose::Pose;
@@ -124,7 +125,8 @@ impl PlaceReader<'_> {
                     reach.climb(&Goal::Length { point: own, directions, offset }, &found.place)
                 };
                 let offset: Vec<f64> = parts_of(displacement).collect();
-                ([0.0, largest(&vec![0.0; offset.len()])?], [0.0, largest(&offset)?])
+                let ends = [largest(&vec![0.0; offset.len()])?, largest(&offset)?];
+                ([0.0, ends[0]], [shortest(reach, &offset, &gains)?, ends[1]])
             }
         };
         Ok(Numbers { ideal: 0.0, from_nominal, by_play, in_all })

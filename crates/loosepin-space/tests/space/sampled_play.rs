@@ -100,6 +100,38 @@ fn analytic_a_shaft_in_bearings_that_are_not_in_line() {
     assert!(error.to_string().contains("no play takes that up") && error.joint().is_some(), "{error}");
 }
 
+#[test]
+fn analytic_exact_ends_where_the_first_order_is_zero() {
+    // The end of a shaft at height Z is at Z/√(1 + w²) along its bearing, and at most c (1 + 2Z/l)/√(1 + w²) across it, w = 2c/l.
+    let alone =
+        SHAFT.split("[joint.loose]").next().unwrap().to_owned() + &SHAFT[SHAFT.find("[drive.motor]").unwrap()..];
+    let text = alone.replace("50 um", "0.4 mm").replace("axial_clearance = \"0.1 mm\"", "axial_clearance = \"0 mm\"");
+    let model = model(&text);
+    let parts = [part(0, PartOfOutput::Z), part(0, PartOfOutput::X), part(0, PartOfOutput::Magnitude)];
+    let first = TurnSampler::new(&model, &model.quantities.nominal(), &[0.2], &parts).unwrap();
+    let exact = first.clone().with_play_side(PlaySide::Exact).unwrap();
+    for (clearance, height) in [(4e-4, 0.4), (3e-4, 0.4), (4e-4, 0.5)] {
+        let values = with(&model, &[("joint.fixed.radial_clearance", clearance), ("body.shaft.points.tip.z", height)]);
+        let (first, exact) = (first.sample(&values).unwrap(), exact.sample(&values).unwrap());
+        let slope = 2.0 * clearance / LENGTH;
+        let lowest = height / (1.0 + slope * slope).sqrt() - height;
+        assert_close(first.largest_si[0], 0.0, 1e-15);
+        assert_close(exact.largest_si[0], 0.0, 1e-12);
+        assert_close(exact.smallest_si[0], lowest, -1e-9 * lowest);
+        let flat = clearance * 2.0 * height / LENGTH;
+        assert_close(first.largest_si[1], flat, 1e-9 * flat);
+        let across = slope * height / (1.0 + slope * slope).sqrt();
+        assert!(
+            exact.largest_si[1] >= across * (1.0 - 1e-9) && exact.largest_si[1] < flat,
+            "{} {across}",
+            exact.largest_si[1]
+        );
+        assert!(exact.largest_si[2] >= across.hypot(lowest) * (1.0 - 1e-9), "{}", exact.largest_si[2]);
+        // What the height changes is the nominal deviation, as far as the drive is held.
+        assert_close(exact.from_nominal_si[0], height - HEIGHT, 1e-15);
+    }
+}
+
 /// Crank 50 mm, coupler 150 mm, rocker 120 mm, pins 160 mm apart, all about z; the pin between coupler and rocker may be tilted on the coupler.
 fn four_bar(play: &str) -> SpatialModel {
     let joint = |name: &str, bearing: &str, journal: &str, axes: &str| {

@@ -220,6 +220,7 @@ fn brute_force_lengths_over_all_directions() {
         let velocity = rates.point_velocity_m_s(point.body, pose.orientation.rotation().apply(point.point_m));
         path.push((pose.point_m(point.point_m), velocity.normalised().unwrap()));
     });
+    let mut has_both = [false; 2];
     // The sizes change little, or by more than play does.
     for factor in [1.0, 10.0] {
         let values = with(&model, &CHANGES.map(|(path, value)| (path, changed(&model, path, value, factor))));
@@ -240,17 +241,17 @@ fn brute_force_lengths_over_all_directions() {
                     .map(|block| block.radius_m * along[block.range()].iter().map(|g| g * g).sum::<f64>().sqrt())
                     .sum()
             };
-            let (mut all, mut flat) = ([0.0_f64; 2], [0.0_f64; 2]);
+            let (mut all, mut flat) = ([0.0_f64; 3], [0.0_f64; 3]);
             const STEPS: usize = 180;
             for k in 0..2 * STEPS {
                 let (sine, cosine) = (TAU * k as f64 / (2 * STEPS) as f64).sin_cos();
                 for j in 0..=STEPS {
                     let (low, high) = (TAU * j as f64 / (2 * STEPS) as f64).sin_cos();
                     let n = (axes[0] * cosine + axes[1] * sine) * low + axes[2] * high;
-                    let values = [reach(n), reach(n) + n.dot(moved)];
+                    let values = [reach(n), reach(n) + n.dot(moved), n.dot(moved) - reach(n)];
                     let targets = if 2 * j == STEPS { [Some(&mut flat), None] } else { [None, None] };
                     for own in targets.into_iter().flatten().chain([&mut all]) {
-                        (own[0], own[1]) = (own[0].max(values[0]), own[1].max(values[1]));
+                        own.iter_mut().zip(values).for_each(|(largest, value)| *largest = largest.max(value));
                     }
                 }
             }
@@ -262,6 +263,15 @@ fn brute_force_lengths_over_all_directions() {
                 for (found, brute) in [(found.largest_si[k], brute[0]), (found.largest_from_nominal_si[k], brute[1])] {
                     assert!(found >= brute * (1.0 - 1e-12) && found <= brute * (1.0 + 2e-4), "{found} {brute}");
                 }
+                // Both are lower bounds of the smallest length.
+                let smallest = found.smallest_from_nominal_si[k];
+                assert!(
+                    smallest >= brute[2] - 1e-12 && smallest <= brute[2] + 2e-4 * brute[1],
+                    "{smallest} {}",
+                    brute[2]
+                );
+                has_both[usize::from(smallest > 0.0)] = true;
+                assert_eq!(exact.smallest_from_nominal_si[k], smallest);
                 assert_close(found.from_nominal_si[k], length, 1e-12);
                 for (exact, first) in [
                     (exact.largest_si[k], found.largest_si[k]),
@@ -272,6 +282,23 @@ fn brute_force_lengths_over_all_directions() {
             }
         });
     }
+    assert_eq!(has_both, [true; 2]);
+}
+
+#[test]
+fn one_sampler_serves_many_threads() {
+    let model = model(RSSR);
+    let nominal = model.quantities.nominal();
+    let sampler = TurnSampler::new(&model, &nominal, &turns(6), &[part(0, PartOfOutput::Number)]).unwrap();
+    let values: Vec<Values> =
+        (0..8).map(|k| with(&model, &[("body.coupler.points.rocker.x", 0.25 + 1e-5 * f64::from(k))])).collect();
+    let alone: Vec<_> = values.iter().map(|values| sampler.sample(values).unwrap()).collect();
+    let together: Vec<_> = std::thread::scope(|scope| {
+        let runs: Vec<_> = values.iter().map(|values| scope.spawn(|| sampler.sample(values).unwrap())).collect();
+        runs.into_iter().map(|run| run.join().unwrap()).collect()
+    });
+    assert_eq!(alone, together);
+    assert_eq!(&alone[0], sampler.nominal());
 }
 
 /// Sizes changed by more; clearances are what they were.
