@@ -1,5 +1,5 @@
 //! Samples a second of the spatial slider-crank and the four-bar with two balls, 36 places of a turn, dimensions and clearances drawn at random:
-//! `cargo run --release -p loosepin-space --example turn_samples`.
+//! `cargo run --release -p loosepin-space --example turn_samples`; a word after `--` takes only measurements whose names have it, as `exact`.
 
 use loosepin_space::{PartOfOutput, PlaySide, SampledPart, SpatialModel, TurnSampler};
 use loosepin_text::numbers::{QuantityId, Values};
@@ -55,6 +55,9 @@ fn measure(
     values: &[Values],
     sample: &dyn Fn(&Values) -> Result<f64, Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
+    if std::env::args().nth(1).is_some_and(|word| !name.to_lowercase().contains(&word.to_lowercase())) {
+        return Ok(());
+    }
     let started = Instant::now();
     let (mut count, mut sum) = (0_usize, 0.0);
     while started.elapsed().as_secs_f64() < DURATION_S {
