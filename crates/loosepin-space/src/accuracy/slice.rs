@@ -203,7 +203,11 @@ fn inner_point(
         let primal: Vec<f64> = planes.rows.iter().zip(b).map(|(row, b)| dot(row, &at.v) - b).collect();
         let residual = dual.iter().chain(&primal).fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let miss = match near {
-            None => set.support(&planes.less(gains, &at.multipliers)).iter().sum::<f64>() - dot(gains, &at.v),
+            // The bound |g - Hᵀλ| + λ·b, less the value.
+            None => {
+                let bound: f64 = set.support(&planes.less(gains, &at.multipliers)).iter().sum();
+                bound + dot(&at.multipliers, b) - dot(gains, &at.v)
+            }
             Some(_) => gap,
         };
         let miss = primal.iter().fold(miss.abs(), |largest: f64, value| largest.max(value.abs()));

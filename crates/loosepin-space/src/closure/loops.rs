@@ -59,30 +59,50 @@ impl<'a> Loops<'a> {
 
     /// All joints in ground axes; `shifts` has an entry for each joint, or none at all for ideal joints.
     pub(crate) fn frames(&self, poses: &[Pose], shifts: &[MarkerShift]) -> Vec<JointFrames> {
-        let bodies: Vec<Frame> = poses.iter().map(Frame::from).collect();
-        let joints = self.mechanism.joints().iter().enumerate();
-        joints
-            .map(|(number, joint)| {
-                let markers = [&joint.bearing, &joint.journal];
-                let shift = shifts.get(number).copied().unwrap_or_default();
-                JointFrames::new(
-                    markers.map(|marker| &bodies[marker.body]),
-                    markers.map(|marker| marker.point_m),
-                    markers.map(|marker| &marker.axes),
-                    &shift,
-                )
-            })
-            .collect()
+        let (mut bodies, mut frames) = (Vec::new(), Vec::new());
+        self.frames_into(poses, shifts, &mut bodies, &mut frames);
+        frames
+    }
+
+    /// The same without new memory; `bodies` is room for their axes.
+    pub(crate) fn frames_into(
+        &self,
+        poses: &[Pose],
+        shifts: &[MarkerShift],
+        bodies: &mut Vec<Frame>,
+        frames: &mut Vec<JointFrames>,
+    ) {
+        bodies.clear();
+        bodies.extend(poses.iter().map(Frame::from));
+        frames.clear();
+        frames.extend(self.mechanism.joints().iter().enumerate().map(|(number, joint)| {
+            let markers = [&joint.bearing, &joint.journal];
+            let shift = shifts.get(number).copied().unwrap_or_default();
+            JointFrames::new(
+                markers.map(|marker| &bodies[marker.body]),
+                markers.map(|marker| marker.point_m),
+                markers.map(|marker| &marker.axes),
+                &shift,
+            )
+        }));
     }
 
     /// Residuals of all rows, lengths over L.
     pub(crate) fn residual(&self, frames: &[JointFrames], drives: &[f64]) -> Vec<f64> {
+        self.residuals(frames, drives).collect()
+    }
+
+    /// The same one by one.
+    pub(crate) fn residuals<'b>(
+        &'b self,
+        frames: &'b [JointFrames],
+        drives: &'b [f64],
+    ) -> impl Iterator<Item = f64> + 'b {
         let rows = self.rows.iter();
         rows.map(|row| {
             let drive = row.drive.and_then(|drive| drives.get(drive)).copied().unwrap_or(0.0);
             row.row.residual(&frames[row.joint], drive) / self.scale(row)
         })
-        .collect()
     }
 
     /// The Jacobian, row by row, over the scaled unknowns.
@@ -90,21 +110,22 @@ impl<'a> Loops<'a> {
         let columns = self.unknowns();
         let mut matrix = vec![0.0; self.rows.len() * columns];
         for (row, entries) in self.rows.iter().zip(matrix.chunks_mut(columns.max(1))) {
-            let RowColumns { v_i, w_i, v_j, w_j } = row.row.columns(&frames[row.joint]);
-            let joint = &self.mechanism.joints()[row.joint];
-            let scale = 1.0 / self.scale(row);
-            for (body, v, w) in [(joint.bearing.body, v_i, w_i), (joint.journal.body, v_j, w_j)] {
-                if let Some(first) = first_column(body) {
-                    let values = [v * (self.length_m * scale), w * scale];
-                    for (entry, value) in
-                        entries[first..first + 6].iter_mut().zip(values.into_iter().flat_map(Vec3::to_array))
-                    {
-                        *entry += value;
-                    }
-                }
+            for (first, values) in self.row_entries(row, frames).into_iter().flatten() {
+                entries[first..first + 6].iter_mut().zip(values).for_each(|(entry, value)| *entry += value);
             }
         }
         matrix
+    }
+
+    /// The entries of a row of the Jacobian by body: the first column of six, and what they are. `None` of the ground.
+    pub(crate) fn row_entries(&self, row: &PlacedRow, frames: &[JointFrames]) -> [Option<(usize, [f64; 6])>; 2] {
+        let RowColumns { v_i, w_i, v_j, w_j } = row.row.columns(&frames[row.joint]);
+        let joint = &self.mechanism.joints()[row.joint];
+        let scale = 1.0 / self.scale(row);
+        [(joint.bearing.body, v_i, w_i), (joint.journal.body, v_j, w_j)].map(|(body, v, w)| {
+            let [v, w] = [v * (self.length_m * scale), w * scale];
+            first_column(body).map(|first| (first, [v.x, v.y, v.z, w.x, w.y, w.z]))
+        })
     }
 
     /// A gradient by (v, ω) of one body, over the scaled unknowns.

@@ -53,20 +53,29 @@ impl SpatialModel {
     /// # Errors
     /// Directions of length zero or along the axis that they are across, and what [`SpatialMechanism::new`] refuses.
     pub fn mechanism(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
-        let bodies = self.bodies.iter().map(|body| Body::new(body.name.clone(), Pose::GROUND)).collect();
-        let joints: Result<Vec<Joint>, SpatialModelError> =
-            self.joints.iter().map(|joint| self.joint(joint, values)).collect();
-        let drives = self.drives.iter().map(|drive| Drive { joint: drive.joint, coordinate: drive.coordinate });
-        let mechanism = SpatialMechanism::new(bodies, joints?, drives.collect()).map_err(|error| {
-            let path = error.joint().map(|joint| format!("joint.{joint}"));
-            SpatialModelError::NoMechanism { path: path.unwrap_or_default(), why: error.to_string() }
-        })?;
+        Ok(self.with_starts(&self.unplaced_mechanism(values)?, values))
+    }
+
+    /// The mechanism with its bodies placed for the start.
+    pub(crate) fn with_starts(&self, mechanism: &SpatialMechanism, values: &Values) -> SpatialMechanism {
         let mut guesses = vec![None; self.bodies.len()];
         for guess in &self.guesses {
             guesses[guess.body] = Some(pose(guess, values));
         }
         let starts: Vec<f64> = self.drives.iter().map(|drive| values[drive.start]).collect();
-        Ok(mechanism.with_start_poses(&placed(&mechanism, &guesses, &starts)))
+        mechanism.with_start_poses(&placed(mechanism, &guesses, &starts))
+    }
+
+    /// The mechanism with all bodies at the origin: for positions that are known.
+    pub(crate) fn unplaced_mechanism(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        let bodies = self.bodies.iter().map(|body| Body::new(body.name.clone(), Pose::GROUND)).collect();
+        let joints: Result<Vec<Joint>, SpatialModelError> =
+            self.joints.iter().map(|joint| self.joint(joint, values)).collect();
+        let drives = self.drives.iter().map(|drive| Drive { joint: drive.joint, coordinate: drive.coordinate });
+        SpatialMechanism::new(bodies, joints?, drives.collect()).map_err(|error| {
+            let path = error.joint().map(|joint| format!("joint.{joint}"));
+            SpatialModelError::NoMechanism { path: path.unwrap_or_default(), why: error.to_string() }
+        })
     }
 
     /// What the drives prescribe at a time.

@@ -2,7 +2,7 @@
 
 use super::error::SamplingError;
 use super::part::{PartOfOutput, SampledPart};
-use crate::closure::bordered::Bordered;
+use super::place_system::PlaceSystem;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
 use crate::closure::{Cycle, cycle};
@@ -35,13 +35,34 @@ pub(super) struct Nominal {
 pub(super) struct NominalPlace {
     /// In turns.
     pub turn: f64,
-    pub position: Position,
-    /// Sign of the determinant of the bordered loop equations.
-    pub sign: f64,
+    pub base: Base,
     /// Nominal values of each part: of `Along`, `Across` and `Magnitude` 0.
     pub values: Vec<f64>,
     /// Unit vector along the nominal path, for the parts that need it.
     pub tangents: Vec<Option<Vec3>>,
+}
+
+/// A position that samples are closed from.
+#[derive(Debug, Clone)]
+pub(super) struct Base {
+    pub position: Position,
+    /// Values of all drives.
+    pub drives: Vec<f64>,
+    /// The bordered loop equations.
+    pub system: PlaceSystem,
+    /// Sign of their determinant.
+    pub sign: f64,
+    /// Size of their smallest pivot over that of the largest.
+    pub pivot_ratio: f64,
+}
+
+impl Base {
+    pub(super) fn new(loops: &Loops, position: Position) -> Self {
+        let mut system = PlaceSystem::default();
+        system.factor(loops, &loops.frames(&position.poses, &[]), &position.borders);
+        let (sign, pivot_ratio) = (system.sign(), system.pivot_ratio());
+        Self { drives: position.drive_values(), position, system, sign, pivot_ratio }
+    }
 }
 
 /// Values of all drives at places in turns.
@@ -91,16 +112,8 @@ impl Nominal {
         let mut places = Vec::with_capacity(turns.len());
         let loops = Loops::new(&mechanism);
         for (turn, number) in turns.iter().zip(&numbers) {
-            let position = positions[*number].clone();
-            let jacobian = loops.jacobian(&loops.frames(&position.poses, &[]));
-            let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &position.borders);
-            places.push(NominalPlace {
-                turn: *turn,
-                sign: system.sign(),
-                position,
-                values: Vec::new(),
-                tangents: Vec::new(),
-            });
+            let base = Base::new(&loops, positions[*number].clone());
+            places.push(NominalPlace { turn: *turn, base, values: Vec::new(), tangents: Vec::new() });
         }
         for part in parts {
             let components = components_of(model, values, part)?;
@@ -114,7 +127,7 @@ impl Nominal {
             for (number, place) in places.iter_mut().enumerate() {
                 let value = match &counted {
                     Some(counted) => counted.get(number).copied().unwrap_or_default(),
-                    None => place_of(part.part, &components, &place.position.poses),
+                    None => place_of(part.part, &components, &place.base.position.poses),
                 };
                 place.values.push(value);
                 let tangent = match part.part.needs_path() {
@@ -191,8 +204,8 @@ fn tangent(
 ) -> Result<Vec3, SamplingError> {
     let at_rest = || SamplingError::AtRest { output: output.name.clone(), turn: place.turn };
     let point = components.first().and_then(SpatialOutput::point).ok_or_else(at_rest)?;
-    let rates = motion(mechanism, &place.position);
-    let arm = place.position.poses[point.body].orientation.rotation().apply(point.point_m);
+    let rates = motion(mechanism, &place.base.position);
+    let arm = place.base.position.poses[point.body].orientation.rotation().apply(point.point_m);
     let limit = RESTING * mechanism.characteristic_length_m() / turn_s;
     let [velocity, acceleration] =
         [rates.point_velocity_m_s(point.body, arm), rates.point_acceleration_m_s2(point.body, arm)];

@@ -12,7 +12,8 @@ pub struct TurnSample {
     pub smallest_si: Vec<f64>,
     /// Largest deviation from the sample's own ideal motion that play makes, m or rad.
     pub largest_si: Vec<f64>,
-    /// Smallest deviation from the nominal ideal motion, play and dimensions together, m or rad; 0 of lengths where play can do anything.
+    /// Smallest deviation from the nominal ideal motion, dimensions and play together, m or rad; of lengths to first order, 0 where play can take
+    /// the displacement back.
     pub smallest_from_nominal_si: Vec<f64>,
     /// Largest deviation from the nominal ideal motion, m or rad: of numbers the sum of both, of lengths the largest length of the sum of both
     /// displacements.

@@ -9,6 +9,7 @@ mod model_files;
 mod model_motions;
 mod quasi_static;
 mod refusals;
+mod sampled_play;
 mod sampling;
 mod searches;
 mod stops;
