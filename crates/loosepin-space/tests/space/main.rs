@@ -8,6 +8,8 @@ mod known;
 mod model_files;
 mod model_motions;
 mod quasi_static;
+mod random;
+mod random_mechanisms;
 mod refusals;
 mod searches;
 mod stops;
