@@ -4,10 +4,11 @@ mod drawn;
 mod linear;
 mod optimiser;
 mod poses;
+mod scatter;
 
 use crate::random::Random;
 use drawn::CLASSES;
-use loosepin_space::{DriveValue, PoseAccuracy, SearchOptions, SpatialMechanism, SpatialOutput, assemble};
+use loosepin_space::{DriveValue, PoseAccuracy, Position, SearchOptions, SpatialMechanism, SpatialOutput, assemble};
 use optimiser::maximise;
 use poses::PoseSet;
 
@@ -29,12 +30,17 @@ struct Compared {
     other_assemblies: usize,
 }
 
+/// The position in which a mechanism is drawn.
+fn at_rest(mechanism: &SpatialMechanism) -> Position {
+    assemble(mechanism, &vec![DriveValue::held(0.0); mechanism.drives().len()])
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// A mechanism of a class with an output that its drives determine, in a position that is not nearly singular.
 fn drawn_case(class: usize, random: &mut Random) -> (SpatialMechanism, SpatialOutput) {
     loop {
         let mechanism = drawn::mechanism(class, random);
-        let held = vec![DriveValue::held(0.0); mechanism.drives().len()];
-        let position = assemble(&mechanism, &held).unwrap_or_else(|error| panic!("{}: {error}", CLASSES[class].0));
+        let position = at_rest(&mechanism);
         if position.singular_ratio < NEARLY_SINGULAR {
             continue;
         }
@@ -51,8 +57,7 @@ fn drawn_case(class: usize, random: &mut Random) -> (SpatialMechanism, SpatialOu
 
 fn compare(class: usize, random: &mut Random, starts: usize) -> [Compared; 2] {
     let (mechanism, output) = drawn_case(class, random);
-    let held = vec![DriveValue::held(0.0); mechanism.drives().len()];
-    let position = assemble(&mechanism, &held).unwrap();
+    let position = at_rest(&mechanism);
     let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
     let exact = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
     let size = exact.largest.deviation.abs().max(exact.smallest.deviation.abs());
@@ -63,13 +68,6 @@ fn compare(class: usize, random: &mut Random, starts: usize) -> [Compared; 2] {
         let ends = maximise(&set, sign, starts, random);
         let own: Vec<f64> = ends.iter().filter(|end| !end.is_other_assembly).map(|end| end.value).collect();
         let best = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        if std::env::var("SHOW").is_ok() {
-            let gains = accuracy.gains(&output).unwrap();
-            println!(
-                "  worst {worst:.6e} best {best:.6e} first order {:.6e} singular {:.2e} output {output:?} product agreeing {:?} of {}",
-                accuracy.first_order(&gains).unwrap().worst, position.singular_ratio, exact.agreeing, exact.starts
-            );
-        }
         let agreeing = own.iter().filter(|end| best - **end <= 1e-6 * size).count() as f64 / starts as f64;
         let other_assemblies = ends.len() - own.len();
         Compared { class, conditions, variables, above: (best - worst) / size, agreeing, other_assemblies }
