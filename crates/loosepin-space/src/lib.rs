@@ -70,8 +70,8 @@ pub use mechanism::spatial_mechanism::SpatialMechanism;
 pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, RedundantShare, mobility};
 pub use model::{
     CycleInput, Direction, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm,
-    ModelMarker, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel, SpatialModelError,
-    SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
+    ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
+    SpatialModelError, SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};

@@ -172,7 +172,8 @@ impl SpatialModel {
             None => Marker::along(body, point_m, axis),
             Some(across) => Marker::new(body, point_m, axis, unit(across, values, path)?),
         };
-        made.ok_or_else(|| SpatialModelError::AlongAxis { path: path(), axis: "the axis of the joint" })
+        made.map(|made| marker.misalignment.applied_to(made, values))
+            .ok_or_else(|| SpatialModelError::AlongAxis { path: path(), axis: "the axis of the joint" })
     }
 }
 

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | the parts of a model, directions | `parts.rs`, `direction.rs` |
 //! | points, axes and names while a file is read | `reader.rs` |
+//! | errors of manufacture | `misalignment.rs` |
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
@@ -16,6 +17,7 @@ mod compile;
 mod direction;
 mod drive;
 mod joint;
+mod misalignment;
 mod output;
 mod over_turn;
 mod parts;
@@ -28,7 +30,7 @@ pub use compile::CycleInput;
 pub use direction::Direction;
 pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
-    ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
+    ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};
