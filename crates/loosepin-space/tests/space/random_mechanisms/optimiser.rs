@@ -12,8 +12,12 @@ const MARGIN: f64 = 2e-7;
 /// What the method may leave of the bounds.
 const SMALL_MISS: f64 = 5e-8;
 
+/// Steps of the quasi-Newton method in a round.
+const MAX_QUASI_NEWTON: usize = 150;
+/// Rounds of new multipliers that may bring little.
+const MAX_SLOW: usize = 7;
 /// Starts that may come to no end, for each that does.
-const MAX_ATTEMPTS: usize = 5;
+const MAX_ATTEMPTS: usize = 3;
 
 /// Where a start ended.
 #[derive(Clone, Copy)]
@@ -105,7 +109,7 @@ fn climb(set: &PoseSet, sign: f64, random: &mut Random) -> Option<End> {
         return None;
     }
     let mut weights = Weights { multipliers: vec![0.0; set.blocks.len()], penalty: 4.0 };
-    let mut before = f64::INFINITY;
+    let (mut before, mut slow) = (f64::INFINITY, 0);
     for _ in 0..25 {
         minimise(set, sign, scale, &mut t, &weights)?;
         let at = bounds(set, &set.reach(&t)?.places);
@@ -119,6 +123,11 @@ fn climb(set: &PoseSet, sign: f64, random: &mut Random) -> Option<End> {
         }
         if miss > 0.25 * before {
             weights.penalty = (2.0 * weights.penalty).min(200.0);
+            slow += 1;
+        }
+        // Near singular positions some starts come to no end.
+        if slow > MAX_SLOW {
+            return None;
         }
         before = miss;
     }
@@ -166,7 +175,7 @@ fn minimise(set: &PoseSet, sign: f64, scale: f64, t: &mut Vec<f64>, weights: &We
     let mut inverse: Vec<Vec<f64>> = (0..count).map(unit).collect();
     let mut at = local(set, sign, scale, t)?;
     let mut slopes = weights.slopes(&at);
-    for _ in 0..80 {
+    for _ in 0..MAX_QUASI_NEWTON {
         if length(&slopes) < 1e-9 {
             break;
         }

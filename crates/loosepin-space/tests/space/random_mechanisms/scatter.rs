@@ -44,7 +44,7 @@ fn identity_standard_deviations_are_those_of_sampled_poses() {
     let mut random = Random(31);
     for name in ["RSSR", "RSRC", "RSSP", "RCCC", "open arm"] {
         let class = CLASSES.iter().position(|(own, _)| *own == name).unwrap();
-        let (mechanism, output) = drawn_case(class, &mut random);
+        let (mechanism, output) = drawn_case(class, &mut random, usize::MAX);
         let position = at_rest(&mechanism);
         let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
         let gains = accuracy.gains(&output).unwrap();
@@ -70,7 +70,7 @@ fn identity_standard_deviations_of_overconstrained_loops_are_those_of_sampled_po
     for name in ["Cardan shafts", "spherical four-bar", "Bennett", "planar four-bar", "planar slider-crank"] {
         let class = CLASSES.iter().position(|(own, _)| *own == name).unwrap();
         let (mechanism, output) = loop {
-            let (mechanism, output) = drawn_case(class, &mut random);
+            let (mechanism, output) = drawn_case(class, &mut random, usize::MAX);
             if PoseSet::new(&mechanism, &output).dimensions() <= MAX_DIMENSIONS {
                 break (mechanism, output);
             }
