@@ -11,7 +11,7 @@ pub(crate) mod loops;
 pub(crate) mod newton;
 pub(crate) mod position;
 pub(crate) mod singular;
-mod step;
+pub(crate) mod step;
 
 pub use assembly::assemble;
 pub use cycle::{Cycle, cycle};

@@ -2,7 +2,8 @@
 
 use super::direction::{Direction, vector};
 use super::parts::{
-    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelOutputKind, ModelPlay, PointId, SpatialModel,
+    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelMisalignment, ModelOutputKind, ModelPlay, PointId,
+    SpatialModel,
 };
 use super::placing::placed;
 use super::problem::SpatialModelError;
@@ -53,9 +54,28 @@ impl SpatialModel {
     /// # Errors
     /// Directions of length zero or along the axis that they are across, and what [`SpatialMechanism::new`] refuses.
     pub fn mechanism(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        self.mechanism_of(&self.joints, values)
+    }
+
+    /// The mechanism with these values, without the errors of manufacture that are given as tilts and shifts.
+    ///
+    /// # Errors
+    /// As [`SpatialModel::mechanism`].
+    pub fn aligned(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        let without = |marker: ModelMarker| ModelMarker { misalignment: ModelMisalignment::default(), ..marker };
+        let joints = self.joints.iter().cloned();
+        let joints = joints.map(|joint| ModelJoint {
+            bearing: without(joint.bearing),
+            journal: without(joint.journal),
+            ..joint
+        });
+        self.mechanism_of(&joints.collect::<Vec<_>>(), values)
+    }
+
+    fn mechanism_of(&self, joints: &[ModelJoint], values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
         let bodies = self.bodies.iter().map(|body| Body::new(body.name.clone(), Pose::GROUND)).collect();
         let joints: Result<Vec<Joint>, SpatialModelError> =
-            self.joints.iter().map(|joint| self.joint(joint, values)).collect();
+            joints.iter().map(|joint| self.joint(joint, values)).collect();
         let drives = self.drives.iter().map(|drive| Drive { joint: drive.joint, coordinate: drive.coordinate });
         let mechanism = SpatialMechanism::new(bodies, joints?, drives.collect()).map_err(|error| {
             let path = error.joint().map(|joint| format!("joint.{joint}"));

@@ -9,6 +9,7 @@
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | whether its parts fit | `fit.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
@@ -16,6 +17,7 @@ mod body;
 mod compile;
 mod direction;
 mod drive;
+mod fit;
 mod joint;
 mod misalignment;
 mod output;
@@ -28,6 +30,7 @@ mod reader;
 
 pub use compile::CycleInput;
 pub use direction::Direction;
+pub use fit::ModelAssembly;
 pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
     ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,

@@ -5,6 +5,7 @@ mod chains;
 mod closed_forms;
 mod identities;
 mod known;
+mod least_play;
 mod manufacture;
 mod model_files;
 mod model_motions;

@@ -1,6 +1,6 @@
 //! Exact worst cases of random mechanisms against an optimiser that shares nothing with the search of the product: its unknowns are the poses.
 
-mod drawn;
+pub mod drawn;
 mod linear;
 mod optimiser;
 mod poses;
