@@ -46,9 +46,9 @@ mod play;
 mod sampling;
 
 pub use accuracy::{
-    AccuracyError, AssemblyReserve, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain, LargestNorm,
-    MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock, PlayDistribution, PlaySet,
-    PoseAccuracy, SampledDeviation, SearchOptions, WorstCase,
+    AccuracyError, AssemblyReserve, ClosedByPlay, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain,
+    LargestNorm, LeastPlay, MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock,
+    PlayDistribution, PlaySet, PoseAccuracy, SampledDeviation, SearchOptions, WorstCase,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace, OpenJoint};
@@ -70,9 +70,9 @@ pub use mechanism::marker::Marker;
 pub use mechanism::spatial_mechanism::SpatialMechanism;
 pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, RedundantShare, mobility};
 pub use model::{
-    CycleInput, Direction, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm,
-    ModelMarker, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel, SpatialModelError,
-    SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
+    CycleInput, Direction, ModelAssembly, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint,
+    ModelJointForm, ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId,
+    SpatialModel, SpatialModelError, SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};

@@ -85,6 +85,12 @@ impl<'a> PoseAccuracy<'a> {
         &self.set
     }
 
+    /// Planes of redundant rows at another place: what plays do not reach is none.
+    pub(crate) fn planes_of(&self, rows: &[Vec<f64>]) -> Planes {
+        let reach = rows.iter().flatten().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        Planes::new(rows, self.set.variables(), NEGLIGIBLE * reach)
+    }
+
     /// Conditions that the plays must meet together so that the loops close: redundant rows that plays reach.
     pub fn conditions(&self) -> usize {
         self.planes.count()

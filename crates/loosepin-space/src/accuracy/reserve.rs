@@ -1,17 +1,12 @@
 //! Whether plays are large enough for errors of manufacture.
 
 use crate::accuracy::error::AccuracyError;
+use crate::accuracy::multiple::largest_multiple;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::scatter::MarkerSide;
-use crate::accuracy::slice::{Planes, dot, largest};
+use crate::accuracy::slice::dot;
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
-use crate::play::block::PlayPart;
-
-/// Largest multiple of the errors that is looked at: beyond it they do not matter.
-const LARGEST_FACTOR: f64 = 1e6;
-/// Part of the errors that plays do not reach, relative to the largest derivative by play, that is round-off.
-const UNREACHED: f64 = 1e-9;
 
 /// A marker that is not where it should be on its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,34 +58,9 @@ impl PoseAccuracy<'_> {
 
     /// The largest θ for which plays with h·p = θ h0 are admissible; `right` is h0 of each redundant row.
     pub(crate) fn reserve_of(&self, right: &[f64]) -> Result<AssemblyReserve, AccuracyError> {
-        let size = right.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        if size <= f64::MIN_POSITIVE {
-            let variables_m = vec![0.0; self.set.variables()];
-            return Ok(AssemblyReserve { factor: LARGEST_FACTOR, bound: LARGEST_FACTOR, variables_m });
-        }
-        // θ is one more variable, in units of its largest value.
-        let set = self.set.with_block(PlayPart::Axial, LARGEST_FACTOR);
-        let last = set.variables() - 1;
-        // Rows are scaled so that θ is of the size of a play.
-        let rows: Vec<Vec<f64>> = self
-            .redundant
-            .iter()
-            .zip(right)
-            .map(|(row, h0)| row.iter().copied().chain([-h0 * LARGEST_FACTOR]).collect())
-            .collect();
-        let reach = self.redundant.iter().flatten().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        let own = Planes::new(&self.redundant, self.set.variables(), UNREACHED * reach);
-        if own.unreached(right) > UNREACHED * size.max(reach) {
-            return Err(AccuracyError::NoPlace);
-        }
-        let planes = Planes::new(&rows, set.variables(), UNREACHED * reach);
-        let mut gains = vec![0.0; set.variables()];
-        gains[last] = LARGEST_FACTOR;
-        let found = largest(&set, &gains, None, &planes, &vec![0.0; rows.len()]).ok_or(AccuracyError::NoPlace)?;
-        let variables_m = self.set.in_metres(&found.place[..last]);
-        // What the multipliers leave of the gains: nothing of θ, unless the largest factor is too small.
-        let bound = set.support(&found.rest).iter().sum();
-        Ok(AssemblyReserve { factor: found.place[last] * LARGEST_FACTOR, bound, variables_m })
+        let found = largest_multiple(&self.set, &self.redundant, right, 0.0).ok_or(AccuracyError::NoPlace)?;
+        let variables_m = self.set.in_metres(&found.place);
+        Ok(AssemblyReserve { factor: found.factor, bound: found.bound, variables_m })
     }
 
     /// Changes of all rows by errors of markers, lengths over L.

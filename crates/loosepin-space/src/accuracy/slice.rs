@@ -203,9 +203,9 @@ fn inner_point(
         let primal: Vec<f64> = planes.rows.iter().zip(b).map(|(row, b)| dot(row, &at.v) - b).collect();
         let residual = dual.iter().chain(&primal).fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let miss = match near {
-            // The bound |g - Hᵀλ| + λ·b, less the value.
+            // Any multipliers bound the largest value from above: Σ|g - Hᵀλ| + λ·b.
             None => {
-                let bound: f64 = set.support(&planes.less(gains, &at.multipliers)).iter().sum();
+                let bound = set.support(&planes.less(gains, &at.multipliers)).iter().sum::<f64>();
                 bound + dot(&at.multipliers, b) - dot(gains, &at.v)
             }
             Some(_) => gap,
@@ -363,6 +363,18 @@ mod tests {
             assert!((reached - expected).abs() < TOLERANCE, "{reached} {expected}");
             assert!((bound - expected).abs() < TOLERANCE, "{bound} {expected}");
             assert!((found.place[2] - 2.0 * found.place[0]).abs() < TOLERANCE);
+        }
+        // Moved off the middle, z = 2x + b: x is at most (1 - b)/2. The multiplier of the plane times b is a part of the bound.
+        for b in [0.3_f64, -0.7] {
+            let x = 0.5 * (1.0 - b);
+            let expected = x + (1.0 - x * x).max(0.0).sqrt();
+            let expected = if x > 0.5_f64.sqrt() { 2.0_f64.sqrt() } else { expected };
+            let found = largest(&set, &[1.0, 1.0, 0.0], None, &planes, &[b]).unwrap();
+            assert!(
+                (found.place[0] + found.place[1] - expected).abs() < TOLERANCE,
+                "{b}: {:?} {expected}",
+                found.place
+            );
         }
         // Planes that repeat each other are one; a plane outside has no place.
         let twice = Planes::new(&[vec![-2.0, 0.0, 1.0], vec![-4.0, 0.0, 2.0]], 3, 1e-12);

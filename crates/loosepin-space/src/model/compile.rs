@@ -2,7 +2,8 @@
 
 use super::direction::{Direction, vector};
 use super::parts::{
-    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelOutputKind, ModelPlay, PointId, SpatialModel,
+    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelMisalignment, ModelOutputKind, ModelPlay, PointId,
+    SpatialModel,
 };
 use super::placing::placed;
 use super::problem::SpatialModelError;
@@ -56,6 +57,21 @@ impl SpatialModel {
         Ok(self.with_starts(&self.unplaced_mechanism(values)?, values))
     }
 
+    /// The mechanism with these values, without the errors of manufacture that are given as tilts and shifts.
+    ///
+    /// # Errors
+    /// As [`SpatialModel::mechanism`].
+    pub fn aligned(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        let without = |marker: ModelMarker| ModelMarker { misalignment: ModelMisalignment::default(), ..marker };
+        let joints = self.joints.iter().cloned();
+        let joints = joints.map(|joint| ModelJoint {
+            bearing: without(joint.bearing),
+            journal: without(joint.journal),
+            ..joint
+        });
+        Ok(self.with_starts(&self.unplaced(&joints.collect::<Vec<_>>(), values)?, values))
+    }
+
     /// The mechanism with its bodies placed for the start.
     pub(crate) fn with_starts(&self, mechanism: &SpatialMechanism, values: &Values) -> SpatialMechanism {
         let mut guesses = vec![None; self.bodies.len()];
@@ -68,9 +84,13 @@ impl SpatialModel {
 
     /// The mechanism with all bodies at the origin: for positions that are known.
     pub(crate) fn unplaced_mechanism(&self, values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
+        self.unplaced(&self.joints, values)
+    }
+
+    fn unplaced(&self, joints: &[ModelJoint], values: &Values) -> Result<SpatialMechanism, SpatialModelError> {
         let bodies = self.bodies.iter().map(|body| Body::new(body.name.clone(), Pose::GROUND)).collect();
         let joints: Result<Vec<Joint>, SpatialModelError> =
-            self.joints.iter().map(|joint| self.joint(joint, values)).collect();
+            joints.iter().map(|joint| self.joint(joint, values)).collect();
         let drives = self.drives.iter().map(|drive| Drive { joint: drive.joint, coordinate: drive.coordinate });
         SpatialMechanism::new(bodies, joints?, drives.collect()).map_err(|error| {
             let path = error.joint().map(|joint| format!("joint.{joint}"));
@@ -190,7 +210,8 @@ impl SpatialModel {
             None => Marker::along(body, point_m, axis),
             Some(across) => Marker::new(body, point_m, axis, unit(across, values, path)?),
         };
-        made.ok_or_else(|| SpatialModelError::AlongAxis { path: path(), axis: "the axis of the joint" })
+        made.map(|made| marker.misalignment.applied_to(made, values))
+            .ok_or_else(|| SpatialModelError::AlongAxis { path: path(), axis: "the axis of the joint" })
     }
 }
 

@@ -1,7 +1,8 @@
 //! Joints: where they are on both bodies, their kind and their play.
 
 use super::direction::Direction;
-use super::parts::{ModelJoint, ModelJointForm, ModelMarker, ModelPlay};
+use super::misalignment::{Shifts, Tilts};
+use super::parts::{ModelJoint, ModelJointForm, ModelMarker, ModelMisalignment, ModelPlay};
 use super::problem::SpatialModelProblem;
 use super::reader::{DIRECTION, SpaceReader};
 use crate::kind::kind_of_joint::KindOfJoint;
@@ -67,6 +68,8 @@ record! {
     include play: BearingPlay<'t>;
     /// how far the pin moves along the axis from the middle to either stop; 0 if omitted
     optional axial_clearance: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"0.2 mm\"";
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -75,6 +78,8 @@ record! {
     include points: Points<'t>;
     include axes: Axes<'t>;
     include across: Across<'t>;
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -84,6 +89,8 @@ record! {
     include axes: Axes<'t>;
     include across: Across<'t>;
     include play: BearingPlay<'t>;
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -92,6 +99,7 @@ record! {
     include points: Points<'t>;
     /// radius of the socket minus radius of the ball; without it the joint is ideal
     optional radial_clearance: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    include shifts: Shifts<'t>;
 }
 
 record! {
@@ -102,6 +110,8 @@ record! {
     required bearing_pin: Entry<'t> = DIRECTION, "\"y\"";
     /// the pin of the cross in the body of the journal
     required journal_pin: Entry<'t> = DIRECTION, "\"z\"";
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -109,6 +119,8 @@ record! {
     struct PlanarTable for ReadsNumbers, kind "planar" of joint, planned PLANNED;
     include points: Points<'t>;
     include axes: Axes<'t>;
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -119,6 +131,8 @@ record! {
     include across: Across<'t>;
     /// advance in one turn; negative for a left-hand thread
     required pitch: QuantityId = quantity(D::LENGTH, Rule::Finite), "\"5 mm\"";
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 record! {
@@ -127,6 +141,8 @@ record! {
     include points: Points<'t>;
     include axes: Axes<'t>;
     include across: Across<'t>;
+    include shifts: Shifts<'t>;
+    include tilts: Tilts<'t>;
 }
 
 /// The kinds with their keys.
@@ -170,12 +186,14 @@ impl SpaceReader {
             PlanarTable::WORD => self.planar(table),
             ScrewTable::WORD => self.screw(table),
             PrismaticTable::WORD => {
-                let PrismaticTable { table, points, axes, across } = PrismaticTable::of(self, table)?;
-                self.held(&table, Prismatic.into(), &points, &axes, &across)
+                let own = PrismaticTable::of(self, table)?;
+                let held = self.held(&own.table, Prismatic.into(), &own.points, &own.axes, &own.across);
+                self.off(held, &own.shifts, Some(&own.tilts))
             }
             _ => {
-                let RigidTable { table, points, axes, across } = RigidTable::of(self, table)?;
-                self.held(&table, Rigid.into(), &points, &axes, &across)
+                let own = RigidTable::of(self, table)?;
+                let held = self.held(&own.table, Rigid.into(), &own.points, &own.axes, &own.across);
+                self.off(held, &own.shifts, Some(&own.tilts))
             }
         }?;
         if bearing.point.body == journal.point.body {
@@ -201,7 +219,8 @@ impl SpaceReader {
                 axial.unwrap_or_else(|| self.numbers.default_quantity(none, D::LENGTH, Rule::NonNegative, 0.0));
             ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m }
         });
-        Some((ModelJointForm::Plain(Revolute.into()), markers?, play))
+        let found = markers.map(|markers| (ModelJointForm::Plain(Revolute.into()), markers, play));
+        self.off(found, &own.shifts, Some(&own.tilts))
     }
 
     fn cylindrical(&mut self, table: Table<'_>) -> Option<Read> {
@@ -210,34 +229,50 @@ impl SpaceReader {
         let play = self
             .bearing_play(&own.table, &own.play)?
             .map(|[radial_clearance_m, bearing_length_m]| ModelPlay::Shaft { bearing_length_m, radial_clearance_m });
-        Some((ModelJointForm::Plain(Cylindrical.into()), markers?, play))
+        let found = markers.map(|markers| (ModelJointForm::Plain(Cylindrical.into()), markers, play));
+        self.off(found, &own.shifts, Some(&own.tilts))
     }
 
     fn spherical(&mut self, table: Table<'_>) -> Option<Read> {
         let own = SphericalTable::of(self, table)?;
         let play = own.radial_clearance.map(|radial_clearance_m| ModelPlay::Ball { radial_clearance_m });
         let [bearing, journal] = [&own.points.bearing, &own.points.journal].map(|entry| self.point(entry));
-        let marker = |point| ModelMarker { point, axis: Direction::Z, across: None };
-        Some((ModelJointForm::Plain(Spherical.into()), [marker(bearing?), marker(journal?)], play))
+        let marker =
+            |point| ModelMarker { point, axis: Direction::Z, across: None, misalignment: ModelMisalignment::default() };
+        let markers = bearing.zip(journal).map(|(bearing, journal)| [marker(bearing), marker(journal)]);
+        let found = markers.map(|markers| (ModelJointForm::Plain(Spherical.into()), markers, play));
+        self.off(found, &own.shifts, None)
     }
 
     fn universal(&mut self, table: Table<'_>) -> Option<Read> {
         let own = UniversalTable::of(self, table)?;
         let bearing = self.marker(&own.points.bearing, Some(&own.bearing_pin), None);
         let journal = self.marker(&own.points.journal, Some(&own.journal_pin), None);
-        Some((ModelJointForm::Plain(Universal.into()), [bearing?, journal?], None))
+        let markers = bearing.zip(journal).map(|(bearing, journal)| [bearing, journal]);
+        let found = markers.map(|markers| (ModelJointForm::Plain(Universal.into()), markers, None));
+        self.off(found, &own.shifts, Some(&own.tilts))
     }
 
     fn planar(&mut self, table: Table<'_>) -> Option<Read> {
         let own = PlanarTable::of(self, table)?;
-        let markers = self.markers(&own.table, &own.points, &own.axes, None)?;
-        Some((ModelJointForm::Plain(Planar.into()), markers, None))
+        let markers = self.markers(&own.table, &own.points, &own.axes, None);
+        let found = markers.map(|markers| (ModelJointForm::Plain(Planar.into()), markers, None));
+        self.off(found, &own.shifts, Some(&own.tilts))
     }
 
     fn screw(&mut self, table: Table<'_>) -> Option<Read> {
         let own = ScrewTable::of(self, table)?;
-        let markers = self.markers(&own.table, &own.points, &own.axes, Some(&own.across))?;
-        Some((ModelJointForm::Screw { pitch_m: own.pitch }, markers, None))
+        let markers = self.markers(&own.table, &own.points, &own.axes, Some(&own.across));
+        let found = markers.map(|markers| (ModelJointForm::Screw { pitch_m: own.pitch }, markers, None));
+        self.off(found, &own.shifts, Some(&own.tilts))
+    }
+
+    /// A joint with the errors of manufacture of both sides; they are read where the joint itself has a diagnostic as well.
+    fn off(&mut self, found: Option<Read>, shifts: &Shifts<'_>, tilts: Option<&Tilts<'_>>) -> Option<Read> {
+        let errors = self.misalignments(shifts, tilts);
+        let ((form, [bearing, journal], play), [of_bearing, of_journal]) = found.zip(errors)?;
+        let bearing = ModelMarker { misalignment: of_bearing, ..bearing };
+        Some((form, [bearing, ModelMarker { misalignment: of_journal, ..journal }], play))
     }
 
     /// A joint that keeps directions across its axis together.
@@ -316,6 +351,6 @@ impl SpaceReader {
             None => None,
             Some(entry) => Some(self.direction(entry, point.body)?),
         };
-        Some(ModelMarker { point, axis: axis?, across })
+        Some(ModelMarker { point, axis: axis?, across, misalignment: ModelMisalignment::default() })
     }
 }

@@ -5,9 +5,11 @@
 //! |---|---|
 //! | the parts of a model, directions | `parts.rs`, `direction.rs` |
 //! | points, axes and names while a file is read | `reader.rs` |
+//! | errors of manufacture | `misalignment.rs` |
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | whether its parts fit | `fit.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
@@ -15,7 +17,9 @@ mod body;
 mod compile;
 mod direction;
 mod drive;
+mod fit;
 mod joint;
+mod misalignment;
 mod output;
 mod over_turn;
 mod parts;
@@ -26,9 +30,10 @@ mod reader;
 
 pub use compile::CycleInput;
 pub use direction::Direction;
+pub use fit::ModelAssembly;
 pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
-    ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
+    ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};

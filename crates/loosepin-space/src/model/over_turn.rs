@@ -105,10 +105,15 @@ impl SpatialModel {
         })
     }
 
+    /// A place of the input for people.
+    pub(super) fn input_words(&self, input: f64) -> String {
+        let is_time = self.cycle.is_none_or(|cycle| matches!(cycle.span, ModelCycleSpan::Duration(_)));
+        format_value(input, if is_time { Dimension::TIME } else { Dimension::ANGLE })
+    }
+
     /// Why an output has no answer at a place of the input, at the table of the output; of all outputs where it has no name.
     fn no_answer(&self, output: &str, input: f64, error: AccuracyError) -> Diagnostics {
-        let is_time = self.cycle.is_none_or(|cycle| matches!(cycle.span, ModelCycleSpan::Duration(_)));
-        let at = format_value(input, if is_time { Dimension::TIME } else { Dimension::ANGLE });
+        let at = self.input_words(input);
         let subject = if output.is_empty() { "the motion".to_owned() } else { format!("output '{output}'") };
         let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
         let table = if output.is_empty() { "cycle".to_owned() } else { format!("output.{output}") };

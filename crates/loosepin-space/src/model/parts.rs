@@ -122,6 +122,17 @@ pub struct ModelMarker {
     pub axis: Direction,
     /// x of the marker, as far as it is across the axis; `None` for the default.
     pub across: Option<Direction>,
+    /// Errors of manufacture.
+    pub misalignment: ModelMisalignment,
+}
+
+/// How far a marker is from where it should be on its body, along its own axes x, y and z; nothing where the file does not say it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ModelMisalignment {
+    /// Displacement of its point, m.
+    pub shift_m: Option<[QuantityId; 3]>,
+    /// Rotation vector about its point, rad.
+    pub tilt_rad: Option<[QuantityId; 3]>,
 }
 
 /// Play of a joint.

@@ -60,6 +60,12 @@ impl Build {
         self
     }
 
+    /// A drive of the last joint's slide.
+    pub fn slid(mut self) -> Self {
+        self.drives.push(Drive { joint: self.joints.len() - 1, coordinate: JointCoordinate::Slide });
+        self
+    }
+
     pub fn mechanism(self) -> SpatialMechanism {
         SpatialMechanism::new(self.bodies, self.joints, self.drives).unwrap()
     }

@@ -1,36 +1,11 @@
 //! Exact worst cases against closed forms and against random searches that share nothing with the search but the positions, or not even these.
 
 use crate::build::{Build, turning, v};
+use crate::random::Random;
 use loosepin_space::{
     ClosureError, CylindricalPlay, KindOfJoint, MarkerError, MarkerSide, PlayDistribution, PoseAccuracy, Quaternion,
     RevolutePlay, Row, SearchOptions, SpatialMechanism, SpatialOutput, SphericalPlay, UprightPlay, Vec3, assemble,
 };
-
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-    /// Between -1 and 1.
-    fn number(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-    fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
-    }
-    fn vector(&mut self) -> Vec3 {
-        v(self.number(), self.number(), self.number())
-    }
-    fn direction(&mut self) -> Vec3 {
-        self.vector().normalised().unwrap_or(Vec3::Z)
-    }
-}
 
 #[test]
 fn identity_random_loops_go_round_or_stop_with_a_reason() {
