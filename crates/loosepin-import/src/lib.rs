@@ -18,8 +18,10 @@ pub mod templates;
 
 mod dxf;
 mod error;
+mod imported;
 mod links;
 mod options;
+mod robot;
 mod skeleton;
 mod sketch;
 
@@ -31,16 +33,9 @@ use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
+pub use imported::Imported;
 pub use options::ImportOptions;
-
-/// The skeleton of a model.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Imported {
-    /// Text of `model.toml`.
-    pub model: String,
-    /// Findings in words, one sentence each.
-    pub notes: Vec<String>,
-}
+pub use robot::{RobotProblem, import_robot, is_robot_description};
 
 /// Reads a DXF drawing (ASCII or binary); `name` becomes the name of the model.
 ///

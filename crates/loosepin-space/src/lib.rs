@@ -71,7 +71,7 @@ pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, Redundant
 pub use model::{
     CycleInput, Direction, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm,
     ModelMarker, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel, SpatialModelError,
-    SpatialModelProblem, SpatialMotionProblem, is_spatial, spatial_model_schema,
+    SpatialModelProblem, SpatialMotionProblem, is_inertia, is_spatial, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
