@@ -77,11 +77,11 @@ fn listed(parts: [String; 3]) -> String {
     format!("[{}]", parts.join(", "))
 }
 
-/// Share of the length of a vector below which a component is round-off.
+/// Share of the largest component of a vector below which a component is round-off.
 const ROUND_OFF: f64 = 1e-15;
 
 fn without_round_off(vector: Vec3) -> Vec3 {
-    let size = ROUND_OFF * vector.length();
+    let size = ROUND_OFF * vector.to_array().into_iter().fold(0.0_f64, |size, component| size.max(component.abs()));
     Vec3::from(vector.to_array().map(|component| if component.abs() <= size { 0.0 } else { component }))
 }
 
