@@ -75,31 +75,26 @@ fn driven_joints(robot: &Robot, notes: &mut Vec<String>) -> Vec<usize> {
         note_of_free(robot, notes);
         return driven;
     }
-    // Where each repeats nothing, all of them at once.
-    let mut left = None;
-    let mut taken = Vec::new();
+    let Some(alone) = freedoms(robot, &[]) else {
+        notes.push("the freedoms of its loops could not be counted: drives are those of its motors".to_owned());
+        return driven;
+    };
+    let (mut left, mut taken) = (alone.undriven_freedoms, Vec::new());
+    // All motors at once, where none of them repeats others; else one after the other.
     for candidates in [vec![driven.clone()], singly(&driven), singly(&others)].concat() {
-        if left == Some(0) || candidates.iter().any(|joint| taken.contains(joint)) {
+        if left == 0 || candidates.iter().any(|joint| taken.contains(joint)) {
             continue;
         }
         let more = [taken.clone(), candidates].concat();
         if let Some(found) = freedoms(robot, &more).filter(|found| found.repeated_drives == 0) {
-            left = Some(found.undriven_freedoms);
+            left = found.undriven_freedoms;
             taken = more;
         }
     }
-    match left {
-        None => {
-            notes.push("the freedoms of its loops could not be counted: drives are those of its motors".to_owned());
-            driven
-        }
-        Some(left) => {
-            if left > 0 {
-                notes.push(format!("{} left that no drive holds", counted(left, "freedom")));
-            }
-            taken
-        }
+    if left > 0 {
+        notes.push(format!("{} left that no drive holds", counted(left, "freedom")));
     }
+    taken
 }
 
 fn singly(joints: &[usize]) -> Vec<Vec<usize>> {

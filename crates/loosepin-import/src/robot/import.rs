@@ -4,8 +4,8 @@ use super::drives::planned;
 use super::model_names::ModelNames;
 use super::model_text::model;
 use super::problem::RobotProblem;
-use super::urdf;
 use super::xml::{Element, parse};
+use super::{mjcf, urdf};
 use crate::imported::Imported;
 use loosepin_space::SpatialModel;
 use loosepin_text::diagnostics::{Diagnostics, Source};
@@ -31,6 +31,7 @@ pub fn import_robot(source: &Arc<Source>) -> Result<Imported, Diagnostics> {
     let root = Element::root(&document, source);
     let robot = match root.tag() {
         "robot" => urdf::read(root)?,
+        "mujoco" => mjcf::read(root)?,
         other => return Err(root.error(&RobotProblem::OtherRoot { found: other.to_owned() })),
     };
     let mut notes =

@@ -6,6 +6,7 @@
 //! | turns as descriptions write them, frames | `frame.rs` |
 //! | what a description says, the same for both formats | `description.rs` |
 //! | URDF | `urdf.rs` |
+//! | MJCF | `mjcf` |
 //! | which joints are driven | `drives.rs`, with `mechanism.rs` where loops close |
 //! | the text of the model | `model_text.rs`, `model_names.rs`, `names.rs`, `numbers.rs` |
 //! | all of it | `import.rs` |
@@ -16,6 +17,7 @@ mod drives;
 mod frame;
 mod import;
 mod mechanism;
+mod mjcf;
 mod model_names;
 mod model_text;
 mod names;

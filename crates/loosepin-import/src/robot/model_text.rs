@@ -38,8 +38,8 @@ pub(super) fn model(robot: &Robot, names: &ModelNames, drives: &[PlannedDrive], 
 fn bodies(text: &mut String, robot: &Robot, names: &ModelNames, notes: &mut Vec<String>) {
     for (number, link) in robot.links.iter().enumerate() {
         let _ = writeln!(text, "\n[body.{}]", names.body(number));
-        if number == GROUND && link.name != "ground" {
-            let _ = writeln!(text, "# {}", comment(&link.name));
+        if number == GROUND && !["ground", "world"].contains(&link.name.as_str()) {
+            let _ = writeln!(text, "# the link {}", comment(&link.name));
         }
         if let Some(own) = link.inertial.filter(|_| number != GROUND) {
             let moments = own.inertia_kg_m2.map(|moment| format!("\"{} kg m^2\"", number_text(moment)));

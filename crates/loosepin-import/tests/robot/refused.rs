@@ -1,5 +1,6 @@
 //! Files with mistakes: each has its message with line and column, and none a panic.
 
+use crate::mjcf::{FOUR_BAR, PUMA as PUMA_XML};
 use crate::urdf::PUMA;
 use loosepin_import::import_robot;
 use loosepin_text::diagnostics::Source;
@@ -142,6 +143,161 @@ fn other_files_are_named() {
     assert_eq!(message, "the file has elements of xacro, which are not expanded");
 }
 
+/// The four-bar with something else in place of a text of it.
+fn four_bar(from: &str, to: &str) -> (usize, usize, String) {
+    assert!(FOUR_BAR.contains(from), "{from}");
+    refused(&FOUR_BAR.replacen(from, to, 1))
+}
+
+#[test]
+fn mistakes_in_mjcf_have_their_place() {
+    for (from, to, line, column, message) in [
+        ("pos='0.4 0 0'", "pos='0.4 0'", 4, 25, "body 'rocker': pos is '0.4 0'; must be 3 numbers"),
+        ("pos='0.4 0 0'", "quat='0 0 0 0'", 4, 25, "body 'rocker': quat has length zero, so it has no direction"),
+        (
+            "pos='0.4 0 0'",
+            "quat='1 0 0 0' euler='0 0 nan'",
+            4,
+            40,
+            "body 'rocker': 'quat' and 'euler' cannot be used together",
+        ),
+        ("pos='0.4 0 0'", "euler='0 0 nan'", 4, 25, "body 'rocker': euler is '0 0 nan'; must be 3 numbers"),
+        (
+            "pos='0.4 0 0'",
+            "xyaxes='1 0 0 2 0 0'",
+            4,
+            25,
+            "body 'rocker': xyaxes has length zero, so it has no direction",
+        ),
+        ("pos='0.4 0 0'", "childclass='c'", 4, 25, "body 'rocker': there is no class 'c'"),
+        (
+            "name='pivot' axis='0 -1 0'",
+            "name='pivot' axis='0 0 0'",
+            4,
+            59,
+            "joint 'pivot': axis has length zero, so it has no direction",
+        ),
+        ("name='pivot'", "name='pin'", 4, 46, "a second joint is called 'pin'"),
+        (
+            "name='pivot'",
+            "name='pivot' type='screw'",
+            4,
+            59,
+            "joint 'pivot': type is 'screw'; must be hinge, slide, ball or free",
+        ),
+        (
+            "name='pivot'",
+            "name='pivot' type='free'",
+            4,
+            39,
+            "joint 'pivot' lets a body float freely; mechanisms stand on the ground",
+        ),
+        (
+            "<joint name='pivot' axis='0 -1 0'/>",
+            "<freejoint/>",
+            4,
+            39,
+            "the joint of body 'rocker' lets a body float freely; mechanisms stand on the ground",
+        ),
+        ("name='rocker' pos", "name='crank' pos", 4, 11, "a second body is called 'crank'"),
+        ("<body name='rocker'", "<joint/><body name='rocker'", 4, 5, "<joint> is not read: the world does not move"),
+        (
+            "<body name='rocker'",
+            "<bdoy/><body name='rocker'",
+            4,
+            5,
+            "<bdoy> is not read: no such element belongs to a body",
+        ),
+        (
+            "<body name='rocker'",
+            "<replicate count='3'/><body name='rocker'",
+            4,
+            5,
+            "<replicate> is not read: it makes further bodies",
+        ),
+        ("body2='rocker'", "body2='rokcer'", 6, 50, "connect 'ball': there is no body 'rokcer'"),
+        ("body2='rocker'", "body2='coupler'", 6, 13, "connect 'ball' connects body 'coupler' with itself"),
+        ("body1='coupler'", "", 6, 13, "connect 'ball' has no attribute 'body1'"),
+        (" anchor='0.3 0 0.22'", "", 6, 13, "connect 'ball' has no attribute 'anchor'"),
+        ("name='ball'", "name='ball' active='no'", 6, 34, "connect 'ball': active is 'no'; must be true or false"),
+        (
+            "<worldbody>",
+            "<include file='a.xml'/><worldbody>",
+            1,
+            26,
+            "<include> is not read: other files are not opened",
+        ),
+        (
+            "<worldbody>",
+            "<compiler angle='grad'/><worldbody>",
+            1,
+            36,
+            "<compiler>: angle is 'grad'; must be degree or radian",
+        ),
+        (
+            "<worldbody>",
+            "<compiler eulerseq='xyw'/><worldbody>",
+            1,
+            36,
+            "<compiler>: eulerseq is 'xyw'; must be three letters",
+        ),
+        (
+            "<worldbody>",
+            "<compiler coordinate='global'/><worldbody>",
+            1,
+            36,
+            "<compiler>: coordinate is 'global'; must be local",
+        ),
+        (
+            "<worldbody>",
+            "<default><default class='a'/><default class='a'/></default><worldbody>",
+            1,
+            64,
+            "a second class is called 'a'",
+        ),
+        ("<worldbody>", "<default><default/></default><worldbody>", 1, 35, "<default> has no attribute 'class'"),
+        ("<worldbody>", "<default><joint axis='0 1'/></default><worldbody>", 1, 1, ""),
+        (
+            "<joint name='pivot' axis='0 -1 0'/>",
+            "<joint/><geom size='0'/>",
+            4,
+            53,
+            "<geom> of body 'rocker': size is '0'; must be above zero",
+        ),
+        (
+            "<joint name='pivot' axis='0 -1 0'/>",
+            "<joint/><geom type='box' size='1'/>",
+            4,
+            64,
+            "<geom> of body 'rocker': size is '1'; must be 3 to 3 numbers",
+        ),
+        (
+            "<joint name='pivot' axis='0 -1 0'/>",
+            "<joint/><geom/>",
+            4,
+            47,
+            "<geom> of body 'rocker' has no attribute 'size'",
+        ),
+        (
+            "<joint name='pivot' axis='0 -1 0'/>",
+            "<inertial pos='0 0 0' mass='1'/>",
+            4,
+            39,
+            "<inertial> of body 'rocker' has no attribute 'diaginertia' or 'fullinertia'",
+        ),
+    ] {
+        // An attribute of a class that nothing takes is not read.
+        if message.is_empty() {
+            assert!(import_robot(&Source::new("robot.xml", FOUR_BAR.replacen(from, to, 1))).is_ok());
+            continue;
+        }
+        let found = four_bar(from, to);
+        assert!(found.2.starts_with(message), "{to}: {found:?}");
+        assert_eq!((found.0, found.1), (line, column), "{to}: {}", found.2);
+    }
+    assert_eq!(refused("<mujoco/>").2, "the file has no link that moves");
+}
+
 /// What a text may be replaced by.
 const PIECES: [&str; 14] = [
     "",
@@ -177,6 +333,8 @@ proptest! {
     fn no_change_of_a_file_makes_the_reader_panic(
         changes in proptest::collection::vec((any::<prop::sample::Index>(), 0..PIECES.len(), 0..12_usize), 1..4),
     ) {
-        let _ = import_robot(&Source::new("robot.xml", changed(PUMA, &changes)));
+        for text in [PUMA, PUMA_XML, FOUR_BAR] {
+            let _ = import_robot(&Source::new("robot.xml", changed(text, &changes)));
+        }
     }
 }
