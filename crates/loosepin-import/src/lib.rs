@@ -18,6 +18,7 @@ pub mod templates;
 
 mod dxf;
 mod error;
+mod export;
 mod imported;
 mod links;
 mod options;
@@ -33,6 +34,7 @@ use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
+pub use export::{ExportProblem, Exported, RobotFormat, export_robot};
 pub use imported::Imported;
 pub use options::ImportOptions;
 pub use robot::{RobotProblem, import_robot, is_robot_description};

@@ -1,6 +1,6 @@
 //! A robot as its description has it: links on the ground, joints between frames of them. The frame of a link is that of its file.
 
-use super::frame::Frame;
+use super::frame::{Frame, about};
 use loosepin_space::{Rotation, Vec3};
 
 /// The number of the link that is the ground.
@@ -71,6 +71,8 @@ pub(super) struct RobotJoint {
     pub parent: JointSide,
     /// The link that it moves, and where it is there.
     pub child: JointSide,
+    /// Its coordinate in the pose of the description, rad or m.
+    pub reference: f64,
     /// Limits of its coordinate, rad or m.
     pub limits: Option<[f64; 2]>,
     /// Whether a motor of the description drives it, or nothing is said about motors.
@@ -81,7 +83,7 @@ pub(super) struct RobotJoint {
     pub comments: Vec<String>,
 }
 
-/// Where a joint is on a link: with both sides' frames together, its coordinates are zero.
+/// Where a joint is on a link: its coordinate leads from the frame of the parent's side to that of the child's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct JointSide {
     /// The link.
@@ -130,12 +132,37 @@ pub(super) fn most_across(axis: Vec3) -> Vec3 {
     }
 }
 
+impl RobotJoint {
+    /// The frame of the child's side in that of the parent's with a coordinate.
+    fn moved(&self, coordinate: f64) -> Frame {
+        match self.kind {
+            RobotJointKind::Hinge => Frame { origin_m: Vec3::ZERO, axes: about(2, coordinate) },
+            RobotJointKind::Slide => Frame { origin_m: Vec3::Z * coordinate, axes: Rotation::IDENTITY },
+            RobotJointKind::Fixed | RobotJointKind::Ball | RobotJointKind::Planar => Frame::IDENTITY,
+        }
+    }
+
+    /// The joint with its coordinate in the pose of the description, in which both sides are together so far.
+    pub fn with_reference(mut self, reference: f64) -> RobotJoint {
+        let moves = matches!(self.kind, RobotJointKind::Hinge | RobotJointKind::Slide);
+        // Without one no number changes.
+        if reference == 0.0 || !moves {
+            return self;
+        }
+        self.reference = reference;
+        let frame = self.parent.frame().compose(&self.moved(-reference));
+        self.parent.point_m = frame.origin_m;
+        self.parent.across = frame.axes.x;
+        self
+    }
+}
+
 impl Robot {
-    /// Frames of all links in that of the ground with the coordinates of all joints of the tree zero.
+    /// Frames of all links in that of the ground in the pose of the description.
     pub fn frames(&self) -> Vec<Frame> {
         let mut frames = vec![Frame::IDENTITY; self.links.len()];
         for joint in self.joints.iter().filter(|joint| !joint.closes_loop) {
-            let at = frames[joint.parent.link].compose(&joint.parent.frame());
+            let at = frames[joint.parent.link].compose(&joint.parent.frame()).compose(&joint.moved(joint.reference));
             frames[joint.child.link] = at.compose(&joint.child.frame().inverse());
         }
         frames

@@ -38,7 +38,7 @@ pub(super) enum Course {
 /// The drives of a robot, in the order of its joints.
 ///
 /// Without loops each hinge and each slide has one. With loops, joints with motors come first, and others as long as freedoms are left. The first
-/// one moves, over its limits if it has any; the others are held at zero, or at the limit that is nearest to it.
+/// one moves, over its limits if it has any; the others are held where the description has them, or at the limit that is nearest to that.
 pub(super) fn planned(robot: &Robot, notes: &mut Vec<String>) -> Vec<PlannedDrive> {
     let mut joints = driven_joints(robot, notes);
     joints.sort_unstable();
@@ -46,9 +46,9 @@ pub(super) fn planned(robot: &Robot, notes: &mut Vec<String>) -> Vec<PlannedDriv
     let moving = first(RobotJointKind::Hinge).or_else(|| first(RobotJointKind::Slide));
     let drives = joints.iter().map(|&joint| {
         let own = &robot.joints[joint];
-        // Loops are closed where the description has them, all coordinates zero.
-        let nearest =
-            own.limits.map_or(0.0, |[lower, upper]| if lower > upper { 0.0 } else { 0.0_f64.clamp(lower, upper) });
+        let nearest = own.limits.map_or(own.reference, |[lower, upper]| {
+            if lower <= upper { own.reference.clamp(lower, upper) } else { own.reference }
+        });
         if Some(joint) != moving {
             return PlannedDrive { joint, start: nearest, course: Course::Held };
         }
@@ -58,7 +58,7 @@ pub(super) fn planned(robot: &Robot, notes: &mut Vec<String>) -> Vec<PlannedDriv
             }
             (RobotJointKind::Hinge, _) => (nearest, Course::Turns),
             (_, Some([lower, upper])) => (lower, Course::Sweeps(upper - lower)),
-            (_, None) => (0.0, Course::Sweeps(SLIDE_M)),
+            (_, None) => (nearest, Course::Sweeps(SLIDE_M)),
         };
         PlannedDrive { joint, start, course }
     });
@@ -101,10 +101,11 @@ fn singly(joints: &[usize]) -> Vec<Vec<usize>> {
     joints.iter().map(|joint| vec![*joint]).collect()
 }
 
-/// How the robot can move with these drives where all coordinates are zero.
+/// How the robot can move with these drives in the pose of the description.
 fn freedoms(robot: &Robot, driven: &[usize]) -> Option<Mobility> {
     let mechanism = mechanism(robot, driven).ok()?;
-    let position = assemble(&mechanism, &vec![DriveValue::held(0.0); driven.len()]).ok()?;
+    let held = driven.iter().map(|joint| DriveValue::held(robot.joints[*joint].reference));
+    let position = assemble(&mechanism, &held.collect::<Vec<_>>()).ok()?;
     Some(mobility(&mechanism, &position))
 }
 

@@ -5,7 +5,7 @@ use loosepin_space::{Rotation, Vec3};
 
 /// A frame in another one: its origin and its axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// Its origin, m.
     pub origin_m: Vec3,
     /// Its axes.
@@ -66,7 +66,7 @@ pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
 }
 
 /// The roll, pitch and yaw of a turn: the inverse of [`roll_pitch_yaw`], with -π/2 <= pitch <= π/2; roll 0 where the pitch is a quarter of a turn.
-pub(super) fn of_roll_pitch_yaw(rotation: &Rotation) -> [f64; 3] {
+pub(crate) fn of_roll_pitch_yaw(rotation: &Rotation) -> [f64; 3] {
     // x = (cp cy, cp sy, -sp), y.z = cp sr, z.z = cp cr
     let level = libm::hypot(rotation.x.x, rotation.x.y);
     let pitch = libm::atan2(-rotation.x.z, level);

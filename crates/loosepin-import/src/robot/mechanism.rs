@@ -26,7 +26,7 @@ pub(super) fn coordinate(kind: RobotJointKind) -> Option<JointCoordinate> {
     }
 }
 
-/// The mechanism with drives of these joints, its bodies where all coordinates of the tree are zero.
+/// The mechanism with drives of these joints, its bodies in the pose of the description.
 pub(super) fn mechanism(robot: &Robot, driven: &[usize]) -> Result<SpatialMechanism, MechanismError> {
     let frames = robot.frames();
     let bodies = robot.links.iter().zip(&frames).enumerate().map(|(number, (link, frame))| {

@@ -2,6 +2,7 @@
 
 use super::description::{GROUND, JointSide, Robot, RobotJoint, RobotJointKind, most_across};
 use super::drives::{CYCLE_S, Course, PlannedDrive, TURN_RPM};
+use super::frame::of_roll_pitch_yaw;
 use super::model_names::ModelNames;
 use super::numbers::{angle, direction, length, lengths, number, shifted, word};
 use loosepin_space::{Vec3, is_inertia};
@@ -30,6 +31,7 @@ pub(super) fn model(robot: &Robot, names: &ModelNames, drives: &[PlannedDrive], 
     for (number, joint) in robot.joints.iter().enumerate() {
         joint_table(&mut text, names, number, joint);
     }
+    guesses(&mut text, robot, names);
     drive_tables(&mut text, robot, names, drives);
     outputs(&mut text, robot, names, drives);
     text
@@ -118,6 +120,26 @@ fn default_across(axis: Vec3) -> Vec3 {
     most_across(axis)
 }
 
+/// Where bodies are in the description, if drives and joints alone do not say it: balls, planes and loops leave it open.
+fn guesses(text: &mut String, robot: &Robot, names: &ModelNames) {
+    let is_open =
+        |joint: &RobotJoint| joint.closes_loop || matches!(joint.kind, RobotJointKind::Ball | RobotJointKind::Planar);
+    if !robot.joints.iter().any(is_open) {
+        return;
+    }
+    let _ = writeln!(text, "\n# Where the description has the bodies: loops are closed from there.\n[assembly.guess]");
+    for (number, frame) in robot.frames().iter().enumerate().skip(1) {
+        let [roll, pitch, yaw] = of_roll_pitch_yaw(&frame.axes);
+        let turns: Vec<String> = [("z", yaw), ("y", pitch), ("x", roll)]
+            .into_iter()
+            .filter(|(_, turn)| *turn != 0.0)
+            .map(|(axis, turn)| format!("\"{axis} {}\"", angle(turn)))
+            .collect();
+        let turned = if turns.is_empty() { String::new() } else { format!(", turned = [{}]", turns.join(", ")) };
+        let _ = writeln!(text, "{} = {{ at = {}{turned} }}", names.body(number), lengths(frame.origin_m));
+    }
+}
+
 fn drive_tables(text: &mut String, robot: &Robot, names: &ModelNames, drives: &[PlannedDrive]) {
     for drive in drives {
         let joint = &robot.joints[drive.joint];
@@ -167,13 +189,13 @@ fn outputs(text: &mut String, robot: &Robot, names: &ModelNames, drives: &[Plann
     else {
         return;
     };
-    // With the coordinates zero: where other joints are held elsewhere the axis may be another one of the body.
+    // In the pose of the description: where other joints are held elsewhere the axis may be another one of the body.
     let frames = robot.frames();
     let axis = frames[moving.parent.link].axes.apply(moving.parent.axis);
     let axis = frames[tool].axes.apply_transposed(axis);
     let _ = writeln!(
         text,
-        "\n# About an axis of its own, which is that of joint {} where all coordinates are zero.\n[output.{}]\nturn_of = \"{body}\"\nabout = {}",
+        "\n# About an axis of its own, which is that of joint {} in the pose of the description.\n[output.{}]\nturn_of = \"{body}\"\nabout = {}",
         comment(&moving.name),
         names.turn_output(),
         direction(axis)

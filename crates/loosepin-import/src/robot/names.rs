@@ -7,7 +7,7 @@ const MAX_CHARS: usize = 60;
 
 /// Names that are taken.
 #[derive(Debug, Default)]
-pub(super) struct Names {
+pub(crate) struct Names {
     taken: HashSet<String>,
     /// Names that had to be changed, with what they became.
     pub changed: Vec<(String, String)>,

@@ -40,7 +40,7 @@ fn placed(digits: &str, exponent: i32) -> String {
 }
 
 /// A number.
-pub(super) fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     shifted(value, 0)
 }
 

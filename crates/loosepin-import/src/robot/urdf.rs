@@ -149,6 +149,7 @@ fn read_joint(
         kind,
         parent: side.seen_from(parent, &frame),
         child: side,
+        reference: 0.0,
         limits: limits.filter(|[lower, upper]| lower < upper),
         is_actuated: true,
         closes_loop: false,

@@ -86,11 +86,6 @@ impl<'d> Element<'d> {
         self.node.tag_name().name()
     }
 
-    /// Its first byte: one for each element.
-    pub fn start(&self) -> usize {
-        self.node.range().start
-    }
-
     /// Its elements, those of other namespaces left out.
     pub fn children(&self) -> impl Iterator<Item = Element<'d>> + use<'d> {
         let source = self.source;
@@ -135,17 +130,6 @@ impl<'d> Element<'d> {
     pub fn required_attribute(&self, name: &str) -> Result<Attribute<'d>, Diagnostics> {
         self.attribute(name).ok_or_else(|| {
             self.error(&RobotProblem::Missing { element: self.words(), what: format!("attribute '{name}'") })
-        })
-    }
-
-    /// Its attributes.
-    pub fn attributes(&self) -> impl Iterator<Item = Attribute<'d>> + use<'d> {
-        let element = *self;
-        element.node.attributes().map(move |found| Attribute {
-            element,
-            name: found.name(),
-            text: found.value(),
-            span: found.range().into(),
         })
     }
 
@@ -215,17 +199,6 @@ impl<'d> Attribute<'d> {
     /// One finite number.
     pub fn number(&self) -> Result<f64, Diagnostics> {
         self.numbers::<1>().map(|[number]| number)
-    }
-
-    /// A number above zero.
-    pub fn positive(&self) -> Result<f64, Diagnostics> {
-        let number = self.number()?;
-        if number > 0.0 {
-            return Ok(number);
-        }
-        let problem =
-            RobotProblem::NotPositive { element: self.of(), attribute: self.name.to_owned(), found: self.shown() };
-        Err(self.error(&problem))
     }
 
     /// Between `least` and `most` finite numbers.

@@ -1,5 +1,6 @@
 //! Robot descriptions: what is read, held against closed forms and products of matrices; what is refused; what is written and read again.
 
+mod export;
 mod matrices;
 mod mjcf;
 mod refused;
@@ -12,10 +13,12 @@ use loosepin_text::diagnostics::Source;
 /// Round-off of positions after closing, m, and of components of axes.
 pub const ROUND_OFF: f64 = 1e-12;
 
+/// What a text becomes.
 pub fn imported(name: &str, text: &str) -> Imported {
     import_robot(&Source::new(name, text)).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
+/// The model that a text becomes, read again.
 pub fn model_of(text: &str) -> SpatialModel {
     let imported = imported("robot.xml", text);
     SpatialModel::from_text("model.toml", &imported.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))

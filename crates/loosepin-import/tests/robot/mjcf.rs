@@ -274,3 +274,26 @@ fn welds_and_sites_close_loops() {
     assert!(other.notes.iter().any(|note| note == due), "{:?}", other.notes);
     assert_eq!(SpatialModel::from_text("m", &other.model).unwrap().joints.len(), 4);
 }
+
+#[test]
+fn analytic_coordinates_are_counted_from_their_references() {
+    let text = "<mujoco><worldbody><body name='a' pos='0.1 0 0'><joint name='turn' axis='0 0 1' ref='30' range='-40 80'/>
+        <body name='b' pos='0 0.2 0'><joint name='way' type='slide' axis='2 0 0' ref='0.05'/></body></body></worldbody></mujoco>";
+    let model = model_of(text);
+    for [turn, way] in [[30.0_f64, 0.05], [0.0, 0.0], [75.0, -0.12]] {
+        let (_, position) = position(&model, &[turn.to_radians(), way]);
+        let due = chain(&[
+            moved(0.1, 0.0, 0.0),
+            about_z((turn - 30.0).to_radians()),
+            moved(0.0, 0.2, 0.0),
+            moved(way - 0.05, 0.0, 0.0),
+        ]);
+        let found = difference(pose_of(&model, &position, "b"), due);
+        assert!(found < ROUND_OFF, "{turn} {way}: {found:e}");
+    }
+    let text = imported("r.xml", text).model;
+    assert!(
+        text.contains("# limits of the description: -40 deg to 80 deg") && text.contains("start_position = \"50 mm\""),
+        "{text}"
+    );
+}

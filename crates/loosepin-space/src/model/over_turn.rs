@@ -76,8 +76,8 @@ impl SpatialModel {
         Diagnostics::one(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
     }
 
-    /// Where a table stands.
-    fn place(&self, path: &str) -> Option<Place> {
+    /// Where a table stands in the file, by its path: `joint.main`.
+    pub fn place(&self, path: &str) -> Option<Place> {
         self.places.get(path).map(|span| Place::new(&self.source, *span))
     }
 

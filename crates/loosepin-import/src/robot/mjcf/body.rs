@@ -162,6 +162,8 @@ impl<'s, 'd> Bodies<'s, 'd> {
             let mut own = self.joint(joint, around, name, number, count)?;
             own.child.link = link;
             own.parent = own.child.seen_from(before, &frame);
+            let reference = own.reference;
+            let own = own.with_reference(reference);
             let link_name = if number + 1 == count { name.to_owned() } else { format!("{name}_{}", own.name) };
             self.links.push(Link { name: link_name, inertial: None, points: Vec::new() });
             self.joints.push(own);
@@ -178,6 +180,7 @@ impl<'s, 'd> Bodies<'s, 'd> {
             kind: RobotJointKind::Fixed,
             parent: side.seen_from(parent, at),
             child: side,
+            reference: 0.0,
             limits: None,
             is_actuated: false,
             closes_loop: false,
@@ -222,31 +225,33 @@ impl<'s, 'd> Bodies<'s, 'd> {
         // A ball has no axis.
         let axis = if kind == RobotJointKind::Ball { Vec3::Z } else { around.axes.apply(axis) };
         let side = JointSide::new(GROUND, around.point(point_m), axis);
-        let reference = joint.attribute("ref").map_or(Ok(0.0), |own| own.number())?;
-        let comments = match reference {
-            0.0 => Vec::new(),
-            _ => vec!["its coordinate is zero where that of the description is its ref".to_owned()],
-        };
+        let reference = joint.attribute("ref").map_or(Ok(0.0), |own| own.number())? * self.unit(kind);
         let is_actuated = element.attribute("name").is_some_and(|name| self.actuated.contains(name.text));
-        let limits = self.limits(joint, kind, reference)?;
-        Ok(RobotJoint { name, kind, parent: side, child: side, limits, is_actuated, closes_loop: false, comments })
+        let limits = self.limits(joint, kind)?;
+        Ok(RobotJoint {
+            name,
+            kind,
+            parent: side,
+            child: side,
+            reference,
+            limits,
+            is_actuated,
+            closes_loop: false,
+            comments: Vec::new(),
+        })
     }
 
-    /// The range of a joint, counted from its reference.
-    fn limits(
-        &self,
-        joint: &Styled<'s, 'd>,
-        kind: RobotJointKind,
-        reference: f64,
-    ) -> Result<Option<[f64; 2]>, Diagnostics> {
-        let unit = match kind {
-            RobotJointKind::Hinge => self.compiler.radians,
-            RobotJointKind::Slide => 1.0,
-            RobotJointKind::Fixed | RobotJointKind::Ball | RobotJointKind::Planar => return Ok(None),
-        };
+    /// The unit of the coordinate of a joint, rad or m.
+    fn unit(&self, kind: RobotJointKind) -> f64 {
+        if kind == RobotJointKind::Hinge { self.compiler.radians } else { 1.0 }
+    }
+
+    /// The range of a joint.
+    fn limits(&self, joint: &Styled<'s, 'd>, kind: RobotJointKind) -> Result<Option<[f64; 2]>, Diagnostics> {
         let is_limited = joint.attribute("limited").is_none_or(|own| own.text != "false");
-        let Some(range) = joint.attribute("range").filter(|_| is_limited) else { return Ok(None) };
-        let [lower, upper] = range.numbers::<2>()?.map(|limit| (limit - reference) * unit);
+        let has_range = matches!(kind, RobotJointKind::Hinge | RobotJointKind::Slide);
+        let Some(range) = joint.attribute("range").filter(|_| is_limited && has_range) else { return Ok(None) };
+        let [lower, upper] = range.numbers::<2>()?.map(|limit| limit * self.unit(kind));
         Ok((lower < upper).then_some([lower, upper]))
     }
 

@@ -10,7 +10,7 @@ use crate::robot::xml::Element;
 use loosepin_space::Vec3;
 use loosepin_text::diagnostics::Diagnostics;
 
-/// Reads `<equality>`: joints that close loops are added to the robot, in whose frames they are closed where all coordinates are zero.
+/// Reads `<equality>`: joints that close loops are added to the robot, closed in the pose of the file.
 pub(super) fn read<'d>(element: Element<'d>, bodies: &Bodies<'_, 'd>, robot: &mut Robot) -> Result<(), Diagnostics> {
     let frames = robot.frames();
     for constraint in element.children() {
@@ -44,6 +44,7 @@ pub(super) fn read<'d>(element: Element<'d>, bodies: &Bodies<'_, 'd>, robot: &mu
             kind,
             parent,
             child,
+            reference: 0.0,
             limits: None,
             is_actuated: false,
             closes_loop: true,

@@ -1,7 +1,8 @@
 //! MJCF, the format of MuJoCo: bodies inside each other, each with the joints that connect it to the one around it.
 //!
 //! Source: the XML reference of MuJoCo 3, <https://mujoco.readthedocs.io/en/stable/XMLreference.html>. Several joints of a body are a chain: each
-//! moves what stands behind it, and the body comes last. Joints are written in the frame of the body where all coordinates are zero.
+//! moves what stands behind it, and the body comes last. Joints are written in the frame of the body in the pose of the
+//! file, in which the coordinate of each is its `ref`.
 //!
 //! | Part | File |
 //! |---|---|

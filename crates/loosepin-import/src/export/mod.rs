@@ -1,0 +1,21 @@
+//! From a model in space to a robot description, URDF or MJCF.
+//!
+//! | Step | File |
+//! |---|---|
+//! | which joints make a tree, and which close its loops | `tree.rs` |
+//! | a link with its mass | `link.rs` |
+//! | elements of XML | `element.rs` |
+//! | the texts | `urdf.rs`, `mjcf.rs` |
+//! | what both are given; the format | `export.rs` |
+//! | what cannot be said | `problem.rs` |
+
+mod element;
+mod export;
+mod link;
+mod mjcf;
+mod problem;
+mod tree;
+mod urdf;
+
+pub use export::{Exported, RobotFormat, export_robot};
+pub use problem::ExportProblem;
