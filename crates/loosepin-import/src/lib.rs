@@ -1,4 +1,7 @@
-//! From a drawing to the skeleton of a model: lines are links, circles are joints.
+//! Models from drawings, from robot descriptions and from templates; and robot descriptions of models in space.
+//!
+//! Robot descriptions are URDF and MJCF: [`import_robot`], [`export_robot`]. Of a drawing comes the skeleton of a model: lines are links,
+//! circles are joints.
 //!
 //! | drawn | becomes |
 //! |---|---|
@@ -34,7 +37,7 @@ use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
-pub use export::{ExportProblem, Exported, RobotFormat, export_robot};
+pub use export::{ExportProblem, Exported, RobotFormat, export_robot, write_robot};
 pub use imported::Imported;
 pub use options::ImportOptions;
 pub use robot::{RobotProblem, import_robot, is_robot_description};
@@ -49,10 +52,10 @@ pub fn import_dxf(name: &str, drawing: &[u8], options: &ImportOptions) -> Result
     Ok(Imported { model: skeleton::model(name, &sketch, &links), notes: skeleton::notes(&sketch, &links) })
 }
 
-/// Largest drawing, bytes.
+/// Largest drawing, and largest robot description, bytes.
 const MAX_DRAWING_BYTES: u64 = 256 << 20;
 
-/// Reads the bytes of a drawing.
+/// Reads the bytes of a drawing, or of a robot description.
 ///
 /// # Errors
 /// The file cannot be read, with the name that was probably meant.

@@ -109,6 +109,9 @@ fn diagnostic(model: &SpatialModel, problem: &ExportProblem) -> Diagnostic {
         | ExportProblem::ClosesLoop { joint, .. }
         | ExportProblem::LoopKind { joint, .. } => format!("joint.{joint}"),
         ExportProblem::NotConnected { body } => format!("body.{body}"),
+        ExportProblem::NotInSpace { .. } | ExportProblem::Exists { .. } | ExportProblem::NotWritten { .. } => {
+            String::new()
+        }
     };
     Diagnostic::error(problem, model.place(&path))
 }

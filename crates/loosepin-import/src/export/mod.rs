@@ -7,10 +7,12 @@
 //! | elements of XML | `element.rs` |
 //! | the texts | `urdf.rs`, `mjcf.rs` |
 //! | what both are given; the format | `export.rs` |
+//! | the file | `file.rs` |
 //! | what cannot be said | `problem.rs` |
 
 mod element;
 mod export;
+mod file;
 mod link;
 mod mjcf;
 mod problem;
@@ -18,4 +20,5 @@ mod tree;
 mod urdf;
 
 pub use export::{Exported, RobotFormat, export_robot};
+pub use file::write_robot;
 pub use problem::ExportProblem;

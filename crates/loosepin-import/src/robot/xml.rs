@@ -6,6 +6,8 @@ use loosepin_text::diagnostics::{Diagnostics, Place, Source, Span};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 use std::sync::Arc;
 
+/// Bytes of a file, at most.
+const MAX_BYTES: usize = 32 << 20;
 /// Elements, texts and comments of a file, at most.
 const MAX_NODES: u32 = 400_000;
 /// Elements inside each other, at most: they are walked by calls inside each other.
@@ -18,6 +20,10 @@ const SHOWN_CHARS: usize = 40;
 /// # Errors
 /// It is no XML; a document type, whose entities can make a small file very large; too many or too deep elements.
 pub(super) fn parse(source: &Arc<Source>) -> Result<Document<'_>, Diagnostics> {
+    if source.text().len() > MAX_BYTES {
+        let problem = RobotProblem::TooLarge { what: "bytes", limit: MAX_BYTES };
+        return Err(Diagnostics::one(&problem, Some(Place::new(source, 0..0))));
+    }
     let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(source.text(), options).map_err(|error| {
         let (problem, place) = match error {

@@ -297,3 +297,34 @@ fn analytic_coordinates_are_counted_from_their_references() {
         "{text}"
     );
 }
+
+#[test]
+fn peer_poses_and_masses_of_all_forms() {
+    // forms.py wrote the numbers.
+    let model = model_of(include_str!("forms.xml"));
+    let value = |id| model.quantities.nominal_value(id);
+    let numbers = |words: &[&str]| words.iter().map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
+    let mut rows = 0;
+    for line in include_str!("forms.csv").lines() {
+        let words: Vec<&str> = line.split(',').collect();
+        let (name, due) =
+            if words[0] == "pose" { (words[6], numbers(&words[7..])) } else { (words[1], numbers(&words[2..])) };
+        let found: Vec<f64> = if words[0] == "pose" {
+            let (_, position) = position(&model, &numbers(&words[1..6]));
+            let pose = pose_of(&model, &position, name);
+            [3, 0, 1].iter().flat_map(|column| [pose[0][*column], pose[1][*column], pose[2][*column]]).collect()
+        } else {
+            let body = model.bodies.iter().find(|body| body.name == name).unwrap();
+            let moment = |number: usize| body.inertia_kg_m2.get(number).map_or(0.0, |id| value(*id));
+            let [mass, centre] =
+                [vec![value(body.mass_kg.unwrap())], body.centre_of_mass_m.unwrap().map(value).to_vec()];
+            [mass, centre, [0, 1, 2, 3, 4, 5].map(moment).to_vec()].concat()
+        };
+        assert_eq!(found.len(), due.len());
+        for (found, due) in found.iter().zip(due) {
+            assert!((found - due).abs() < ROUND_OFF, "{line}: {found}");
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 16);
+}
