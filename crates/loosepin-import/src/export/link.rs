@@ -1,6 +1,6 @@
 //! A body with its mass.
 
-use super::export::Export;
+use super::closed_model::Export;
 use loosepin_space::Vec3;
 
 /// Mass, centre of mass, and moments of inertia about it, xx, yy, zz, xy, xz, yz.

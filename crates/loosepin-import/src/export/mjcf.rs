@@ -1,7 +1,7 @@
 //! MJCF: bodies with the frames and the names of the model, as they stand at time zero; `ref` of a joint is its coordinate there.
 
+use super::closed_model::Export;
 use super::element::Element;
-use super::export::Export;
 use super::link::Mass;
 use super::problem::ExportProblem;
 use super::tree::TreeJoint;
@@ -22,7 +22,7 @@ pub(super) fn robot(export: &Export<'_>, notes: &mut Vec<String>) -> Result<Elem
     if !without.is_empty() {
         compiler = compiler.numbers("boundmass", &[BOUND_MASS_KG]).numbers("boundinertia", &[BOUND_INERTIA_KG_M2]);
         notes.push(format!(
-            "{} without mass and inertia: boundmass and boundinertia give them small ones, since MuJoCo needs some",
+            "no mass and inertia of {}: boundmass and boundinertia give small ones, since MuJoCo needs some",
             quoted(&without)
         ));
     }

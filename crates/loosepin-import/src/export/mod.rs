@@ -6,10 +6,12 @@
 //! | a link with its mass | `link.rs` |
 //! | elements of XML | `element.rs` |
 //! | the texts | `urdf.rs`, `mjcf.rs` |
-//! | what both are given; the format | `export.rs` |
+//! | what both are written from | `closed_model.rs` |
+//! | all of it | `export.rs` |
 //! | the file | `file.rs` |
 //! | what cannot be said | `problem.rs` |
 
+mod closed_model;
 mod element;
 mod export;
 mod file;

@@ -1,7 +1,7 @@
 //! URDF: the frame of a link is that of the joint that moves it, so that it stands at the point of its joint, with the axes of its body.
 
+use super::closed_model::Export;
 use super::element::Element;
-use super::export::Export;
 use super::link::Mass;
 use super::problem::ExportProblem;
 use super::tree::TreeJoint;

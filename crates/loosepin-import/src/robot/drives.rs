@@ -13,6 +13,9 @@ const SLIDE_M: f64 = 0.1;
 /// Time of a cycle that is not counted by turns, s.
 pub(super) const CYCLE_S: f64 = 1.0;
 
+/// Links of a robot with loops whose freedoms are counted, at most: beyond, counting takes minutes, and no model has as many bodies.
+const MAX_COUNTED_LINKS: usize = 100;
+
 /// A drive of the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PlannedDrive {
@@ -75,7 +78,8 @@ fn driven_joints(robot: &Robot, notes: &mut Vec<String>) -> Vec<usize> {
         note_of_free(robot, notes);
         return driven;
     }
-    let Some(alone) = freedoms(robot, &[]) else {
+    let alone = if robot.links.len() > MAX_COUNTED_LINKS { None } else { freedoms(robot, &[]) };
+    let Some(alone) = alone else {
         notes.push("the freedoms of its loops could not be counted: drives are those of its motors".to_owned());
         return driven;
     };

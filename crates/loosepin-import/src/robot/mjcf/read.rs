@@ -15,7 +15,7 @@ use std::collections::HashSet;
 const GRAVITY_M_S2: [f64; 3] = [0.0, 0.0, -9.81];
 /// The name of a model that has none.
 const NAME: &str = "MuJoCo Model";
-/// Bodies, at most: those around each are walked through.
+/// Bodies, and constraints of an element, at most: they are searched one after the other.
 const MAX_BODIES: usize = 1000;
 
 /// Reads the element `<mujoco>`.
@@ -62,6 +62,9 @@ pub(in crate::robot) fn read(root: Element<'_>) -> Result<Robot, Diagnostics> {
         notes,
     };
     for element in root.all("equality") {
+        if let Some(beyond) = element.children().nth(MAX_BODIES) {
+            return Err(beyond.error(&RobotProblem::TooLarge { what: "constraints", limit: MAX_BODIES }));
+        }
         equality::read(element, &bodies, &mut robot)?;
     }
     Ok(robot)
