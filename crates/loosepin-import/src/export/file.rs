@@ -1,6 +1,6 @@
 //! The file.
 
-use super::export::{Exported, RobotFormat};
+use super::export_robot::{Exported, RobotFormat};
 use super::problem::ExportProblem;
 use crate::robot::Names;
 use loosepin_files::{io_error_words, replace_named, write_new_files};

@@ -7,13 +7,13 @@
 //! | elements of XML | `element.rs` |
 //! | the texts | `urdf.rs`, `mjcf.rs` |
 //! | what both are written from | `closed_model.rs` |
-//! | all of it | `export.rs` |
+//! | all of it | `export_robot.rs` |
 //! | the file | `file.rs` |
 //! | what cannot be said | `problem.rs` |
 
 mod closed_model;
 mod element;
-mod export;
+mod export_robot;
 mod file;
 mod link;
 mod mjcf;
@@ -21,6 +21,6 @@ mod problem;
 mod tree;
 mod urdf;
 
-pub use export::{Exported, RobotFormat, export_robot};
+pub use export_robot::{Exported, RobotFormat, export_robot};
 pub use file::write_robot;
 pub use problem::ExportProblem;

@@ -176,4 +176,18 @@ impl Robot {
         }
         (1..self.links.len()).max_by_key(|link| depths[*link])
     }
+
+    /// Joints of the tree between the ground and the tool.
+    pub fn way_to_tool(&self) -> Vec<usize> {
+        let mut way = Vec::new();
+        let mut link = self.tool().unwrap_or(GROUND);
+        // From the tool on: the joint of a parent comes before those of its children.
+        for (number, joint) in self.joints.iter().enumerate().rev() {
+            if !joint.closes_loop && joint.child.link == link && link != GROUND {
+                way.push(number);
+                link = joint.parent.link;
+            }
+        }
+        way
+    }
 }

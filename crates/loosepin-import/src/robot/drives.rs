@@ -41,12 +41,19 @@ pub(super) enum Course {
 /// The drives of a robot, in the order of its joints.
 ///
 /// Without loops each hinge and each slide has one. With loops, joints with motors come first, and others as long as freedoms are left. The first
-/// one moves, over its limits if it has any; the others are held where the description has them, or at the limit that is nearest to that.
+/// one on the way to the tool moves, over its limits if it has any; the others are held where the description has them, or at the limit that is
+/// nearest to that.
 pub(super) fn planned(robot: &Robot, notes: &mut Vec<String>) -> Vec<PlannedDrive> {
     let mut joints = driven_joints(robot, notes);
     joints.sort_unstable();
-    let first = |kind: RobotJointKind| joints.iter().copied().find(|&joint| robot.joints[joint].kind == kind);
-    let moving = first(RobotJointKind::Hinge).or_else(|| first(RobotJointKind::Slide));
+    let on_way = robot.way_to_tool();
+    let first = |kind: RobotJointKind, any: bool| {
+        let fits = |joint: &usize| robot.joints[*joint].kind == kind && (any || on_way.contains(joint));
+        joints.iter().copied().find(fits)
+    };
+    let (hinge, slide) = (RobotJointKind::Hinge, RobotJointKind::Slide);
+    let moving = [(hinge, false), (slide, false), (hinge, true), (slide, true)];
+    let moving = moving.into_iter().find_map(|(kind, any)| first(kind, any));
     let drives = joints.iter().map(|&joint| {
         let own = &robot.joints[joint];
         let nearest = own.limits.map_or(own.reference, |[lower, upper]| {

@@ -47,7 +47,7 @@ type Row = ([f64; 3], [f64; 3], [f64; 3], &'static str);
 const CHAIN: [Row; 5] = [
     ([0.11, -0.23, 0.37], [0.4, -1.2, 2.6], [0.6, 0.0, 0.8], "continuous"),
     ([-0.31, 0.17, 0.05], [-2.1, 0.3, -0.7], [1.0, -2.0, 2.0], "prismatic"),
-    ([0.02, 0.41, -0.13], [1.5707963, 1.5707963, 0.2], [0.0, -1.0, 0.0], "continuous"),
+    ([0.02, 0.41, -0.13], [1.57, 1.571, 0.2], [0.0, -1.0, 0.0], "continuous"),
     ([0.29, 0.07, 0.19], [3.0, -0.9, 1.1], [-0.3, 0.4, 0.2], "revolute"),
     ([0.03, -0.05, 0.27], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], "revolute"),
 ];
@@ -236,4 +236,16 @@ fn joints_that_nothing_drives_are_named() {
     let mimic = "<robot name='r'><link name='b'/><link name='l'/><link name='m'/><joint name='a' type='continuous'><parent link='b'/>\
         <child link='l'/></joint><joint name='c' type='continuous'><parent link='b'/><child link='m'/><mimic joint='a'/></joint></robot>";
     assert!(imported("r.urdf", mimic).model.contains("[joint.c]\n# follows a in the description\n"));
+}
+
+#[test]
+fn the_joint_that_moves_is_on_the_way_to_the_tool() {
+    let joint = |name: &str, parent: &str, child: &str| {
+        format!("<joint name='{name}' type='continuous'><parent link='{parent}'/><child link='{child}'/></joint>")
+    };
+    let links = ["b", "wheel", "arm", "hand"].map(|name| format!("<link name='{name}'/>")).concat();
+    let joints = joint("drive", "b", "wheel") + &joint("shoulder", "b", "arm") + &joint("wrist", "arm", "hand");
+    let model = imported("r.urdf", &format!("<robot name='r'>{links}{joints}</robot>")).model;
+    assert!(model.contains("[cycle]\ndrive = \"shoulder\"\n"), "{model}");
+    assert!(model.contains("[drive.drive]\njoint = \"drive\"\nspeed = \"0 deg/s\"\n"), "{model}");
 }
