@@ -73,19 +73,21 @@ pub struct NewArguments {
     pub list: bool,
 }
 
-/// Make a model.toml from a drawing; lines are links, circles are joints
+/// Make a model.toml from a drawing (DXF) or a robot description (URDF, MJCF)
 #[derive(Debug, Args)]
 #[command(
-    after_help = "A polyline is one rigid link; so are lines that share an end without a circle. A circle where links meet is a \
-    joint; its radius is that of the pin. A circle on one link only is a point of that link. The layer 'ground' does not move. \
-    Masses, inertias, gravity and speed are written as \"?\": fill them in.\n\n\
-    Examples:\n  loosepin import sketch.dxf\n  loosepin import sketch.dxf my_mechanism --unit mm"
+    after_help = "Drawings: lines are links, circles are joints. A polyline is one rigid link; so are lines that share an end without a \
+    circle. A circle where links meet is a joint; its radius is that of the pin. A circle on one link only is a point of that link. The \
+    layer 'ground' does not move. Masses, inertias, gravity and speed are written as \"?\": fill them in.\n\n\
+    Robot descriptions become models in space. The root link is the ground, every joint that can be driven has a drive, and below each \
+    joint stand the keys of its play as comments. The root element says whether a file is URDF or MJCF.\n\n\
+    Examples:\n  loosepin import sketch.dxf\n  loosepin import sketch.dxf my_mechanism --unit mm\n  loosepin import robot.urdf my_robot"
 )]
 pub struct ImportArguments {
-    /// Drawing (DXF)
-    #[arg(value_name = "DRAWING")]
-    pub drawing: PathBuf,
-    /// Output folder for model.toml, created if it does not exist [default: the name of the drawing]
+    /// Drawing (DXF) or robot description (URDF, MJCF)
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Output folder for model.toml, created if it does not exist [default: the name of the file]
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
     /// Unit of the drawing [default: from its header]
@@ -445,27 +447,43 @@ pub struct ServeArguments {
     pub worker: bool,
 }
 
-/// Export the neural networks of a study as ONNX files
+/// Export the neural networks of a study (ONNX), or a model in space (URDF, MJCF)
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Writes one file for each number or curve. Its tensor \"inputs\" has one row for each mechanism, in SI units, in the \
-    order of the metadata entry `inputs`; \"values\" is in SI units too. A row outside the training range gives NaN: there is no \
-    extrapolation. The metadata contain the error on held-out runs. The standard deviation of the error and the remaining noise are not \
-    exported.\n\nExamples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider"
+    after_help = "Without --to, writes one ONNX file for each number or curve. Its tensor \"inputs\" has one row for each mechanism, in SI \
+    units, in the order of the metadata entry `inputs`; \"values\" is in SI units too. A row outside the training range gives NaN: there is \
+    no extrapolation. The metadata contain the error on held-out runs. The standard deviation of the error and the remaining noise are not \
+    exported.\n\n\
+    With --to, writes the robot description of a model in space with its nominal values. URDF has trees of joints; MJCF also closes loops. \
+    Play is not exported.\n\n\
+    Examples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider\n  \
+    loosepin export model.toml --to mjcf"
 )]
 pub struct ExportArguments {
-    /// Folder of results, or its surrogates.json
-    #[arg(value_name = "RESULTS")]
-    pub results: PathBuf,
-    /// Output folder, created if it does not exist
-    #[arg(value_name = "DIR", default_value = "onnx")]
-    pub folder: PathBuf,
+    /// Folder of results, or its surrogates.json; with --to, a model in space
+    #[arg(value_name = "RESULTS_OR_MODEL")]
+    pub source: PathBuf,
+    /// Output folder, created if it does not exist [default: onnx, urdf or mjcf]
+    #[arg(value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+    /// Write the robot description of a model in space
+    #[arg(long, value_name = "FORMAT", conflicts_with = "outputs")]
+    pub to: Option<RobotFormatArgument>,
     /// Write only this output; may be repeated [default: all]
     #[arg(long = "output", value_name = "NAME")]
     pub outputs: Vec<String>,
     /// Replace another export
     #[arg(long)]
     pub force: bool,
+}
+
+/// Format of a robot description.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RobotFormatArgument {
+    /// Links that hang on each other by joints
+    Urdf,
+    /// The format of MuJoCo, with loops
+    Mjcf,
 }
 
 /// Bound the play in joints, or other unknowns, from readings of a rig

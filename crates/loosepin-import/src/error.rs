@@ -41,6 +41,8 @@ problems! {
         NoGround => Code::DrawingNotAMechanism,
             says("no circle on the layer 'ground' meets a link"),
             hint("move the circles of fixed joints to a layer called ground");
+        OptionOfDrawings { option: &'static str } => Code::WrongKindOfFile,
+            says("{option} is for drawings; robot descriptions are in metres");
         Exists { path: PathBuf } => Code::FileExists,
             says("{} already exists; it is not overwritten", path.display()),
             hint("give another folder, for example: loosepin import sketch.dxf my_mechanism");

@@ -1,4 +1,7 @@
-//! From a drawing to the skeleton of a model: lines are links, circles are joints.
+//! Models from drawings, from robot descriptions and from templates; and robot descriptions of models in space.
+//!
+//! Robot descriptions are URDF and MJCF: [`import_robot`], [`export_robot`]. Of a drawing comes the skeleton of a model: lines are links,
+//! circles are joints.
 //!
 //! | drawn | becomes |
 //! |---|---|
@@ -18,8 +21,11 @@ pub mod templates;
 
 mod dxf;
 mod error;
+mod export;
+mod imported;
 mod links;
 mod options;
+mod robot;
 mod skeleton;
 mod sketch;
 
@@ -31,16 +37,10 @@ use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
+pub use export::{ExportProblem, Exported, RobotFormat, export_robot, write_robot};
+pub use imported::Imported;
 pub use options::ImportOptions;
-
-/// The skeleton of a model.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Imported {
-    /// Text of `model.toml`.
-    pub model: String,
-    /// Findings in words, one sentence each.
-    pub notes: Vec<String>,
-}
+pub use robot::{RobotProblem, import_robot, is_robot_description};
 
 /// Reads a DXF drawing (ASCII or binary); `name` becomes the name of the model.
 ///
@@ -52,10 +52,10 @@ pub fn import_dxf(name: &str, drawing: &[u8], options: &ImportOptions) -> Result
     Ok(Imported { model: skeleton::model(name, &sketch, &links), notes: skeleton::notes(&sketch, &links) })
 }
 
-/// Largest drawing, bytes.
+/// Largest drawing, and largest robot description, bytes.
 const MAX_DRAWING_BYTES: u64 = 256 << 20;
 
-/// Reads the bytes of a drawing.
+/// Reads the bytes of a drawing, or of a robot description.
 ///
 /// # Errors
 /// The file cannot be read, with the name that was probably meant.

@@ -138,7 +138,10 @@ fn kind(first: &diagnostics::Diagnostic) -> Kind<'_> {
         | Code::MeasuredTable
         | Code::MeasuredOutside
         | Code::NotADrawing
-        | Code::DrawingNotAMechanism => Kind::Value,
+        | Code::DrawingNotAMechanism
+        | Code::NotARobot
+        | Code::RobotNotAMechanism
+        | Code::NotExportable => Kind::Value,
         // Files and their values, questions and mechanisms; runs begin behind these codes.
         code if code <= Code::NoDynamics => Kind::Value,
         _ => Kind::Other,

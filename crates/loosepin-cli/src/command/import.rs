@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::Diagnostic;
-use loosepin::import::{ImportError, ImportOptions, import_dxf, read_drawing, write_model};
+use loosepin::document::source_from_bytes;
+use loosepin::import::{
+    ImportError, ImportOptions, Imported, import_dxf, import_robot, is_robot_description, read_drawing, write_model,
+};
 use loosepin::model::{Rule, measured_argument};
 use loosepin::units::Dimension;
 
@@ -11,25 +14,41 @@ use crate::arguments::ImportArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
-/// Writes the model of a drawing.
+/// Writes the model of a drawing, or of a robot description: no drawing begins as XML does.
 pub fn run(arguments: &ImportArguments) -> Ending {
-    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
-    let options = ImportOptions { unit: arguments.unit.clone(), tolerance_m };
-    // A position in a drawing is given by coordinates, not by a line of its file.
-    let report = |error: &ImportError| {
-        let mut diagnostic = Diagnostic::error(error, None);
-        diagnostic.message = format!("{}: {}", arguments.drawing.display(), diagnostic.message);
-        Failure::from(diagnostic)
-    };
-    let bytes = read_drawing(&arguments.drawing)?;
-    let name = arguments.drawing.file_stem().map_or("drawing".into(), |stem| stem.to_string_lossy());
-    let imported = import_dxf(&name, &bytes, &options).map_err(|error| report(&error))?;
-    let folder = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(&*name));
+    let bytes = read_drawing(&arguments.file)?;
+    let is_robot = is_robot_description(&bytes);
+    let imported = if is_robot { of_robot(arguments, bytes) } else { of_drawing(arguments, &bytes) }?;
+    let folder = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(name(arguments)));
     let model = write_model(&folder, &imported.model).map_err(|error| Failure::of(&error))?;
     for note in &imported.notes {
         console::message(note);
     }
     let model = model.display();
-    console::message(&format!("wrote {model}; fill in every \"?\" in it\nnext: loosepin check {model}"));
+    let fill_in = if is_robot { "" } else { "; fill in every \"?\" in it" };
+    console::message(&format!("wrote {model}{fill_in}\nnext: loosepin check {model}"));
     Ok(Done::Well)
+}
+
+fn name(arguments: &ImportArguments) -> String {
+    arguments.file.file_stem().map_or("drawing".into(), |stem| stem.to_string_lossy()).into_owned()
+}
+
+fn of_drawing(arguments: &ImportArguments, bytes: &[u8]) -> Result<Imported, Failure> {
+    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    let options = ImportOptions { unit: arguments.unit.clone(), tolerance_m };
+    import_dxf(&name(arguments), bytes, &options).map_err(|error| {
+        // A position in a drawing is given by coordinates, not by a line of its file.
+        let mut diagnostic = Diagnostic::error(&error, None);
+        diagnostic.message = format!("{}: {}", arguments.file.display(), diagnostic.message);
+        Failure::from(diagnostic)
+    })
+}
+
+fn of_robot(arguments: &ImportArguments, bytes: Vec<u8>) -> Result<Imported, Failure> {
+    if arguments.unit.is_some() {
+        return Err(Failure::of(&ImportError::OptionOfDrawings { option: "--unit" }));
+    }
+    let source = source_from_bytes(&arguments.file.display().to_string(), bytes)?;
+    Ok(import_robot(&source)?)
 }

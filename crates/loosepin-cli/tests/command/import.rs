@@ -1,4 +1,4 @@
-//! `loosepin import`, `--measured` and `--set` of a law.
+//! `loosepin import`, `loosepin export --to`, `--measured` and `--set` of a law.
 
 use std::fs;
 
@@ -47,6 +47,62 @@ fn a_drawing_becomes_a_model_that_asks_for_its_numbers() {
          hint: give it with --unit, for example --unit mm\n"
     );
     desk.succeed(&["import", "no_unit.dxf", "inches", "--unit", "in"]);
+}
+
+#[test]
+fn a_robot_description_becomes_a_model_that_moves() {
+    let desk = Desk::new();
+    let arm = include_str!("../../../../docs/examples/two-axis-arm.urdf");
+    // The root element says what it is, not the name.
+    desk.write("arm.txt", arm);
+    let said = desk.succeed(&["import", "arm.txt"]);
+    assert_eq!(
+        said.messages,
+        "3 moving links, 3 joints\nthe root link 'base' is the ground\n\
+         1 shape of links, with their meshes, ignored: a model has points and axes\n\
+         wrote arm/model.toml\nnext: loosepin check arm/model.toml\n"
+    );
+    let checked = desk.succeed(&["check", "arm/model.toml"]).output;
+    assert!(checked.contains("2 degrees of freedom, 2 drives: the motion is determined"), "{checked}");
+    desk.succeed(&["motion", "arm/model.toml"]);
+    let again = desk.run(&["import", "arm.txt"]);
+    assert_eq!(again.status, 2);
+    assert!(again.messages.starts_with("error[E0904]: arm/model.toml already exists"), "{}", again.messages);
+    desk.fail(
+        &["import", "arm.txt", "other", "--unit", "mm"],
+        "error[E0905]: --unit is for drawings; robot descriptions are in metres",
+    );
+    desk.write("wrong.urdf", &arm.replace("0 0 0.12", "0 0 0,12"));
+    desk.fail(
+        &["import", "wrong.urdf"],
+        "wrong.urdf:29:13: error[E1103]: <origin> of joint 'swing': xyz is '0 0 0,12'; must be 3 numbers",
+    );
+}
+
+#[test]
+fn a_model_in_space_becomes_a_robot_description() {
+    let desk = Desk::new();
+    desk.write("model.toml", include_str!("../../../../docs/examples/spatial-slider-crank.toml"));
+    let said = desk.succeed(&["export", "model.toml", "--to", "mjcf"]);
+    assert!(said.messages.starts_with("the play of joint 'main' is not exported\n"), "{}", said.messages);
+    assert!(said.messages.ends_with("wrote mjcf/spatial_slider-crank.xml\n"), "{}", said.messages);
+    desk.succeed(&["import", "mjcf/spatial_slider-crank.xml", "back"]);
+    desk.succeed(&["motion", "back/model.toml"]);
+    desk.fail(
+        &["export", "model.toml", "--to", "mjcf"],
+        "error[E0904]: mjcf/spatial_slider-crank.xml already exists; it is not overwritten\nhint: give another folder, or replace it with --force",
+    );
+    desk.succeed(&["export", "model.toml", "--to", "mjcf", "--force"]);
+    let refused = desk.run(&["export", "model.toml", "--to", "urdf"]);
+    assert_eq!(refused.status, 2);
+    let place = "error[E1105]: joint 'wrist' closes a loop, which URDF does not know";
+    assert!(refused.messages.starts_with("model.toml:") && refused.messages.contains(place), "{}", refused.messages);
+    let planar = Desk::with_model("slider_crank_5000");
+    planar.fail(
+        &["export", "model.toml", "--to", "urdf"],
+        "error[E0905]: model.toml is not a model in space; robot descriptions are made of these alone\n\
+         hint: a model in space has geometry = \"space\" at its top",
+    );
 }
 
 #[test]

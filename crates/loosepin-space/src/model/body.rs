@@ -130,7 +130,7 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Whether xx, yy, zz, xy, xz, yz are moments of inertia of a body: positive definite, and ½ tr(I) - I, the second moments of its mass, has no
 /// negative eigenvalue, which is the triangle inequality of the principal moments.
-fn is_inertia([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
+pub fn is_inertia([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let determinant = |[a, b, c, d, e, f]: [f64; 6]| a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e);
     let own = [xx, yy, zz, xy, xz, yz];
     let is_definite = xx > 0.0 && xx * yy - xy * xy > 0.0 && determinant(own) > 0.0;

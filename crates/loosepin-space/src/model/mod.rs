@@ -28,6 +28,7 @@ mod problem;
 mod read;
 mod reader;
 
+pub use body::is_inertia;
 pub use compile::CycleInput;
 pub use direction::Direction;
 pub use fit::ModelAssembly;

@@ -580,6 +580,19 @@ with the byte position in a binary file."
     DrawingNotAMechanism "E1102" "a drawing is not a sketch of a mechanism"
 "Lines and polylines are links, circles are joints. Every circle must touch a link, every link must touch a circle, and fixed parts are \
 on a layer called ground. The message gives the position in the coordinates of the drawing."
+
+    NotARobot "E1103" "a robot description cannot be read"
+"`loosepin import` reads URDF (root element `robot`) and MJCF (root element `mujoco`). The file must be XML without a document type, \
+every number must be finite, and every name that is referred to must be there. Files of xacro must be expanded first, with `xacro \
+robot.xacro > robot.urdf`."
+
+    RobotNotAMechanism "E1104" "a robot description is not a mechanism on the ground"
+"Its links must be a tree with one root, which becomes the ground. Bodies that float freely, joints of other kinds than fixed, revolute, \
+continuous, prismatic and planar (URDF) or hinge, slide and ball (MJCF), and elements that make further bodies are refused by name."
+
+    NotExportable "E1105" "a model cannot be exported as a robot description"
+"URDF knows trees of revolute, prismatic, planar and fixed joints; cylindrical and universal joints become two. MJCF also knows balls, \
+and loops that a ball, a pin or a rigid joint closes. Screws are in neither. The message names the joint; `--to mjcf` may know it."
 }
 
 #[cfg(test)]
@@ -601,6 +614,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E1102");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E1105");
     }
 }

@@ -1,0 +1,40 @@
+//! What both formats are written from.
+
+use super::tree::Tree;
+use crate::robot::Frame;
+use loosepin_space::{ModelOutputKind, PointId, SpatialMechanism, SpatialModel};
+use loosepin_text::numbers::Values;
+
+/// A model with its nominal values, closed at the start.
+pub(super) struct Export<'m> {
+    pub model: &'m SpatialModel,
+    pub values: &'m Values,
+    pub mechanism: &'m SpatialMechanism,
+    pub tree: &'m Tree,
+    /// Frames of the bodies at time zero.
+    pub frames: &'m [Frame],
+}
+
+impl Export<'_> {
+    /// The name of a further joint that a joint of the model becomes: no other joint has it.
+    pub fn second(&self, joint: &str, what: &str) -> String {
+        let mut name = format!("{joint}_{what}");
+        while self.model.joints.iter().any(|other| other.name == name) {
+            name.push('_');
+        }
+        name
+    }
+
+    /// Points that outputs read, each once, in their order.
+    pub fn output_points(&self) -> Vec<PointId> {
+        let mut points = Vec::new();
+        for output in &self.model.outputs {
+            if let ModelOutputKind::Position { point, .. } | ModelOutputKind::Path { point } = output.kind
+                && !points.contains(&point)
+            {
+                points.push(point);
+            }
+        }
+        points
+    }
+}

@@ -1,0 +1,33 @@
+//! Robot descriptions: URDF and MJCF as models in space.
+//!
+//! | Step | File |
+//! |---|---|
+//! | elements, attributes and numbers with their places | `xml.rs` |
+//! | turns as descriptions write them, frames | `frame.rs` |
+//! | what a description says, the same for both formats | `description.rs` |
+//! | URDF | `urdf.rs` |
+//! | MJCF | `mjcf` |
+//! | which joints are driven | `drives.rs`, with `mechanism.rs` where loops close |
+//! | the text of the model | `model_text.rs`, `model_names.rs`, `names.rs`, `numbers.rs` |
+//! | all of it | `import.rs` |
+//! | what is wrong | `problem.rs` |
+
+mod description;
+mod drives;
+mod frame;
+mod import;
+mod mechanism;
+mod mjcf;
+mod model_names;
+mod model_text;
+mod names;
+mod numbers;
+mod problem;
+mod urdf;
+mod xml;
+
+pub(crate) use frame::{Frame, of_roll_pitch_yaw};
+pub use import::{import_robot, is_robot_description};
+pub(crate) use names::Names;
+pub(crate) use numbers::number;
+pub use problem::RobotProblem;
