@@ -184,6 +184,10 @@ impl Reach for Free<'_, '_> {
         self.side
     }
 
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError> {
         self.gradient(output, false);
         let size = largest(&self.room.gradient);
