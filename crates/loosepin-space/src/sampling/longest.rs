@@ -9,11 +9,11 @@ const DIRECTIONS: usize = 32;
 /// Of these the best are searched from, as far as they are not near an end that is found.
 const STARTS: usize = 8;
 /// Cosine of the angle from an end within which a start is not looked at.
-const NEAR: f64 = 0.98;
+const NEAR: f64 = 0.95;
 /// Most steps of a search.
 const MAX_STEPS: usize = 200;
 /// Growth of a length that ends a search, relative to it.
-const GROWTH: f64 = 1e-13;
+const GROWTH: f64 = 1e-12;
 
 /// The largest |d + G p|, with the place that makes it.
 #[derive(Debug, Clone)]
@@ -70,13 +70,16 @@ impl<'a> Displacements<'a> {
         let mut starts: Vec<(f64, [f64; 3])> =
             starts.iter().map(|start| length_and_direction(sum(offset, *start))).collect();
         starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let is_even = offset == [0.0; 3] && self.reach.is_symmetric();
         let mut best = Longest { length: -1.0, place: Vec::new() };
         let mut ends: Vec<[f64; 3]> = Vec::with_capacity(STARTS);
         for (mut length, mut direction) in starts {
             if ends.len() == STARTS {
                 break;
             }
-            if ends.iter().any(|end| dot(end, &direction) > NEAR) {
+            // Without an offset, opposite displacements are alike.
+            let cosine = |end: &[f64; 3]| if is_even { dot(end, &direction).abs() } else { dot(end, &direction) };
+            if ends.iter().any(|end| cosine(end) > NEAR) {
                 continue;
             }
             for _ in 0..MAX_STEPS {
