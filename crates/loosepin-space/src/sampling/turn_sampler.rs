@@ -20,7 +20,7 @@ use loosepin_text::numbers::Values;
 /// Where redundant rows of a sample contradict each other by h0, so that ideal joints do not close, plays with h·p = h0 are counted. The ideal motion
 /// is then the one with the rest in these rows, which depends on how they are combined; deviations from the nominal motion do not.
 ///
-/// To first order, numbers are off by 1e-9 of them at most, and so are exact ones.
+/// What play makes is computed to about 1e-9 of it.
 #[derive(Debug, Clone)]
 pub struct TurnSampler {
     pub(super) model: SpatialModel,
