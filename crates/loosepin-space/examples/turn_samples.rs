@@ -13,7 +13,9 @@ const SPREAD: f64 = 2e-4;
 /// How long each measurement takes, s.
 const DURATION_S: f64 = 1.0;
 
-fn main() -> Result<(), Box<dyn Error>> {
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+fn main() -> Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples");
     let turns: Vec<f64> = (0..PLACES).map(|place| place as f64 / PLACES as f64).collect();
     for name in ["spatial-slider-crank", "rssr-four-bar"] {
@@ -34,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Sets of values, all numbers of the file that are not zero off by up to the spread.
-fn drawn(model: &SpatialModel) -> Result<Vec<Values>, Box<dyn Error>> {
+fn drawn(model: &SpatialModel) -> Result<Vec<Values>> {
     let is_drawn = |id: &QuantityId| model.quantities.nominal_value(*id) != 0.0 && model.quantities[*id].is_settable();
     let ids: Vec<QuantityId> = model.quantities.iter().map(|(id, _)| id).filter(is_drawn).collect();
     let ids: Vec<QuantityId> = ids
@@ -47,14 +49,10 @@ fn drawn(model: &SpatialModel) -> Result<Vec<Values>, Box<dyn Error>> {
         };
         model.quantities.evaluate(&ids.iter().enumerate().map(value).collect::<Vec<_>>())
     });
-    Ok(sets.collect::<Result<_, _>>()?)
+    Ok(sets.collect::<std::result::Result<_, _>>()?)
 }
 
-fn measure(
-    name: &str,
-    values: &[Values],
-    sample: &dyn Fn(&Values) -> Result<f64, Box<dyn Error>>,
-) -> Result<(), Box<dyn Error>> {
+fn measure(name: &str, values: &[Values], sample: &dyn Fn(&Values) -> Result<f64>) -> Result<()> {
     if std::env::args().nth(1).is_some_and(|word| !name.to_lowercase().contains(&word.to_lowercase())) {
         return Ok(());
     }

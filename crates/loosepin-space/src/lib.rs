@@ -4,7 +4,8 @@
 //! A [`SpatialMechanism`] is made of bodies, joints between markers on them, and drives. [`assemble`] closes its loops at given values of the
 //! drives, [`cycle`] along a turn of them; [`mobility`] counts freedoms, redundant rows and idle parts; [`motion`] gives velocities and
 //! accelerations. [`PoseAccuracy`] then says what play does in such a position: gains, worst cases of first order and exact ones with the places of
-//! the journals that make them, standard deviations. [`OpenChain`] evaluates arms without loops for very many samples.
+//! the journals that make them, standard deviations. [`TurnSampler`] evaluates a model with many sets of values over its turn, [`OpenChain`] arms
+//! without loops for very many samples.
 //!
 //! ```
 //! use loosepin_space::{

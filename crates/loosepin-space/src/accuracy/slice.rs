@@ -184,7 +184,9 @@ fn inner_point(
 ) -> Option<(Vec<f64>, Vec<f64>)> {
     let blocks = set.blocks();
     let v = inner_start(set, planes, b)?;
-    let mut at = Iterate { v, z: vec![1.0; blocks.len()], multipliers: vec![0.0; planes.count()] };
+    // The same μ of all blocks, one half, however near to the border they are.
+    let z = blocks.iter().map(|block| 1.0 / (1.0 - PlaySet::square(block, &v))).collect();
+    let mut at = Iterate { v, z, multipliers: vec![0.0; planes.count()] };
     let weight = near.map_or(0.0, |near| near.weight);
     let count = blocks.len() as f64;
     // Where multipliers are not unique, as of two discs that a plane holds together, the system becomes singular towards the end and round-off
@@ -234,11 +236,14 @@ fn inner_point(
     (best.0 <= WORST_MISS).then_some((best.1, best.2))
 }
 
-/// A place on the planes inside all balls: the nearest to the middle, then by projections on planes and smaller balls in turn.
+/// A place on the planes inside all balls: the nearest to the middle, then by projections on planes and smaller balls in turn. Where planes hardly
+/// reach into the balls, the place is near the border.
 fn inner_start(set: &PlaySet, planes: &Planes, b: &[f64]) -> Option<Vec<f64>> {
     const INSIDE: f64 = 0.98;
     const MAX_PROJECTIONS: usize = 2000;
+    const HARDLY_INSIDE: f64 = 1.0 - 1e-6;
     let mut v = vec![0.0; set.variables()];
+    let mut best = (HARDLY_INSIDE, None);
     for _ in 0..MAX_PROJECTIONS {
         for (row, b) in planes.rows.iter().zip(b) {
             let miss = b - dot(row, &v);
@@ -248,6 +253,9 @@ fn inner_start(set: &PlaySet, planes: &Planes, b: &[f64]) -> Option<Vec<f64>> {
         if outside < 0.999 {
             return Some(v);
         }
+        if outside < best.0 {
+            best = (outside, Some(v.clone()));
+        }
         for block in set.blocks() {
             let length = PlaySet::length(block, &v);
             if length > INSIDE {
@@ -255,7 +263,7 @@ fn inner_start(set: &PlaySet, planes: &Planes, b: &[f64]) -> Option<Vec<f64>> {
             }
         }
     }
-    None
+    best.1
 }
 
 #[allow(clippy::too_many_arguments, reason = "the parts of one system of equations")]
@@ -382,6 +390,24 @@ mod tests {
         assert!(
             largest(&set, &[1.0, 0.0, 0.0], None, &Planes::new(&[vec![1.0, 0.0, 0.0]], 3, 1e-12), &[2.0]).is_none()
         );
+    }
+
+    #[test]
+    fn analytic_a_ball_cut_beside_its_middle() {
+        // x = b in the unit ball: largest x + y is b + √(1 - b²), smallest b - √(1 - b²), however near to the border.
+        let set = set(&[PlayPart::Ball]);
+        let planes = Planes::new(&[vec![2.0, 0.0, 0.0]], 3, 1e-12);
+        for b in [0.0_f64, 0.3, -0.7, 0.99, 0.9999] {
+            for sign in [1.0, -1.0] {
+                let gains = [sign, sign, 0.0];
+                let found = largest(&set, &gains, None, &planes, &[2.0 * b]).unwrap();
+                let reached: f64 = gains.iter().zip(&found.place).map(|(gain, value)| gain * value).sum();
+                let expected = sign * b + (1.0 - b * b).sqrt();
+                assert!((reached - expected).abs() < TOLERANCE, "{reached} {expected}");
+                let bound = set.support(&found.rest).iter().sum::<f64>() + found.multipliers[0] * 2.0 * b;
+                assert!((bound - expected).abs() < TOLERANCE, "{bound} {expected}");
+            }
+        }
     }
 
     #[test]

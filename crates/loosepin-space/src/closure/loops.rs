@@ -16,6 +16,9 @@ pub(crate) struct PlacedRow {
     pub row: ScalarRow,
 }
 
+/// Entries of a row of the Jacobian for both bodies of its joint: the first column of six, and what they are. `None` of the ground.
+pub(crate) type RowEntries = [Option<(usize, [f64; 6])>; 2];
+
 /// All rows of a mechanism: those of its joints, then its drives.
 #[derive(Debug, Clone)]
 pub(crate) struct Loops<'a> {
@@ -117,8 +120,8 @@ impl<'a> Loops<'a> {
         matrix
     }
 
-    /// The entries of a row of the Jacobian by body: the first column of six, and what they are. `None` of the ground.
-    pub(crate) fn row_entries(&self, row: &PlacedRow, frames: &[JointFrames]) -> [Option<(usize, [f64; 6])>; 2] {
+    /// The entries of a row of the Jacobian.
+    pub(crate) fn row_entries(&self, row: &PlacedRow, frames: &[JointFrames]) -> RowEntries {
         let RowColumns { v_i, w_i, v_j, w_j } = row.row.columns(&frames[row.joint]);
         let joint = &self.mechanism.joints()[row.joint];
         let scale = 1.0 / self.scale(row);

@@ -44,13 +44,21 @@ impl Reach for Conditioned<'_> {
         self.side
     }
 
+    fn is_symmetric(&self) -> bool {
+        self.right.iter().all(|value| *value == 0.0)
+    }
+
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError> {
         Ok(self.accuracy.scaled_gains(&self.accuracy.gains(output)?))
     }
 
     fn ends(&self, gains: &[f64]) -> Result<[f64; 2], AccuracyError> {
+        let largest = dot(gains, &self.largest(gains)?);
+        if self.is_symmetric() {
+            return Ok([-largest, largest]);
+        }
         let opposite: Vec<f64> = gains.iter().map(|gain| -gain).collect();
-        Ok([dot(gains, &self.largest(&opposite)?), dot(gains, &self.largest(gains)?)])
+        Ok([dot(gains, &self.largest(&opposite)?), largest])
     }
 
     fn farthest(&self, gains: &[f64], place: &mut Vec<f64>) -> Result<(), AccuracyError> {

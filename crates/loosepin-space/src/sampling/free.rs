@@ -11,7 +11,7 @@ use super::reach::Reach;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::slice::dot;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
-use crate::closure::loops::Loops;
+use crate::closure::loops::{Loops, RowEntries};
 use crate::closure::newton::largest;
 use crate::geometry::pose::Pose;
 use crate::kind::frames::MarkerShift;
@@ -42,7 +42,7 @@ pub(super) struct Room {
     gradient: Vec<f64>,
     by_rows: Vec<f64>,
     rest: Vec<f64>,
-    entries: Vec<[Option<(usize, [f64; 6])>; 2]>,
+    entries: Vec<RowEntries>,
     place: Vec<f64>,
     next: Vec<f64>,
 }
@@ -182,6 +182,10 @@ impl Reach for Free<'_, '_> {
 
     fn side(&self) -> PlaySide {
         self.side
+    }
+
+    fn is_symmetric(&self) -> bool {
+        true
     }
 
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError> {

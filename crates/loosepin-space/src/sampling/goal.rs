@@ -12,7 +12,7 @@ pub(super) enum Goal<'a> {
     /// `sign` × the deviation of an output from the sample's ideal position.
     Deviation { output: &'a SpatialOutput, sign: f64 },
     /// The length of an offset and the displacement of a point in some directions.
-    Length { point: PointOutput, directions: &'a [Vec3], offset: &'a [f64] },
+    Length { point: PointOutput, directions: &'a [Vec3], offset: [f64; 3] },
 }
 
 impl Goal<'_> {
@@ -42,7 +42,7 @@ impl Goal<'_> {
     fn displacement(&self, ideal: &[Pose], poses: &[Pose]) -> Vec3 {
         let Self::Length { point, directions, offset } = self else { return Vec3::ZERO };
         let moved = point_m(point, poses) - point_m(point, ideal);
-        let parts = directions.iter().zip(*offset);
+        let parts = directions.iter().zip(offset);
         let parts = parts.map(|(direction, offset)| *direction * (offset + moved.dot(*direction)));
         parts.fold(Vec3::ZERO, |sum, part| sum + part)
     }

@@ -8,8 +8,9 @@ pub enum PlaySide {
     /// All that it can to first order, by the closed form; loops with redundant rows by duality.
     #[default]
     FirstOrder,
-    /// All that one climb with exactly closed loops finds from the place that is worst to first order. It is reached by that place of the
-    /// journals; that no other place makes more is not proven.
+    /// All that one climb with exactly closed loops finds from the place that is worst to first order, or ideal joints if that is more. It is
+    /// reached by a place of the journals; that no other place makes more is not proven. The smallest length from the nominal motion stays of
+    /// first order.
     Exact,
 }
 

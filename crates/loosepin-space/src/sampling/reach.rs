@@ -15,6 +15,8 @@ pub(super) trait Reach {
     fn ideal(&self) -> &[Pose];
     /// What play may do.
     fn side(&self) -> PlaySide;
+    /// Whether the opposite of a place is one, too.
+    fn is_symmetric(&self) -> bool;
     /// Gains of an output.
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError>;
     /// The smallest and the largest g·p to first order.

@@ -1,7 +1,7 @@
 //! Numbers at one place of a sample.
 
 use super::goal::{Goal, point_m};
-use super::longest::longest;
+use super::longest::{Displacements, Longest};
 use super::nominal::{NominalPlace, component, place_of};
 use super::part::{PartOfOutput, PlaySide};
 use super::reach::Reach;
@@ -101,7 +101,7 @@ impl PlaceReader<'_> {
     fn length(
         &self,
         reach: &mut dyn Reach,
-        own: PointOutput,
+        point: PointOutput,
         displacement: Vec3,
         directions: &[Vec3],
     ) -> Result<Numbers, AccuracyError> {
@@ -110,23 +110,25 @@ impl PlaceReader<'_> {
         let from_nominal = length_of(displacement);
         let (by_play, in_all) = match (self.displaced, reach.side()) {
             (Some(poses), _) => {
-                let moved = point_m(&own, poses) - point_m(&own, reach.ideal());
+                let moved = point_m(&point, poses) - point_m(&point, reach.ideal());
                 ([length_of(moved); 2], [length_of(displacement + moved); 2])
             }
             (None, PlaySide::None) => ([0.0; 2], [from_nominal; 2]),
             (None, side) => {
-                let outputs = directions.iter().map(|direction| PointOutput { direction: *direction, ..own }.into());
+                let outputs = directions.iter().map(|direction| PointOutput { direction: *direction, ..point }.into());
                 let gains = outputs.map(|output| reach.gains(&output)).collect::<Result<Vec<_>, _>>()?;
-                let mut largest = |offset: &[f64]| {
-                    let found = longest(reach, offset, &gains)?;
-                    if side == PlaySide::FirstOrder {
-                        return Ok(found.length);
-                    }
-                    reach.climb(&Goal::Length { point: own, directions, offset }, &found.place)
+                let mut offset = [0.0; 3];
+                offset.iter_mut().zip(parts_of(displacement)).for_each(|(entry, part)| *entry = part);
+                let mut displacements = Displacements::new(reach, &gains);
+                let around = displacements.all_around()?;
+                let [own, all] = [[0.0; 3], offset].map(|offset| displacements.longest(offset, &around));
+                let (own, all) = (own?, all?);
+                let smallest = shortest(&mut displacements, offset, all.length)?;
+                let mut largest = |found: Longest, offset: [f64; 3]| match side {
+                    PlaySide::Exact => reach.climb(&Goal::Length { point, directions, offset }, &found.place),
+                    _ => Ok(found.length),
                 };
-                let offset: Vec<f64> = parts_of(displacement).collect();
-                let ends = [largest(&vec![0.0; offset.len()])?, largest(&offset)?];
-                ([0.0, ends[0]], [shortest(reach, &offset, &gains)?, ends[1]])
+                ([0.0, largest(own, [0.0; 3])?], [smallest, largest(all, offset)?])
             }
         };
         Ok(Numbers { ideal: 0.0, from_nominal, by_play, in_all })

@@ -14,7 +14,13 @@ use loosepin_text::numbers::Values;
 /// Samples of a model over its turn: what is the same for all of them.
 ///
 /// A sample is closed at each place by Newton's method from the nominal position there. That is the same branch where the determinant of the
-/// bordered loop equations has kept its sign and the way was short; otherwise the sample is followed from place to place by [`crate::cycle`].
+/// bordered loop equations has kept its sign and the way was short; otherwise the sample is followed from place to place by [`crate::cycle`], from
+/// the start that the file gives it.
+///
+/// Where redundant rows of a sample contradict each other by h0, so that ideal joints do not close, plays with h·p = h0 are counted. The ideal motion
+/// is then the one with the rest in these rows, which depends on how they are combined; deviations from the nominal motion do not.
+///
+/// What play makes is computed to about 1e-9 of it.
 #[derive(Debug, Clone)]
 pub struct TurnSampler {
     pub(super) model: SpatialModel,
@@ -115,7 +121,7 @@ impl TurnSampler {
         self.sampled(values, Some(uniforms))
     }
 
-    /// How many numbers [`Self::sample_with_play`] takes: of each ball three, of each end plane two, of each axial play one; on the rims one
+    /// How many numbers [`Self::sample_with_play`] takes: of each ball three, of each end plane two, of each axial play one, however small; on the rims one
     /// fewer of balls and end planes.
     pub fn uniforms_per_sample(&self) -> usize {
         uniforms(&PlaySet::new(&self.motion.mechanism), self.distribution)

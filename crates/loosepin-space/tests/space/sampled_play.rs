@@ -67,7 +67,7 @@ fn analytic_a_shaft_in_bearings_that_are_not_in_line() {
     let parts = [part(0, PartOfOutput::Y), part(0, PartOfOutput::Magnitude)];
     let sampler = TurnSampler::new(&model, &model.quantities.nominal(), &[0.0, 0.3], &parts).unwrap();
     let exact = sampler.clone().with_play_side(PlaySide::Exact).unwrap();
-    for offset in [0.0, 1e-4, -3e-4, 7e-4] {
+    for offset in [0.0, 1e-4, -3e-4, 7e-4, -7.4e-4, 7.48e-4] {
         let values = with(&model, &[("body.ground.points.b.y", offset)]);
         let [smallest, largest] = shaft_end(offset);
         let (first, exact) = (sampler.sample(&values).unwrap(), exact.sample(&values).unwrap());

@@ -286,6 +286,34 @@ fn brute_force_lengths_over_all_directions() {
 }
 
 #[test]
+fn analytic_along_a_path_that_turns_back_or_does_not_move() {
+    // The slider is nearest where y² + z² is largest: (y, z) of the bearing and the crank in line. It leaves that place along +x, the farthest one
+    // along -x. In between, its velocity has the sign of x'.
+    let text =
+        SLIDER_CRANK.to_owned() + "[output.slide]\npath_of = \"slider.pin\"\n[output.axis]\npath_of = \"crank.o\"\n";
+    let model = model(&text);
+    let nominal = model.quantities.nominal();
+    let nearest = 1.0 + (-0.1_f64).atan2(0.12) / TAU;
+    let turns = [nearest - 0.6, nearest - 0.5, nearest - 0.1, nearest, nearest + 0.1];
+    let signs = [1.0, -1.0, -1.0, 1.0, 1.0];
+    let parts = [part(1, PartOfOutput::Along), part(1, PartOfOutput::Across), part(1, PartOfOutput::X)];
+    let sampler = TurnSampler::new(&model, &nominal, &turns, &parts).unwrap();
+    let found = sampler.sample(&with(&model, &[("parameter.rod_length", 0.3005)])).unwrap();
+    for (place, (turn, sign)) in turns.into_iter().zip(signs).enumerate() {
+        let moved = slider(turn, 0.08, 0.3005, 0.1) - slider(turn, 0.08, 0.3, 0.1);
+        assert_close(found.from_nominal_si[place], sign * moved, 1e-13);
+        assert_close(found.from_nominal_si[turns.len() + place], 0.0, 1e-13);
+        assert_close(found.largest_si[place], found.largest_si[2 * turns.len() + place], 1e-13);
+    }
+    let along = |own| TurnSampler::new(&model, &nominal, &turns, &[part(2, own)]);
+    let error = along(PartOfOutput::Along).unwrap_err();
+    assert_eq!(error, SamplingError::AtRest { output: "axis".to_owned(), turn: turns[0] });
+    // A lean turns the crank about its bearing's middle: the offset is all.
+    let found = along(PartOfOutput::Magnitude).unwrap();
+    assert_close(found.nominal().largest_si[0], 2e-4_f64.hypot(1e-4), 1e-12);
+}
+
+#[test]
 fn one_sampler_serves_many_threads() {
     let model = model(RSSR);
     let nominal = model.quantities.nominal();
