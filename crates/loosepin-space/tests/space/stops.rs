@@ -94,11 +94,13 @@ fn axes_that_are_not_parallel_contradict_each_other() {
     let Err(ClosureError::Contradiction(open)) = assemble(&mechanism, &turning(0.0)) else { panic!() };
     assert!(open.apart > 1e-7 && open.apart < 1e-4, "{open}");
     let message = ClosureError::Contradiction(open.clone()).to_string();
+    // To three digits, as people read it.
+    let apart = format!("{:.2e}", open.apart).parse().unwrap();
     let expected = format!(
         "the parts do not fit: as near as they come, joint '{}' is {} apart; lengths are too short or too long, or joints \
          that hold the same motion contradict each other",
         open.joint,
-        format_value(open.apart, Dimension::ANGLE)
+        format_value(apart, Dimension::ANGLE)
     );
     assert!(!open.is_length);
     assert_eq!(message, expected);
