@@ -21,6 +21,9 @@ const LAST_IMPROVEMENT: f64 = 1e-14;
 const MET: f64 = 1e-13;
 /// Most corrections back to closed loops.
 const MAX_CORRECTIONS: usize = 12;
+/// Pull to the present place in each step, relative to the worst case of first order: blocks that do nothing to first order stay where they are,
+/// since they may be what lets the loops close.
+const LEAST_PULL: f64 = 1e-9;
 /// Entries below this relative to the largest are no planes.
 const NEGLIGIBLE: f64 = 1e-9;
 /// Length of variables, in units of the radius, from which a block counts as on its border.
@@ -79,14 +82,16 @@ impl Climb<'_, '_> {
     fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
         let ideal = &self.accuracy.position.poses;
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
-        let mut weight = 0.0;
+        let mut weight: f64 = 0.0;
         for _ in 0..MAX_STEPS {
             let linear = self.linear(&at);
             let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
             if scale == 0.0 {
                 break;
             }
-            let near = (weight > 0.0).then_some(Near { weight, place: &at.scaled });
+            // With planes an interior point method is more exact without it.
+            let pull = if linear.planes.count() == 0 { weight.max(LEAST_PULL * scale) } else { weight };
+            let near = (pull > 0.0).then_some(Near { weight: pull, place: &at.scaled });
             let right: Vec<f64> = linear
                 .redundant
                 .iter()
@@ -157,6 +162,10 @@ impl Climb<'_, '_> {
             let apart: Vec<f64> =
                 closed.apart.iter().zip(&accuracy.apart).map(|(apart, ideal)| apart - ideal).collect();
             if largest_entry(&apart) <= MET {
+                // Loops that are closed another way round have the other orientation.
+                if closed.system.sign() != accuracy.system.sign() {
+                    return None;
+                }
                 let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
                 return Some(Feasible { scaled, closed, value });
             }
@@ -191,6 +200,16 @@ fn along_borders(set: &PlaySet, rows: &[Vec<f64>], scaled: &[f64]) -> Vec<Vec<f6
         }
     }
     rows
+}
+
+impl PoseAccuracy<'_> {
+    /// Gains of the combination of rows that the loops follow least, by variables in units of their radii.
+    pub(crate) fn weakest_gains(&self) -> Vec<f64> {
+        let weakest = self.system.weakest_row();
+        let middle = vec![0.0; self.set.variables()];
+        let columns = play_columns(&self.loops, &self.frames, &self.set, &middle);
+        columns.iter().map(|column| -dot(&weakest, column)).collect()
+    }
 }
 
 /// Gains of random outputs.
