@@ -24,6 +24,15 @@ const MAX_CORRECTIONS: usize = 12;
 /// Pull to the present place in each step, relative to the worst case of first order: blocks that do nothing to first order stay where they are,
 /// since they may be what lets the loops close.
 const LEAST_PULL: f64 = 1e-9;
+/// Pull with which a step is made again that brought nothing, where none was; relative to the worst case of first order, as the next ones.
+const FIRST_PULL: f64 = 0.25;
+/// Share of the pull that is left after a step that brought something, and by what it grows after one that did not.
+const LESS_PULL: f64 = 0.125;
+const MORE_PULL: f64 = 4.0;
+/// Pull below which there is none. Where many plays do nearly nothing, the best places are those of a small one.
+const MIN_PULL: f64 = 1e-8;
+/// Pull with which a search ends: its steps are nothing.
+const MAX_PULL: f64 = 1e12;
 /// Entries below this relative to the largest are no planes.
 const NEGLIGIBLE: f64 = 1e-9;
 /// Length of variables, in units of the radius, from which a block counts as on its border.
@@ -82,10 +91,13 @@ impl Climb<'_, '_> {
     fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
         let ideal = &self.accuracy.position.poses;
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
-        let mut weight: f64 = 0.0;
-        for _ in 0..MAX_STEPS {
+        let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
+        for step in 0..MAX_STEPS {
             let linear = self.linear(&at);
             let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
+            if step == 0 {
+                last_pull = FIRST_PULL * scale;
+            }
             if scale == 0.0 {
                 break;
             }
@@ -108,15 +120,18 @@ impl Climb<'_, '_> {
             match next {
                 Some((next, is_over)) if next.value > at.value => {
                     at = next;
-                    weight = if weight > 1e-3 * scale { weight / 4.0 } else { 0.0 };
+                    if weight > 0.0 {
+                        last_pull = weight;
+                    }
+                    weight = if weight > MIN_PULL * scale { weight * LESS_PULL } else { 0.0 };
                     if is_over {
                         break;
                     }
                 }
                 Some((_, true)) => break,
                 _ => {
-                    weight = (4.0 * weight).max(0.25 * scale);
-                    if weight > 1e12 * scale {
+                    weight = if weight > 0.0 { MORE_PULL * weight } else { last_pull.max(MIN_PULL * scale) };
+                    if weight > MAX_PULL * scale {
                         break;
                     }
                 }
