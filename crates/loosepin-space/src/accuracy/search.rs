@@ -29,6 +29,8 @@ const FIRST_PULL: f64 = 0.25;
 /// Share of the pull that is left after a step that brought something, and by what it grows after one that did not.
 const LESS_PULL: f64 = 0.125;
 const MORE_PULL: f64 = 4.0;
+/// Share of the expected improvement from which a step is as good as expected.
+const GOOD_SHARE: f64 = 0.6;
 /// Pull below which there is none. Where many plays do nearly nothing, the best places are those of a small one.
 const MIN_PULL: f64 = 1e-8;
 /// Pull with which a search ends: its steps are nothing.
@@ -115,20 +117,26 @@ impl Climb<'_, '_> {
                 let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
                 let expected = dot(&linear.gains, &change);
                 let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
-                self.feasible(place, &at.closed.poses, &at.closed.system).map(|next| (next, is_over))
+                let found = self.feasible(place, &at.closed.poses, &at.closed.system)?;
+                Some((found, expected, is_over))
             });
             match next {
-                Some((next, is_over)) if next.value > at.value => {
+                Some((next, expected, is_over)) if next.value > at.value => {
+                    let share = (next.value - at.value) / expected;
                     at = next;
                     if weight > 0.0 {
                         last_pull = weight;
                     }
-                    weight = if weight > MIN_PULL * scale { weight * LESS_PULL } else { 0.0 };
+                    // As in methods of trust regions: a step that brought what was expected may be longer.
+                    weight *= if share > GOOD_SHARE { LESS_PULL } else { 1.0 };
+                    if weight < MIN_PULL * scale {
+                        weight = 0.0;
+                    }
                     if is_over {
                         break;
                     }
                 }
-                Some((_, true)) => break,
+                Some((_, _, true)) => break,
                 _ => {
                     weight = if weight > 0.0 { MORE_PULL * weight } else { last_pull.max(MIN_PULL * scale) };
                     if weight > MAX_PULL * scale {
