@@ -5,7 +5,8 @@ use crate::geometry::pose::Pose;
 /// How a worst case is searched.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOptions {
-    /// Starts beside the worst case of first order and the middle: worst cases of random outputs. Default 8.
+    /// Starts in addition to the middle, the worst case of first order and two that take the loops away from, and to, their nearest dead position:
+    /// worst cases of random outputs. Default 8.
     pub random_starts: usize,
     /// Seed of the random outputs. Default 1.
     pub seed: u64,

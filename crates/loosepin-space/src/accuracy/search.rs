@@ -21,6 +21,20 @@ const LAST_IMPROVEMENT: f64 = 1e-14;
 const MET: f64 = 1e-13;
 /// Most corrections back to closed loops.
 const MAX_CORRECTIONS: usize = 12;
+/// Pull to the present place in each step, relative to the worst case of first order: blocks that do nothing to first order stay where they are,
+/// since they may be what lets the loops close.
+const LEAST_PULL: f64 = 1e-9;
+/// Pull with which a step is made again that brought nothing, where none was; relative to the worst case of first order, as the next ones.
+const FIRST_PULL: f64 = 0.25;
+/// Share of the pull that is left after a step that brought something, and by what it grows after one that did not.
+const LESS_PULL: f64 = 0.125;
+const MORE_PULL: f64 = 4.0;
+/// Share of the expected improvement from which a step is as good as expected.
+const GOOD_SHARE: f64 = 0.6;
+/// Pull below which there is none. Where many plays do nearly nothing, the best places are those of a small one.
+const MIN_PULL: f64 = 1e-8;
+/// Pull with which a search ends: its steps are nothing.
+const MAX_PULL: f64 = 1e12;
 /// Entries below this relative to the largest are no planes.
 const NEGLIGIBLE: f64 = 1e-9;
 /// Length of variables, in units of the radius, from which a block counts as on its border.
@@ -79,14 +93,19 @@ impl Climb<'_, '_> {
     fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
         let ideal = &self.accuracy.position.poses;
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
-        let mut weight = 0.0;
-        for _ in 0..MAX_STEPS {
+        let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
+        for step in 0..MAX_STEPS {
             let linear = self.linear(&at);
             let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
+            if step == 0 {
+                last_pull = FIRST_PULL * scale;
+            }
             if scale == 0.0 {
                 break;
             }
-            let near = (weight > 0.0).then_some(Near { weight, place: &at.scaled });
+            // With planes an interior point method is more exact without it.
+            let pull = if linear.planes.count() == 0 { weight.max(LEAST_PULL * scale) } else { weight };
+            let near = (pull > 0.0).then_some(Near { weight: pull, place: &at.scaled });
             let right: Vec<f64> = linear
                 .redundant
                 .iter()
@@ -98,20 +117,29 @@ impl Climb<'_, '_> {
                 let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
                 let expected = dot(&linear.gains, &change);
                 let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
-                self.feasible(place, &at.closed.poses, &at.closed.system).map(|next| (next, is_over))
+                let found = self.feasible(place, &at.closed.poses, &at.closed.system)?;
+                Some((found, expected, is_over))
             });
             match next {
-                Some((next, is_over)) if next.value > at.value => {
+                Some((next, expected, is_over)) if next.value > at.value => {
+                    let share = (next.value - at.value) / expected;
                     at = next;
-                    weight = if weight > 1e-3 * scale { weight / 4.0 } else { 0.0 };
+                    if weight > 0.0 {
+                        last_pull = weight;
+                    }
+                    // As in methods of trust regions: a step that brought what was expected may be longer.
+                    weight *= if share > GOOD_SHARE { LESS_PULL } else { 1.0 };
+                    if weight < MIN_PULL * scale {
+                        weight = 0.0;
+                    }
                     if is_over {
                         break;
                     }
                 }
-                Some((_, true)) => break,
+                Some((_, _, true)) => break,
                 _ => {
-                    weight = (4.0 * weight).max(0.25 * scale);
-                    if weight > 1e12 * scale {
+                    weight = if weight > 0.0 { MORE_PULL * weight } else { last_pull.max(MIN_PULL * scale) };
+                    if weight > MAX_PULL * scale {
                         break;
                     }
                 }
@@ -157,6 +185,10 @@ impl Climb<'_, '_> {
             let apart: Vec<f64> =
                 closed.apart.iter().zip(&accuracy.apart).map(|(apart, ideal)| apart - ideal).collect();
             if largest_entry(&apart) <= MET {
+                // Loops that are closed another way round have the other orientation.
+                if closed.system.sign() != accuracy.system.sign() {
+                    return None;
+                }
                 let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
                 return Some(Feasible { scaled, closed, value });
             }
@@ -191,6 +223,16 @@ fn along_borders(set: &PlaySet, rows: &[Vec<f64>], scaled: &[f64]) -> Vec<Vec<f6
         }
     }
     rows
+}
+
+impl PoseAccuracy<'_> {
+    /// Gains of the combination of rows that the loops follow least, by variables in units of their radii.
+    pub(crate) fn weakest_gains(&self) -> Vec<f64> {
+        let weakest = self.system.weakest_row();
+        let middle = vec![0.0; self.set.variables()];
+        let columns = play_columns(&self.loops, &self.frames, &self.set, &middle);
+        columns.iter().map(|column| -dot(&weakest, column)).collect()
+    }
 }
 
 /// Gains of random outputs.

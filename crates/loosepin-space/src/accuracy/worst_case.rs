@@ -41,6 +41,10 @@ impl PoseAccuracy<'_> {
         let scaled = self.scaled_gains(&gains);
         let reach = self.unconditioned_worst(&gains);
         let mut objectives = vec![scaled.clone()];
+        // Where the loops hardly follow, journals that take them away from there allow the others more.
+        let weakest = self.weakest_gains();
+        objectives.push(weakest.iter().map(|gain| -gain).collect());
+        objectives.push(weakest);
         objectives.extend(random_starts(self.play_set().variables(), options));
         let find = |sign: f64| {
             let climb = Climb { accuracy: self, output, sign };

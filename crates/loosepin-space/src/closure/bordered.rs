@@ -107,6 +107,23 @@ impl Bordered {
             .collect()
     }
 
+    /// The combination of rows that is nearest to none, of length one: the left singular vector of the smallest singular value, by inverse iteration.
+    /// Near a dead position it is what the loops can hardly follow.
+    pub(crate) fn weakest_row(&self) -> Vec<f64> {
+        const STEPS: usize = 8;
+        let size = self.lu.order();
+        // No direction of its own.
+        let mut vector: Vec<f64> = (0..size).map(|k| 1.0 + 0.37 * ((3 * k + 1) % 7) as f64).collect();
+        for _ in 0..STEPS {
+            self.lu.solve(&mut vector);
+            self.lu.solve_transposed(&mut vector);
+            let length = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+            vector.iter_mut().for_each(|entry| *entry /= length);
+        }
+        vector.truncate(self.rows);
+        vector
+    }
+
     /// Sign of the determinant: it changes where a mechanism passes from one assembly to another.
     pub(crate) fn sign(&self) -> f64 {
         self.lu.determinant_sign()

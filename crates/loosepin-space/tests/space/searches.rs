@@ -459,7 +459,7 @@ fn identity_starts_of_a_neighbour_are_taken_and_wrong_ones_left_out() {
     let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
     let output = SpatialOutput::displacement(3, v(0.2, 0.1, 0.1))[1];
     let whole = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
-    assert_eq!((whole.starts, whole.agreeing), (10, [10, 10]));
+    assert_eq!((whole.starts, whole.agreeing), (12, [12, 12]));
     let starts_m = vec![vec![3e-4, 0.0, 0.0], vec![0.0; 2], vec![f64::NAN; 3]];
     let options = SearchOptions { random_starts: 0, starts_m, ..SearchOptions::default() };
     let again = accuracy.worst_case(&output, &options).unwrap();

@@ -123,8 +123,8 @@ fn climb(set: &PoseSet, sign: f64, random: &mut Random) -> Option<End> {
         }
         if miss > 0.25 * before {
             weights.penalty = (2.0 * weights.penalty).min(200.0);
-            slow += 1;
         }
+        slow += usize::from(miss > 0.7 * before);
         // Near singular positions some starts come to no end.
         if slow > MAX_SLOW {
             return None;
