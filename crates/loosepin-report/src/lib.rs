@@ -34,6 +34,7 @@ mod medium;
 mod motion;
 mod numbers;
 mod simulation;
+mod spatial;
 mod study;
 mod sweep;
 mod words;
@@ -60,6 +61,7 @@ pub use motion::{
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
 pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
+pub use spatial::figure::spatial_motion_picture;
 pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};
 pub use study::text::study_text;

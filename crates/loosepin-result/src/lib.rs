@@ -14,6 +14,7 @@ pub mod point_path;
 pub mod repeat;
 pub mod simulation;
 pub mod spatial_motion;
+pub mod spatial_picture;
 pub mod study;
 pub mod sweep;
 

@@ -1,5 +1,6 @@
 //! The motion of a mechanism in space over a turn, and what play does to it, without dynamics. SI.
 
+use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
 
 /// The motion over a turn, with the worst cases of each output.
@@ -17,6 +18,8 @@ pub struct SpatialMotionRecord {
     pub has_play: bool,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
+    /// The mechanism as it is drawn, in the same positions.
+    pub picture: SpatialPicture,
 }
 
 /// An output over the turn.

@@ -4,7 +4,7 @@
 //! A [`SpatialMechanism`] is made of bodies, joints between markers on them, and drives. [`assemble`] closes its loops at given values of the
 //! drives, [`cycle`] along a turn of them; [`mobility`] counts freedoms, redundant rows and idle parts; [`motion`] gives velocities and
 //! accelerations. [`PoseAccuracy`] then says what play does in such a position: gains, worst cases of first order and exact ones with the places of
-//! the journals that make them, standard deviations. [`OpenChain`] evaluates arms without loops for very many samples.
+//! the journals that make them, standard deviations. [`PictureSource`] says what is drawn of a mechanism. [`OpenChain`] evaluates arms without loops for very many samples.
 //!
 //! ```
 //! use loosepin_space::{
@@ -42,6 +42,7 @@ mod mobility;
 mod model;
 mod motion;
 mod output;
+mod picture;
 mod play;
 
 pub use accuracy::{
@@ -60,6 +61,7 @@ pub use geometry::vector::Vec3;
 pub use kind::frames::{Axis, MarkerShift};
 pub use kind::kind_of_joint::KindOfJoint;
 pub use kind::row::Row;
+pub use kind::sign::JointSign;
 pub use kind::{Cylindrical, Planar, Prismatic, Revolute, Rigid, Screw, SpatialKind, Spherical, Universal};
 pub use mechanism::body::Body;
 pub use mechanism::drive::{Drive, DriveValue, JointCoordinate};
@@ -76,6 +78,7 @@ pub use model::{
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
 pub use output::{JointOutput, PointOutput, RotationOutput, RotationSineOutput, SpatialOutput};
+pub use picture::PictureSource;
 pub use play::block::{Block, PlayPart};
 pub use play::kind_of_play::KindOfPlay;
 pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};

@@ -8,12 +8,14 @@
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | what is drawn of it | `drawn.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
 mod body;
 mod compile;
 mod direction;
+mod drawn;
 mod drive;
 mod joint;
 mod output;

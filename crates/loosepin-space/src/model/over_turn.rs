@@ -40,6 +40,9 @@ impl SpatialModel {
             }
             poses.push(accuracy.position().poses.clone());
         }
+        let traced =
+            self.traced_points(&mechanism, values, &courses.iter().map(|course| course.sample).collect::<Vec<_>>());
+        let picture = self.picture(&mechanism, values, &positions, &poses, &traced);
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
@@ -54,6 +57,7 @@ impl SpatialModel {
             has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
             outputs: outputs.collect::<Result<_, _>>()?,
             inputs_si,
+            picture,
         })
     }
 

@@ -7,6 +7,7 @@ mod identities;
 mod known;
 mod model_files;
 mod model_motions;
+mod pictures;
 mod quasi_static;
 mod refusals;
 mod searches;
