@@ -41,10 +41,10 @@ pub(crate) fn scene(placed: &[Placed<'_>], around: &Surroundings, projection: &P
     }
 }
 
-/// Class of the edge of a line, which parts those behind it. Axes and hatchings have none.
+/// Class of the edge of a line, which parts those behind it. Axes, hatchings and paths have none: they hide nothing.
 fn edge(class: &str) -> Option<&'static str> {
     match class.split(' ').next() {
-        Some("axis" | "hatch") => None,
+        Some("axis" | "hatch" | "trace") => None,
         Some("bar") => Some("halo wide"),
         _ => Some("halo"),
     }

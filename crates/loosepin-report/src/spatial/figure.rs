@@ -1,4 +1,4 @@
-//! The picture of a page, with the data by which its script turns it; the same picture as a file.
+//! The picture of a page, with the data by which its script turns it.
 
 use maud::{Markup, html};
 use serde::Serialize;
@@ -9,7 +9,7 @@ use super::parts::{Part, parts, round};
 use super::placed::{Surroundings, on_sheet, placed};
 use super::projection::Projection;
 use super::signs::{sheet, triad};
-use crate::charts::figure::{Picture, figures};
+use crate::charts::figure::Picture;
 use crate::mechanism::figure::pose_step;
 use crate::mechanism::shapes::{Frame, MM_PER_M};
 use crate::mechanism::signs::scale;
@@ -31,9 +31,6 @@ const AZIMUTH_STEP_DEG: usize = 15;
 const ELEVATIONS_DEG: [f64; 3] = [0.0, 20.0, 35.5];
 /// Its height, at least and at most, over its width.
 const HEIGHTS: [f64; 2] = [0.5, 0.95];
-/// Without play the picture shows the position at this fraction of the turn (one over it) first: not a dead centre.
-const FIRST_POSE: usize = 6;
-
 /// What the script needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Data<'p> {
@@ -74,12 +71,6 @@ struct Prepared {
     triad: [f64; 2],
 }
 
-/// The position that is shown first: that of the largest worst case of the first output, where there is play.
-fn first_sample(record: &SpatialMotionRecord) -> usize {
-    let worst = record.outputs.first().map(|output| output.worst.sample).filter(|_| record.has_play);
-    worst.unwrap_or(record.inputs_si.len() / FIRST_POSE)
-}
-
 /// Half the width and the height of what is drawn, from all sides and from little above. Where a steep view is higher, the script makes it smaller.
 fn half_sides(around: &Surroundings) -> [f64; 2] {
     let views = ELEVATIONS_DEG.into_iter().flat_map(|elevation_deg: f64| {
@@ -91,13 +82,13 @@ fn half_sides(around: &Surroundings) -> [f64; 2] {
     let sides = views.map(|view| around.half_sides(&view));
     let [width, height] = sides.fold([0.0; 2], |[width, height], [x, y]| [f64::max(width, x), f64::max(height, y)]);
     let width = if width > 0.0 { width } else { 1.0 };
-    [width, height.clamp(HEIGHTS[0] * width, HEIGHTS[1] * width)]
+    let first = around.half_sides(&Projection::ISOMETRIC)[1];
+    [width, height.clamp(HEIGHTS[0] * width, HEIGHTS[1] * width).max(first)]
 }
 
-fn prepared(record: &SpatialMotionRecord) -> Option<Prepared> {
+fn prepared(record: &SpatialMotionRecord, wanted: usize) -> Option<Prepared> {
     let own = &record.picture;
-    let wanted = first_sample(record);
-    let poses = own.poses.get(wanted)?;
+    let poses: &[PicturePose] = &own.poses.get(wanted)?.iter().map(rounded_pose).collect::<Vec<PicturePose>>();
     let step = pose_step(own.poses.len());
     let mut samples: Vec<usize> = (0..own.poses.len()).step_by(step).chain([wanted, own.poses.len() - 1]).collect();
     samples.sort_unstable();
@@ -120,7 +111,7 @@ fn prepared(record: &SpatialMotionRecord) -> Option<Prepared> {
     let triad_at = [-half[0] + 4.4 * font_mm, half[1] + (BELOW_LETTERS - 5.0) * font_mm];
     let drawn = html! {
         (sheet(&frame))
-        g.scene { (scene(&placed(&parts, poses, &projection), &around, &projection)) }
+        g.scene { (scene(&placed(&parts, poses, &projection, &around), &around, &projection)) }
         g.signs style=(format!("font-size: {font_mm:.4}px")) {
             g.names { (drawn_names(&names, poses, &projection, font_mm)) }
             g.triad { (triad(&projection, [x + triad_at[0], y + triad_at[1]], font_mm)) }
@@ -139,15 +130,21 @@ fn prepared(record: &SpatialMotionRecord) -> Option<Prepared> {
     Some(Prepared { picture, magnification, start, samples, parts, names, around, half, font_mm, triad: triad_at })
 }
 
+/// A pose with the digits of the data, so that the script begins with the same picture.
+fn rounded_pose(pose: &PicturePose) -> PicturePose {
+    let [x, y, z, w, a, b, c] = pose_data(pose);
+    PicturePose { at_m: [x, y, z].map(|own| own / MM_PER_M), turn: [w, a, b, c] }
+}
+
 fn pose_data(pose: &PicturePose) -> [f64; 7] {
     let [x, y, z] = pose.at_m.map(|own| round(own * MM_PER_M));
     let [w, a, b, c] = pose.turn.map(round);
     [x, y, z, w, a, b, c]
 }
 
-/// The picture with its controls; nothing where the record has no poses.
-pub(crate) fn spatial_figure(record: &SpatialMotionRecord) -> Markup {
-    let Some(prepared) = prepared(record) else { return html! {} };
+/// The picture with its controls, at first in the position `sample`; nothing where the record has none.
+pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Markup {
+    let Some(prepared) = prepared(record, sample) else { return html! {} };
     let is_angle = record.input_unit == SiUnit::ANGLE;
     let shown = |sample: &usize| {
         let input = record.inputs_si.get(*sample).copied().unwrap_or_default();
@@ -162,10 +159,10 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord) -> Markup {
         inputs,
         is_angle,
         start: prepared.start,
-        azimuth: round(view.azimuth_rad.to_degrees()),
-        elevation: round(view.elevation_rad.to_degrees()),
-        centre: prepared.around.centre.map(round),
-        radius: round(prepared.around.radius),
+        azimuth: view.azimuth_rad.to_degrees(),
+        elevation: view.elevation_rad.to_degrees(),
+        centre: prepared.around.centre,
+        radius: prepared.around.radius,
         outer: prepared.around.outer.iter().map(|point| point.map(round)).collect(),
         half: prepared.half.map(round),
         font: round(prepared.font_mm),
@@ -186,7 +183,7 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord) -> Markup {
                 }
                 div.views role="group" aria-label="View" {
                     @for (word, view) in VIEWS {
-                        button type="button" data-azimuth=(round(view.azimuth_rad.to_degrees())) data-elevation=(round(view.elevation_rad.to_degrees()))
+                        button type="button" data-azimuth=(view.azimuth_rad.to_degrees()) data-elevation=(view.elevation_rad.to_degrees())
                             aria-pressed=(if view == Projection::ISOMETRIC { "true" } else { "false" }) { (word) }
                     }
                 }
@@ -213,13 +210,8 @@ fn caption(record: &SpatialMotionRecord, magnification: Option<f64>) -> Markup {
         @if record.has_play { " Orange: joints with play." }
         @if !points.is_empty() { " Green: " (if points.len() == 1 { "path" } else { "paths" }) " of " (points.join(", ")) "." }
         @if let Some(magnification) = magnification {
-            " Orange zones: where play takes the point to first order, magnified " (magnification) " times; the darkest is at the largest worst case."
+            " Orange zones: where play takes the point to first order, magnified " (magnification) " times; the outlined one is at the largest worst case."
         }
         @if record.picture.elements.iter().any(|element| element.role.word() == "drive") { " Arrow: drive." }
     }
-}
-
-/// The picture as an SVG file of its own in light colours; empty where the record has no poses.
-pub fn spatial_motion_picture(record: &SpatialMotionRecord) -> String {
-    figures(&spatial_figure(record).into_string()).first().map(|figure| figure.to_svg(None)).unwrap_or_default()
 }

@@ -96,7 +96,7 @@ fn of_element(element: &PictureElement, extent_mm: f64) -> Vec<Part> {
         body: element.body,
         points: points.into_iter().map(rounded).collect(),
         radius: radius.map(round),
-        lift: lift * extent_mm,
+        lift: round(lift * extent_mm),
         of: element.of.clone(),
     };
     match &element.shape {
@@ -146,7 +146,7 @@ fn of_trace(trace: &PictureTrace, magnification: f64, extent_mm: f64) -> Vec<Par
         parts.push(part(PartKind::Line, "trace", 0, points.iter().copied().map(in_mm).collect()));
     }
     let tip = part(PartKind::Ball, "tip", trace.body, vec![in_mm(trace.point_m)]);
-    parts.push(Part { radius: Some(round(TIP * extent_mm)), lift: 1.1 * BALL_LIFT * extent_mm, ..tip });
+    parts.push(Part { radius: Some(round(TIP * extent_mm)), lift: round(1.1 * BALL_LIFT * extent_mm), ..tip });
     parts
 }
 

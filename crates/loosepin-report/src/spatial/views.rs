@@ -23,9 +23,9 @@ const ABOVE_LETTERS: f64 = 2.2;
 const BELOW_LETTERS: f64 = AXIS_LETTERS + 2.4;
 
 /// The least and the largest place of what is drawn, in all positions.
-fn range(parts: &[Part], poses: &[Vec<PicturePose>], projection: &Projection) -> [[f64; 2]; 2] {
+fn range(parts: &[Part], poses: &[Vec<PicturePose>], projection: &Projection, around: &Surroundings) -> [[f64; 2]; 2] {
     let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for own in poses.iter().flat_map(|poses| placed(parts, poses, projection)) {
+    for own in poses.iter().flat_map(|poses| placed(parts, poses, projection, around)) {
         let radius = own.part.radius.unwrap_or(0.0);
         for point in &own.points {
             for k in 0..2 {
@@ -43,8 +43,8 @@ pub(crate) fn views_figure(record: &SpatialMotionRecord, sample: usize, at: &str
     let (parts, magnification) = parts(own);
     let around = Surroundings::of(&parts, &own.poses);
     // Views line up: each coordinate has its own range.
-    let [across, up] = range(&parts, &own.poses, &Projection::FRONT);
-    let [deep, _] = range(&parts, &own.poses, &Projection::SIDE);
+    let [across, up] = range(&parts, &own.poses, &Projection::FRONT, &around);
+    let [deep, _] = range(&parts, &own.poses, &Projection::SIDE, &around);
     let [width, depth, height] = [across, deep, up].map(|[low, high]| high - low);
     // The sheet is wider than the views by four margins.
     let font_mm = FONT_SHARE * (width + depth) / (1.0 - 4.0 * SIDE_LETTERS * FONT_SHARE);
@@ -61,7 +61,7 @@ pub(crate) fn views_figure(record: &SpatialMotionRecord, sample: usize, at: &str
     let drawn = html! {
         (sheet(&frame))
         @for (_, projection, [x, y], _) in &views {
-            g transform=(format!("translate({x:.4} {y:.4})")) { (scene(&placed(&parts, poses, projection), &around, projection)) }
+            g transform=(format!("translate({x:.4} {y:.4})")) { (scene(&placed(&parts, poses, projection, &around), &around, projection)) }
         }
         g.signs style=(format!("font-size: {font_mm:.4}px")) {
             @for (words, projection, _, [left, bottom]) in &views {

@@ -11,6 +11,7 @@ use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
+use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::numbers::Values;
@@ -53,6 +54,8 @@ impl SpatialModel {
         Ok(SpatialMotionRecord {
             model: self.name.clone(),
             input: input.drive.clone().unwrap_or_else(|| "time".to_owned()),
+            repeat: Repeat::new("motion", &[], [(InputRole::Model, &**self.source())]),
+            drive_speed_rad_s: input.drive.as_ref().map(|_| input.rate),
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
             has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
             outputs: outputs.collect::<Result<_, _>>()?,
