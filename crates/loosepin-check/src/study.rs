@@ -196,6 +196,9 @@ fn unknown_heading(study: &Study) -> String {
 
 /// Description of an input.
 fn known_words(study: &Study, input: &EpistemicInput) -> String {
+    if matches!(input.subject, EpistemicSubject::Play) {
+        return "journals anywhere in their play, at each position".to_owned();
+    }
     if let Some(of) = input.members_written(&study.model) {
         return format!("any of {}", of.join(", "));
     }

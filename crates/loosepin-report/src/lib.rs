@@ -34,6 +34,7 @@ mod medium;
 mod motion;
 mod numbers;
 mod simulation;
+mod spatial;
 mod study;
 mod sweep;
 mod words;
@@ -56,7 +57,7 @@ pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{
     CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_page, motion_text,
-    spatial_motion_text,
+    spatial_motion_page, spatial_motion_picture, spatial_motion_text,
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
 pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};

@@ -1,14 +1,21 @@
 //! The motion of a mechanism in space over a turn, and what play does to it, without dynamics. SI.
 
+use crate::repeat::Repeat;
+use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
+use serde::{Deserialize, Serialize};
 
 /// The motion over a turn, with the worst cases of each output.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpatialMotionRecord {
     /// Name of the model.
     pub model: String,
     /// Name of the drive whose angle is the input, or `time`.
     pub input: String,
+    /// How it is made again.
+    pub repeat: Repeat,
+    /// Speed of that drive; `None` where the input is the time.
+    pub drive_speed_rad_s: Option<f64>,
     /// Unit of the input: rad or s.
     pub input_unit: SiUnit,
     /// The input at each position.
@@ -17,10 +24,29 @@ pub struct SpatialMotionRecord {
     pub has_play: bool,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
+    /// The mechanism as it is drawn, in the same positions.
+    pub picture: SpatialPicture,
+}
+
+impl SpatialMotionRecord {
+    /// The output that an answer begins with: of those in the unit of the first one that with the largest worst case of first order.
+    pub fn main_output(&self) -> Option<&SpatialOutputRecord> {
+        let first = self.outputs.first()?;
+        let alike = self.outputs.iter().filter(|output| output.unit == first.unit);
+        // The first of several alike.
+        alike.rev().max_by(|a, b| a.worst_case_si().total_cmp(&b.worst_case_si()))
+    }
+}
+
+impl SpatialOutputRecord {
+    /// The largest worst case of first order over the turn; 0 where there is none.
+    pub fn worst_case_si(&self) -> f64 {
+        self.first_order_si.get(self.worst.sample).copied().unwrap_or_default()
+    }
 }
 
 /// An output over the turn.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpatialOutputRecord {
     /// Its name.
     pub name: String,
@@ -41,7 +67,7 @@ pub struct SpatialOutputRecord {
 }
 
 /// An output in the position in which its worst case of first order is largest.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpatialWorstCase {
     /// Number of the position.
     pub sample: usize,
@@ -56,7 +82,7 @@ pub struct SpatialWorstCase {
 }
 
 /// What the play of a joint contributes to a worst case of first order.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpatialContributor {
     /// The joint.
     pub joint: String,

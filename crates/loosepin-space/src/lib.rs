@@ -5,7 +5,7 @@
 //! drives, [`cycle`] along a turn of them; [`mobility`] counts freedoms, redundant rows and idle parts; [`motion`] gives velocities and
 //! accelerations. [`PoseAccuracy`] then says what play does in such a position: gains, worst cases of first order and exact ones with the places of
 //! the journals that make them, standard deviations. [`TurnSampler`] evaluates a model with many sets of values over its turn, [`OpenChain`] arms
-//! without loops for very many samples.
+//! without loops for very many samples. [`PictureSource`] says what is drawn of a mechanism.
 //!
 //! ```
 //! use loosepin_space::{
@@ -43,6 +43,7 @@ mod mobility;
 mod model;
 mod motion;
 mod output;
+mod picture;
 mod play;
 mod sampling;
 
@@ -62,6 +63,7 @@ pub use geometry::vector::Vec3;
 pub use kind::frames::{Axis, MarkerShift};
 pub use kind::kind_of_joint::KindOfJoint;
 pub use kind::row::Row;
+pub use kind::sign::JointSign;
 pub use kind::{Cylindrical, Planar, Prismatic, Revolute, Rigid, Screw, SpatialKind, Spherical, Universal};
 pub use mechanism::body::Body;
 pub use mechanism::drive::{Drive, DriveValue, JointCoordinate};
@@ -79,6 +81,7 @@ pub use model::{
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
 pub use output::{JointOutput, PointOutput, RotationOutput, RotationSineOutput, SpatialOutput};
+pub use picture::PictureSource;
 pub use play::block::{Block, PlayPart};
 pub use play::kind_of_play::KindOfPlay;
 pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};

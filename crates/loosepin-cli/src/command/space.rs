@@ -1,10 +1,13 @@
 //! Models in space, as far as commands know them.
 
 use std::io::ErrorKind;
+use std::path::Path;
 
 use loosepin::files::{io_error_words, write_new_files};
-use loosepin::report::spatial_motion_text;
-use loosepin::results::MOTION_FILE;
+use loosepin::report::{spatial_motion_page, spatial_motion_picture, spatial_motion_text};
+use loosepin::result::spatial_motion::SpatialMotionRecord;
+use loosepin::result::spatial_motion_summary;
+use loosepin::results::{MOTION_FILE, REPORT_FILE, SUMMARY_FILE};
 use loosepin::simulate::spatial_motion_csv;
 use loosepin::space::{SpatialModel, SpatialMotionProblem};
 use loosepin::study::InputFile;
@@ -13,29 +16,49 @@ use crate::arguments::MotionArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
-/// Shows the ideal motion in space and the worst cases of play; with `--out`, `motion.csv` in a new folder has them at each position.
+/// The isometric picture of a motion in space.
+const PICTURE_FILE: &str = "motion.svg";
+
+/// Shows the ideal motion in space and the worst cases of play; with `--out`, a folder has them as a table, a page, a picture and a summary.
 pub fn move_in_space(arguments: &MotionArguments, file: &InputFile, model: &SpatialModel) -> Ending {
     let options = [("--path", !arguments.path.is_empty()), ("--force", arguments.output.force)];
     if let Some((option, _)) = options.into_iter().find(|(_, is_given)| *is_given) {
         return Err(Failure::of(&SpatialMotionProblem::OptionNotInSpace { option }));
     }
     let values = file.model().spatial_values(&file.with_widest_play(&arguments.set))?;
-    let file = arguments.output.folder.as_ref().map(|folder| folder.join(MOTION_FILE));
+    let folder = arguments.output.folder.as_ref();
+    let names = [MOTION_FILE, REPORT_FILE, PICTURE_FILE, SUMMARY_FILE];
     // Before anything is computed.
-    if let Some(file) = file.as_ref().filter(|file| file.symlink_metadata().is_ok()) {
-        return Err(Failure::of(&SpatialMotionProblem::Exists { file: file.display().to_string() }));
+    let mut paths = names.iter().flat_map(|name| folder.map(|folder| folder.join(name)));
+    if let Some(path) = paths.find(|path| path.symlink_metadata().is_ok()) {
+        return Err(Failure::of(&SpatialMotionProblem::Exists { file: path.display().to_string() }));
     }
     let record = model.motion_record(&values)?;
     console::print(&spatial_motion_text(&record))?;
-    if let Some((folder, file)) = arguments.output.folder.as_ref().zip(file) {
-        let file = file.display().to_string();
-        write_new_files(folder, &[(MOTION_FILE, spatial_motion_csv(&record).as_bytes())]).map_err(|error| {
-            Failure::of(&match error.kind() {
-                ErrorKind::AlreadyExists => SpatialMotionProblem::Exists { file: file.clone() },
-                _ => SpatialMotionProblem::NotWritten { file: file.clone(), why: io_error_words(&error) },
-            })
-        })?;
-        console::message(&format!("wrote {file}"));
-    }
+    let Some(folder) = folder else { return Ok(Done::Well) };
+    write_motion(&record, folder)?;
+    names.iter().for_each(|name| console::message(&format!("wrote {}", folder.join(name).display())));
     Ok(Done::Well)
+}
+
+fn write_motion(record: &SpatialMotionRecord, folder: &Path) -> Result<(), Failure> {
+    let not_written =
+        |why: String| Failure::of(&SpatialMotionProblem::NotWritten { file: folder.display().to_string(), why });
+    let summary = spatial_motion_summary(record).map_err(|error| not_written(error.to_string()))?;
+    let texts = [
+        (MOTION_FILE, spatial_motion_csv(record)),
+        (REPORT_FILE, spatial_motion_page(record)),
+        (PICTURE_FILE, spatial_motion_picture(record)),
+        (SUMMARY_FILE, summary),
+    ];
+    let files: Vec<(&str, &[u8])> = texts.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
+    write_new_files(folder, &files).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => {
+            let names = files.iter().map(|(name, _)| folder.join(name));
+            let there = names.into_iter().find(|path| path.symlink_metadata().is_ok());
+            let file = there.unwrap_or_else(|| folder.to_owned()).display().to_string();
+            Failure::of(&SpatialMotionProblem::Exists { file })
+        }
+        _ => not_written(io_error_words(&error)),
+    })
 }

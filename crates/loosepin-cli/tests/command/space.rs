@@ -24,7 +24,21 @@ fn a_motion_in_space_writes_its_table_once() {
     }
     // Independent program, at 0 deg.
     assert!((motion.column(names[2])[0] - 0.00100158563062).abs() < 1e-14);
-    assert!(!desk.run(&["motion", "model.toml", "--out", "one"]).messages.is_empty());
+    let page = desk.read("one/report.html");
+    assert!(page.contains("1.003\u{a0}mm is the largest worst case of play: slider"), "{}", &page[..2000]);
+    assert!(desk.read("one/motion.svg").starts_with("<svg xmlns="));
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("one/summary.json")).unwrap();
+    assert_eq!((&summary["geometry"], &summary["drive"]), (&"space".into(), &"crank".into()));
+    let worst = &summary["outputs"][0]["clearance"]["worst"];
+    let parts: f64 =
+        worst["contributors"].as_array().unwrap().iter().map(|own| own["first_order_si"].as_f64().unwrap()).sum();
+    assert!((parts - worst["first_order_si"].as_f64().unwrap()).abs() < 1e-15, "{worst}");
+    // Any of the files is in the way.
+    std::fs::create_dir(desk.path("two")).unwrap();
+    desk.write("two/motion.svg", "mine");
+    let other = desk.run(&["motion", "model.toml", "--out", "two"]);
+    assert!(other.messages.starts_with("error[E0904]: two/motion.svg already exists"), "{}", other.messages);
+    assert_eq!(desk.read("two/motion.svg"), "mine");
     // Before anything is computed, and in words.
     let again = desk.run(&["motion", "model.toml", "--out", "one"]);
     assert!(

@@ -5,8 +5,11 @@ pub(crate) const COLOURS: &str = include_str!("../../assets/colours.css");
 /// Shapes of mechanisms.
 pub(crate) const MECHANISM_STYLE: &str = include_str!("../../assets/mechanism.css");
 /// Everything that is drawn in figures.
-pub(crate) const FIGURE_STYLE: &str =
-    concat!(include_str!("../../assets/figure.css"), include_str!("../../assets/mechanism.css"));
+pub(crate) const FIGURE_STYLE: &str = concat!(
+    include_str!("../../assets/figure.css"),
+    include_str!("../../assets/mechanism.css"),
+    include_str!("../../assets/space.css")
+);
 
 /// The style of figures and the colours that they name, for pages that put pictures of this library into theirs.
 pub fn figure_styles() -> String {

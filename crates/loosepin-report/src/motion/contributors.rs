@@ -62,7 +62,7 @@ fn group(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) ->
 }
 
 /// A share, on a page with a bar.
-fn share_bar(share: f64, writer: &NumberWriter) -> Cell {
+pub(super) fn share_bar(share: f64, writer: &NumberWriter) -> Cell {
     let text = writer.percent(share, Rounding::Nearest);
     let html = html! {
         svg.bar width="100%" height="20" role="img" aria-label=(text) {

@@ -9,7 +9,7 @@
 //! | loops, swings, dead centres, transmission angles | `kinematic_sentences.rs` |
 //! | paths of points with their zones | `paths.rs` |
 //! | what the drives must do | `efforts.rs` |
-//! | a motion in space | `spatial.rs` |
+//! | a motion in space | `spatial/` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
 //! | one of these charts while a mechanism is edited | `live_curve.rs` |
 //!
@@ -35,5 +35,5 @@ pub(crate) use angles::{angle_chart, largest, turn_angle};
 pub(crate) use answer::{headline_sentences, moved_words};
 pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
 pub use page::motion_page;
-pub use spatial::spatial_motion_text;
+pub use spatial::{spatial_motion_page, spatial_motion_picture, spatial_motion_text};
 pub use text::motion_text;

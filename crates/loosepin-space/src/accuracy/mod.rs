@@ -6,6 +6,7 @@
 mod displaced;
 mod error;
 mod extreme;
+mod farthest;
 mod first_order;
 mod gains;
 mod largest_norm;

@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A shaft that turns about z and slides along it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,5 +26,8 @@ impl KindOfJoint for Cylindrical {
     }
     fn slides(&self) -> bool {
         true
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Sleeve
     }
 }

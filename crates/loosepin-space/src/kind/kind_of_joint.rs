@@ -1,6 +1,7 @@
 //! What every kind of joint says of itself.
 
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A kind of ideal joint between a marker on body i and one on body j.
 pub trait KindOfJoint {
@@ -12,4 +13,6 @@ pub trait KindOfJoint {
     fn turns(&self) -> bool;
     /// Whether the place z_i·d along z is a coordinate of it.
     fn slides(&self) -> bool;
+    /// What is drawn of it.
+    fn sign(&self) -> JointSign;
 }

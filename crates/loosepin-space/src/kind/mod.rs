@@ -3,6 +3,7 @@
 pub(crate) mod frames;
 pub(crate) mod kind_of_joint;
 pub(crate) mod row;
+pub(crate) mod sign;
 
 mod cylindrical;
 mod planar;
@@ -15,6 +16,7 @@ mod universal;
 
 use kind_of_joint::KindOfJoint;
 use row::Row;
+use sign::JointSign;
 
 pub use cylindrical::Cylindrical;
 pub use planar::Planar;
@@ -45,6 +47,9 @@ macro_rules! spatial_kinds {
             }
             fn slides(&self) -> bool {
                 match self { $(Self::$kind(kind) => kind.slides(),)* }
+            }
+            fn sign(&self) -> JointSign {
+                match self { $(Self::$kind(kind) => kind.sign(),)* }
             }
         }
         $(impl From<$kind> for SpatialKind {

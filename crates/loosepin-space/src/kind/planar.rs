@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A face on a face: z axes are parallel, and the points have the same place along z.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,5 +21,8 @@ impl KindOfJoint for Planar {
     }
     fn slides(&self) -> bool {
         false
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Plate
     }
 }

@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A slider in its guide: it moves along z and does not turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,5 +27,8 @@ impl KindOfJoint for Prismatic {
     }
     fn slides(&self) -> bool {
         true
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Guide
     }
 }

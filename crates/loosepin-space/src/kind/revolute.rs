@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A pin in its bearing: points coincide and z axes are parallel; one turn about z.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,5 +21,8 @@ impl KindOfJoint for Revolute {
     }
     fn slides(&self) -> bool {
         false
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Pin
     }
 }

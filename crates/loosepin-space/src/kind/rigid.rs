@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// Both bodies move as one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,5 +26,8 @@ impl KindOfJoint for Rigid {
     }
     fn slides(&self) -> bool {
         false
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Weld
     }
 }

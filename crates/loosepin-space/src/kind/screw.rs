@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A nut on its screw: a shaft that turns about z and moves along it by the pitch for each turn, z_i·d = (p/2π) φ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,5 +30,8 @@ impl KindOfJoint for Screw {
     }
     fn slides(&self) -> bool {
         true
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Sleeve
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// A ball in its socket: points coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,5 +20,8 @@ impl KindOfJoint for Spherical {
     }
     fn slides(&self) -> bool {
         false
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Ball
     }
 }

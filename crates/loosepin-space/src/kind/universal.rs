@@ -3,6 +3,7 @@
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
+use crate::kind::sign::JointSign;
 
 /// Two shafts and a cross: points coincide, and the z axes, which are the two pins of the cross, stay at a right angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,5 +21,8 @@ impl KindOfJoint for Universal {
     }
     fn slides(&self) -> bool {
         false
+    }
+    fn sign(&self) -> JointSign {
+        JointSign::Cross
     }
 }

@@ -10,12 +10,14 @@
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
 //! | whether its parts fit | `fit.rs` |
+//! | what is drawn of it | `drawn.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
 mod body;
 mod compile;
 mod direction;
+mod drawn;
 mod drive;
 mod fit;
 mod joint;

@@ -11,6 +11,7 @@ use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
+use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::Values;
@@ -39,6 +40,9 @@ impl SpatialModel {
             }
             poses.push(accuracy.position().poses.clone());
         }
+        let traced =
+            self.traced_points(&mechanism, values, &courses.iter().map(|course| course.sample).collect::<Vec<_>>());
+        let picture = self.picture(&mechanism, values, &positions, &poses, &traced);
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
@@ -49,10 +53,13 @@ impl SpatialModel {
         Ok(SpatialMotionRecord {
             model: self.name.clone(),
             input: input.drive.clone().unwrap_or_else(|| "time".to_owned()),
+            repeat: Repeat::new("motion", &[], [(InputRole::Model, &**self.source())]),
+            drive_speed_rad_s: input.drive.as_ref().map(|_| input.rate),
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
             has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
             outputs: outputs.collect::<Result<_, _>>()?,
             inputs_si,
+            picture,
         })
     }
 

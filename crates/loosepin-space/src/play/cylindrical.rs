@@ -38,6 +38,9 @@ impl KindOfPlay for CylindricalPlay {
     fn derivatives(&self, _variables: &[f64]) -> Vec<MarkerShift> {
         self.ends().derivatives(0.0)
     }
+    fn bearing_length_m(&self) -> Option<f64> {
+        Some(self.bearing_length_m)
+    }
     fn mistake(&self) -> Option<(&'static str, f64, &'static str)> {
         clearance_mistake("radial clearance, m", self.radial_clearance_m)
             .or_else(|| length_mistake(self.bearing_length_m, self.radial_clearance_m))

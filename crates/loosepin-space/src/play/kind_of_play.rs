@@ -18,6 +18,10 @@ pub trait KindOfPlay {
     fn marker_shift(&self, variables: &[f64]) -> MarkerShift;
     /// Derivatives of [`Self::marker_shift`] by each variable.
     fn derivatives(&self, variables: &[f64]) -> Vec<MarkerShift>;
+    /// Length of the bearing, its middle at the marker, m; `None` where the play does not depend on one.
+    fn bearing_length_m(&self) -> Option<f64> {
+        None
+    }
     /// The first number that cannot be, if one is: its name, its value and the rule that it breaks.
     fn mistake(&self) -> Option<(&'static str, f64, &'static str)>;
 }

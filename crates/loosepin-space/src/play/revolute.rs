@@ -53,6 +53,9 @@ impl KindOfPlay for RevolutePlay {
         derivatives.push(MarkerShift { shift_m: Vec3::new(slope[0], slope[1], 1.0), slope: [0.0; 2] });
         derivatives
     }
+    fn bearing_length_m(&self) -> Option<f64> {
+        Some(self.bearing_length_m)
+    }
     fn mistake(&self) -> Option<(&'static str, f64, &'static str)> {
         clearance_mistake("radial clearance, m", self.radial_clearance_m)
             .or_else(|| clearance_mistake("axial clearance, m", self.axial_clearance_m))

@@ -9,6 +9,7 @@ mod least_play;
 mod manufacture;
 mod model_files;
 mod model_motions;
+mod pictures;
 mod quasi_static;
 mod random;
 mod random_mechanisms;

@@ -68,9 +68,10 @@ impl Material<'_> {
     pub fn witness(&self, epistemic: &[f64]) -> Witness {
         // A percentile is attained at no single value of the parameters that it is taken over.
         let named = self.study.epistemic.iter().zip(epistemic).filter(|(_, value)| !value.is_nan());
-        let shown = |input: &EpistemicInput, value: f64| match input.law(value) {
-            Some(law) => WitnessValue::Choice(law.name().to_owned()),
-            None => WitnessValue::Number(value),
+        let shown = |input: &EpistemicInput, value: f64| match (input.law(value), input.side_of_play(value)) {
+            (Some(law), _) => WitnessValue::Choice(law.name().to_owned()),
+            (None, Some(side)) => WitnessValue::Choice(side.to_owned()),
+            (None, None) => WitnessValue::Number(value),
         };
         named.map(|(input, &value)| (input.path.clone(), shown(input, value))).collect()
     }

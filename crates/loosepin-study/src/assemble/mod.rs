@@ -13,6 +13,7 @@ mod few_runs;
 mod material;
 mod paths;
 mod requirements;
+mod spatial;
 mod summary;
 mod treatments;
 mod value_bands;
@@ -76,6 +77,7 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
         paths: paths::paths(study),
+        spatial: spatial::spatial(study),
         drawing: pictures.drawing,
     }
 }

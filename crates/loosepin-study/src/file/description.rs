@@ -224,6 +224,15 @@ impl EpistemicInput {
         }
     }
 
+    /// Where the journals are, where the input stands for their places and `value` is an end of them.
+    pub fn side_of_play(&self, value: f64) -> Option<&'static str> {
+        match self.subject {
+            EpistemicSubject::Play if value >= 1.0 => Some("largest"),
+            EpistemicSubject::Play if value <= -1.0 => Some("smallest"),
+            _ => None,
+        }
+    }
+
     /// The unit of its values; that of a pure number for a law.
     pub fn unit(&self, model: &StudyModel) -> SiUnit {
         SiUnit::of_dimension(self.dimension(model))

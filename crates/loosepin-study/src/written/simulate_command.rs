@@ -40,7 +40,11 @@ pub(crate) fn witness_settings(study: &Study, witness: &Witness) -> Option<Vec<S
             WitnessValue::Choice(word) => format!("{path}={word}"),
         })
     };
-    witness.iter().map(setting).collect()
+    let is_play = |path: &String| {
+        study.epistemic.iter().any(|input| input.path == *path && matches!(input.subject, EpistemicSubject::Play))
+    };
+    // Every motion has the journals on both sides.
+    witness.iter().filter(|(path, _)| !is_play(path)).map(setting).collect()
 }
 
 fn number_setting(path: &str, unit: &SiUnit, value: f64) -> String {

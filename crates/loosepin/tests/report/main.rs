@@ -11,6 +11,7 @@ mod report_answer;
 mod report_fixture;
 mod report_pages;
 mod simulations;
+mod space_pages;
 mod study_files;
 mod sweep;
 mod template_pictures;

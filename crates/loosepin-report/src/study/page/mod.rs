@@ -14,6 +14,7 @@ use crate::charts::still_figures::orbit_chooser;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{blocks, page_section};
 use crate::medium::page::{Frame, Page, Section};
+use crate::motion::spatial::{joints_section, spatial_motion_figure};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
@@ -58,6 +59,7 @@ fn page(result: &StudyResult) -> Page {
         }),
         own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
         page_section(contributors_section(result, writer)),
+        page_section(result.spatial.as_ref().and_then(joints_section)),
         page_section(allowed_section(result, writer)),
         page_section(answers_section(result, writer)),
         own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
@@ -87,7 +89,7 @@ fn page(result: &StudyResult) -> Page {
         },
         answer: answer_markup(&answer),
         is_answer_short: true,
-        beside: mechanism_figure(&result.drawing, &result.cycle.drive),
+        beside: mechanism(result),
         below: first.markup,
         more: contributors_overview(result, writer).unwrap_or_default(),
         is_folded: true,
@@ -104,11 +106,19 @@ pub fn study_excerpt(result: &StudyResult) -> String {
     let answer = answer_markup(&answer(result, &writer));
     let table = bounds_section(result, &writer).as_ref().map_or_else(Markup::default, blocks);
     let figures = images(html! {
-        (mechanism_figure(&result.drawing, &result.cycle.drive))
+        (mechanism(result))
         (curves::first_chart(result, &writer).markup)
         (curves::other_charts(result, &writer))
     });
     html! { (answer) (figures) (table) }.into_string()
+}
+
+/// The mechanism: in space turned by the reader, in the plane moving.
+fn mechanism(result: &StudyResult) -> Markup {
+    match &result.spatial {
+        Some(motion) => spatial_motion_figure(motion),
+        None => mechanism_figure(&result.drawing, &result.cycle.drive),
+    }
 }
 
 fn short_hash(hash: &str) -> String {

@@ -1,0 +1,66 @@
+//! The answer of a motion in space in sentences.
+
+use super::numbers::{shown, shown_deviation};
+use super::tables::place;
+use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
+use loosepin_text::article::Medium;
+use loosepin_text::units::counted;
+
+/// The largest worst case first: of the main output, then what was found of it and who contributes, then the others.
+pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
+    let Some(main) = record.main_output() else { return vec!["The model has no output.".to_owned()] };
+    let others = record.outputs.iter().filter(|output| output.name != main.name);
+    if !record.has_play {
+        let ranges = std::iter::once(main).chain(others).filter_map(range);
+        return ranges.chain(["No joint has play.".to_owned()]).collect();
+    }
+    let mut sentences = vec![format!("{} is the largest worst case of play: {}.", worst(main), at(record, main))];
+    let [up, down] =
+        [main.worst.largest_si, main.worst.smallest_si].map(|own| shown_deviation(own, main, Medium::Page));
+    sentences.push(format!(
+        "It is to first order, to both sides alike. With loops closed exactly, a search found {up} and {down} there{}.",
+        if main.ideal_si.is_empty() { ", along the longest displacement" } else { "" }
+    ));
+    sentences.extend(contribution(main));
+    sentences.extend(others.map(|output| format!("{}: {}.", worst(output), at(record, output))));
+    let conditions = record.outputs.iter().map(|output| output.worst.conditions).max().unwrap_or(0);
+    if conditions > 0 {
+        let conditions = counted(conditions, "condition");
+        sentences.push(format!(
+            "The plays must meet {conditions} together so that the loops close; worst cases are with them."
+        ));
+    }
+    sentences
+}
+
+fn worst(output: &SpatialOutputRecord) -> String {
+    shown_deviation(output.worst_case_si(), output, Medium::Page)
+}
+
+fn at(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> String {
+    let place = place(record, output, Medium::Page);
+    format!("{} ({}), with {} at {place}", output.name, output.words, record.input)
+}
+
+fn range(output: &SpatialOutputRecord) -> Option<String> {
+    let least = output.ideal_si.iter().copied().reduce(f64::min)?;
+    let most = output.ideal_si.iter().copied().reduce(f64::max)?;
+    let [least, most] = [least, most].map(|own| shown(own, &output.unit, own, Medium::Page));
+    Some(format!("{least} to {most}: {} ({}) over the turn.", output.name, output.words))
+}
+
+/// The joint that contributes most, and by what.
+fn contribution(output: &SpatialOutputRecord) -> Option<String> {
+    let most = output.worst.contributors.iter().max_by(|a, b| a.part_si.total_cmp(&b.part_si))?;
+    let SpatialContributor { joint, part_si, offset_si, lean_si, axial_si } = most;
+    let value = |own: f64| shown_deviation(own, output, Medium::Page);
+    let ways = [("an offset", Some(*offset_si)), ("a lean", *lean_si), ("the axial clearance", *axial_si)];
+    let ways: Vec<String> = ways
+        .into_iter()
+        .filter_map(|(way, own)| Some(format!("{way} makes {}", value(own.filter(|own| *own > 0.0)?))))
+        .collect();
+    let alone = if ways.len() > 1 { format!(": alone, {}", ways.join(", ")) } else { String::new() };
+    let others = output.worst.contributors.len() > 1;
+    let words = if others { "contributes most" } else { "contributes all of it" };
+    Some(format!("{joint} {words}, {}{alone}.", value(*part_si)))
+}

@@ -1,0 +1,162 @@
+//! Outputs of a motion in space, and what each joint contributes, as tables.
+
+use super::numbers::{shown, shown_deviation};
+use crate::motion::contributors::share_bar;
+use crate::numbers::number::NumberWriter;
+use crate::words::wording::head;
+use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
+use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
+use loosepin_text::units::{DisplayUnits, counted};
+
+/// All outputs, and what their numbers are.
+pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> Section {
+    let mut section = Section::headed_on_page("outputs", "Outputs");
+    let play = match record.has_play {
+        true => "worst cases of play in the ideal position of each",
+        false => "no joint has play",
+    };
+    section.push(Content::sentences([format!("{} over a turn, {play}.", counted(record.inputs_si.len(), "position"))]));
+    let heads =
+        ["smallest", "largest", "worst case, first order", "at", "found, up", "found, down", "standard deviation"];
+    let columns =
+        std::iter::once(Column::words(head("output"))).chain(heads.map(|words| Column::numbers(head(words)))).collect();
+    section.push(Content::Table(Table::new(columns, record.outputs.iter().map(|output| row(record, output, medium)))));
+    if record.has_play {
+        section.push(Content::sentences([
+            "The worst case of first order is largest at the place shown, to both sides alike. There a search closes the loops exactly: up and \
+             down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
+        ]));
+    }
+    let conditions = record.outputs.iter().map(|output| output.worst.conditions).max().unwrap_or(0);
+    if conditions > 0 {
+        section.push(Content::sentences([format!(
+            "The plays must meet {} together so that the loops close; the worst cases are with them, and the standard deviation has no closed \
+             form. What a joint contributes is then its share of the worst case, not what it does alone.",
+            counted(conditions, "condition")
+        )]));
+    }
+    if record.has_play && record.outputs.iter().any(|output| output.ideal_si.is_empty()) {
+        section.push(Content::sentences([
+            "Of a displacement, the worst case is the longest one that a search over directions found, up and down are along that direction, and \
+             the standard deviation is the root of the sum of the variances along x, y and z.",
+        ]));
+    }
+    section
+}
+
+fn row(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium: Medium) -> Vec<Cell> {
+    let deviation = |value_si: f64| shown_deviation(value_si, output, medium);
+    let ends = (!output.ideal_si.is_empty()).then(|| {
+        let ideal = output.ideal_si.iter().copied();
+        let ends = [ideal.clone().fold(f64::INFINITY, f64::min), ideal.fold(f64::NEG_INFINITY, f64::max)];
+        let scale_si = ends[0].abs().max(ends[1].abs());
+        ends.map(|value_si| shown(value_si, &output.unit, scale_si, medium))
+    });
+    let [smallest, largest] = ends.map_or([None, None], |ends| ends.map(Some));
+    let worst = record.has_play.then(|| output.first_order_si.get(output.worst.sample).copied()).flatten();
+    let at = worst.and_then(|_| record.inputs_si.get(output.worst.sample));
+    let sigma = worst.and_then(|_| output.standard_deviation_si.get(output.worst.sample));
+    let found = worst.map(|_| [output.worst.largest_si, output.worst.smallest_si].map(deviation));
+    let [up, down] = found.map_or([None, None], |found| found.map(Some));
+    let name = format!("{}: {}", output.name, output.words);
+    let cells = [
+        Some(name),
+        smallest,
+        largest,
+        worst.map(deviation),
+        at.map(|input| shown(*input, &record.input_unit, *input, medium)),
+        up,
+        down,
+        sigma.map(|sigma| deviation(*sigma)),
+    ];
+    cells.into_iter().map(Cell::from).collect()
+}
+
+/// What each joint contributes to the largest worst case of an output, on a terminal.
+pub(super) fn contributors_on_terminal(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> Section {
+    let heading =
+        format!("{}: what each joint contributes at {}", output.name, place(record, output, Medium::Terminal));
+    let mut section = Section::new("contributors", heading);
+    let heads = ["part", "offset alone", "lean alone", "axial"];
+    let columns = std::iter::once(Column::words("joint")).chain(heads.map(Column::numbers)).collect();
+    let rows = output.worst.contributors.iter().map(|own| contributor(own, output, Medium::Terminal));
+    section.push_close(Content::Table(Table::new(columns, rows)));
+    section
+}
+
+/// What each joint contributes to the largest worst case of each output, the largest first, on a page; `None` where no joint has play.
+pub(super) fn contributors_on_page(record: &SpatialMotionRecord) -> Option<Section> {
+    if !record.has_play {
+        return None;
+    }
+    let units = DisplayUnits::default();
+    let writer = &NumberWriter::for_page(&units);
+    let groups = record.outputs.iter().map(|output| {
+        let mut own: Vec<&SpatialContributor> = output.worst.contributors.iter().collect();
+        own.sort_by(|a, b| b.part_si.total_cmp(&a.part_si));
+        let rows = own.into_iter().map(|own| {
+            let mut cells = contributor(own, output, Medium::Page);
+            let whole = output.worst_case_si();
+            cells.insert(2, share_bar(if whole > 0.0 { own.part_si / whole } else { 0.0 }, writer));
+            cells
+        });
+        let heading = format!("{}: {}, at {}", output.name, output.words, place(record, output, Medium::Page));
+        Group { heading: heading.into(), rows: rows.collect() }
+    });
+    let columns = vec![
+        Column::words("Joint"),
+        Column::numbers("Part of the worst case"),
+        Column::words("Share"),
+        Column::numbers("Offset alone"),
+        Column::numbers("Lean alone"),
+        Column::numbers("Axial"),
+    ];
+    let has_conditions = record.outputs.iter().any(|output| output.worst.conditions > 0);
+    let shares = if has_conditions {
+        " Where plays must meet conditions together, a part is the joint's share, not what it does alone."
+    } else {
+        ""
+    };
+    let caption = format!(
+        "The parts of all joints add up to the worst case of first order. An offset and a lean of a journal share its clearance, so that \
+                   the effects of each alone add up to more than the part of both.{shares}"
+    );
+    let mut section = Section::headed_on_page("contributors", "Contribution of each joint");
+    section.push(Content::Table(Table {
+        columns,
+        groups: groups.collect(),
+        caption: caption.into(),
+        ..Table::default()
+    }));
+    Some(section)
+}
+
+/// What each joint contributes, as a section of the page of a study: play alone, unknown clearances where there is most of it.
+pub(crate) fn joints_section(record: &SpatialMotionRecord) -> Option<Section> {
+    let section = contributors_on_page(record)?;
+    Some(Section { id: "joints", ..section })
+}
+
+/// The same of the main output on a terminal.
+pub(crate) fn joints_text(record: &SpatialMotionRecord) -> Option<Section> {
+    let main = record.main_output().filter(|_| record.has_play)?;
+    Some(contributors_on_terminal(record, main))
+}
+
+/// Where the worst case of an output is largest.
+pub(super) fn place(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium: Medium) -> String {
+    let at = record.inputs_si.get(output.worst.sample).copied().unwrap_or_default();
+    shown(at, &record.input_unit, at, medium)
+}
+
+fn contributor(own: &SpatialContributor, output: &SpatialOutputRecord, medium: Medium) -> Vec<Cell> {
+    let value = |value_si: f64| shown_deviation(value_si, output, medium);
+    let cells = [
+        Some(own.joint.clone()),
+        Some(value(own.part_si)),
+        Some(value(own.offset_si)),
+        own.lean_si.map(value),
+        own.axial_si.map(value),
+    ];
+    cells.into_iter().map(Cell::from).collect()
+}

@@ -1,0 +1,129 @@
+//! The page and the picture of a motion in space: points of the picture are those of the mechanism, and the page has all numbers.
+
+use loosepin::report::{Figure, figures, spatial_motion_page, spatial_motion_picture};
+use loosepin::result::spatial_motion::SpatialMotionRecord;
+use loosepin::space::SpatialModel;
+
+const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slider-crank.toml");
+const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
+
+/// Coordinates of a picture of some 500 mm have three places.
+const WRITTEN_MM: f64 = 0.002;
+
+fn record(text: &str) -> SpatialMotionRecord {
+    let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    model.motion_record(&model.quantities.nominal()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+}
+
+/// Where the crank pin and the slider are, mm, by the closed form of the example.
+fn pin_and_slider(angle: f64) -> [[f64; 3]; 2] {
+    let pin = [0.0, 100.0 - 80.0 * angle.sin(), 120.0 + 80.0 * angle.cos()];
+    [pin, [(300.0 * 300.0 - pin[1] * pin[1] - pin[2] * pin[2]).sqrt(), 0.0, 0.0]]
+}
+
+/// Ends of the lines of a class in a part of a picture.
+fn line_ends(svg: &str, class: &str) -> Vec<[f64; 2]> {
+    let mut ends = Vec::new();
+    for path in svg.split("<path ").skip(1) {
+        if !path.starts_with(&format!("class=\"{class} ")) {
+            continue;
+        }
+        let d = path.split(" d=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap();
+        for point in d.trim_start_matches('M').split('L') {
+            let (x, y) = point.split_once(' ').unwrap();
+            ends.push([x.parse().unwrap(), y.parse().unwrap()]);
+        }
+    }
+    ends
+}
+
+fn has(ends: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    ends.iter().any(|own| (own[0] - x).abs() < WRITTEN_MM && (own[1] - y).abs() < WRITTEN_MM)
+}
+
+#[test]
+fn analytic_ends_of_bars_are_the_projected_positions() {
+    let record = record(SLIDER_CRANK);
+    let angle = record.inputs_si[record.outputs[0].worst.sample];
+    let [pin, slider] = pin_and_slider(angle);
+    let bearing = [0.0, 100.0, 120.0];
+    // Isometric, written out: x goes right and down, y right and up, z up; a sheet has y down.
+    let isometric = |[x, y, z]: [f64; 3]| [(x + y) / 2.0_f64.sqrt(), -(y - x + 2.0 * z) / 6.0_f64.sqrt()];
+    let ends = line_ends(&spatial_motion_picture(&record), "bar");
+    assert!(ends.len() > 8, "{ends:?}");
+    for point in [bearing, pin, slider] {
+        assert!(has(&ends, isometric(point)), "{point:?} {ends:?}");
+    }
+    // Front, side and top have their places on the sheet: the views differ from coordinates by a shift.
+    let page = spatial_motion_page(&record);
+    let views = figures(&page).into_iter().find(|figure| figure.name == "views").unwrap().to_svg(None);
+    let groups: Vec<&str> = views.split("<g transform=\"translate(").skip(1).take(3).collect();
+    let kept: [fn([f64; 3]) -> [f64; 2]; 3] = [|[x, y, _]| [x, -y], |[x, _, z]| [x, -z], |[_, y, z]| [y, -z]];
+    for (group, flat) in groups.iter().zip(kept) {
+        let ends = line_ends(group, "bar");
+        assert!([bearing, pin, slider].into_iter().all(|point| has(&ends, flat(point))), "{ends:?}");
+    }
+    assert_eq!(groups.len(), 3);
+}
+
+#[test]
+fn analytic_what_is_farther_is_drawn_earlier() {
+    let record = record(FOUR_BAR);
+    // Seen towards (1, -1, 1) the crank about the origin is behind the rocker's ball at (320, 0, ...) mm: its sign comes first.
+    let svg = spatial_motion_picture(&record);
+    let ball = svg.find("class=\"ball with-play").unwrap();
+    assert!(svg.find("class=\"bearing").unwrap() < ball && svg.find("class=\"foot").unwrap() < ball);
+}
+
+/// A value as tables behind charts have it.
+fn written(value: f64) -> String {
+    format!("{value:.5e}").parse::<f64>().unwrap().to_string()
+}
+
+/// A column of the table behind a figure.
+fn column(figures: &[Figure], name: &str, column: usize) -> Vec<String> {
+    let figure = figures.iter().find(|figure| figure.name == name).unwrap_or_else(|| panic!("no figure {name}"));
+    let csv = figure.to_csv().unwrap();
+    csv.lines().skip(2).map(|line| line.split(',').nth(column).unwrap().to_owned()).collect()
+}
+
+#[test]
+fn the_page_has_every_number_of_the_record() {
+    // The deviations of the first are above 1 mm, those of the second some mrad.
+    for (text, output, ideal_per_si, per_si) in
+        [(SLIDER_CRANK, "slider", 1e3, 1e3), (FOUR_BAR, "rocker", 180.0 / std::f64::consts::PI, 1e3)]
+    {
+        let record = record(text);
+        let page = spatial_motion_page(&record);
+        let figures = figures(&page);
+        let own = &record.outputs[0];
+        let all = |values: &[f64], factor: f64| values.iter().map(|own| written(own * factor)).collect::<Vec<_>>();
+        assert_eq!(column(&figures, &format!("position.{output}"), 1), all(&own.ideal_si, ideal_per_si));
+        let worst = format!("worst-case.{output}");
+        assert_eq!(column(&figures, &worst, 2), all(&own.first_order_si, per_si));
+        assert_eq!(column(&figures, &worst, 1), all(&own.first_order_si, -per_si));
+        assert_eq!(column(&figures, &worst, 4), all(&own.standard_deviation_si, per_si));
+        assert_eq!(column(&figures, &worst, 0).len(), record.inputs_si.len());
+        // Four digits in sentences and tables.
+        let rounded =
+            |value: f64| format!("{:.3e}", value * per_si).parse::<f64>().unwrap().to_string().replace('-', "−");
+        let worst = &own.worst;
+        let mut numbers = vec![own.first_order_si[worst.sample], worst.largest_si, worst.smallest_si];
+        for part in &worst.contributors {
+            numbers
+                .extend([Some(part.part_si), Some(part.offset_si), part.lean_si, part.axial_si].into_iter().flatten());
+        }
+        for number in numbers {
+            let text = format!(">{}\u{a0}", rounded(number));
+            assert!(page.contains(&text), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_model_without_play_says_so_and_text_of_files_is_escaped() {
+    let text = FOUR_BAR.replace("radial_clearance = \"0.2 mm\"\n", "").replace("four-bar with two balls", "a <b> & c");
+    let page = spatial_motion_page(&record(&text));
+    assert!(page.contains("No joint has play.") && page.contains("a &lt;b&gt; &amp; c") && !page.contains("a <b>"));
+    assert!(!page.contains("id=\"contributors\"") && !page.contains("worst-case."), "there is no worst case");
+}
