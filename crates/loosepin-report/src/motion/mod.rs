@@ -27,7 +27,7 @@ mod paths;
 mod play_effect;
 mod ranges;
 mod scatter;
-mod spatial;
+pub(crate) mod spatial;
 mod text;
 mod verdicts;
 
