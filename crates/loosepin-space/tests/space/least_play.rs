@@ -240,6 +240,45 @@ fn analytic_a_shaft_in_two_bearings_that_are_not_in_line() {
     assert_eq!((found.factor, found.bound), (0.0, 0.0));
 }
 
+#[test]
+fn identity_worst_cases_of_parts_that_do_not_fit_are_those_of_an_optimiser_over_poses() {
+    use crate::random_mechanisms::{optimiser::maximise, poses::PoseSet};
+    use loosepin_space::{AccuracyError, PointOutput, SearchOptions};
+    let mut random = Random(79);
+    let mut compared = 0;
+    for round in 0..12 {
+        let class = CLASSES[round % CLASSES.len()];
+        let mechanism = overconstrained(class, &mut random);
+        let held = vec![DriveValue::held(0.0); mechanism.drives().len()];
+        let position = assemble(&mechanism, &held).unwrap();
+        let off = with_errors(&mechanism, &drawn_errors(&mut random, mechanism.joints().len(), 4e-4));
+        let accuracy = PoseAccuracy::new(&off, &position).unwrap();
+        let least = accuracy.least_play().unwrap();
+        if accuracy.conditions() == 0 || least.factor > 0.9 {
+            continue;
+        }
+        let body = 1 + random.below(2);
+        let output = PointOutput { body, point_m: random.vector() * 0.2, direction: random.direction() }.into();
+        let exact = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
+        for extreme in [&exact.largest, &exact.smallest] {
+            assert!(accuracy.displaced(&extreme.variables_m).unwrap().apart < 1e-11, "{class}");
+        }
+        // Both count from poses of their own.
+        let range = exact.largest.deviation - exact.smallest.deviation;
+        let set = PoseSet::new(&off, &output);
+        let mut best = |sign: f64| {
+            maximise(&set, sign, 2, &mut random).iter().map(|end| end.value).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let found = best(1.0) + best(-1.0);
+        assert!((found - range).abs() < 1e-5 * range, "{class}: {found} {range}, least play {}", least.factor);
+        assert!(found < range * (1.0 + 1e-6), "{class}: {found} {range}");
+        let gains = accuracy.gains(&output).unwrap();
+        assert_eq!(accuracy.first_order(&gains).unwrap_err(), AccuracyError::PartsDoNotFit);
+        compared += 1;
+    }
+    assert!(compared > 4, "{compared}");
+}
+
 /// A planar four-bar whose journals lean, with errors of manufacture.
 fn four_bar(lines: &str, bearing_length: Option<&str>) -> SpatialModel {
     let joint = |name: &str, bearing: &str, journal: &str| {
