@@ -15,6 +15,8 @@ pub enum AccuracyError {
     OutputIsFree,
     /// The plays leave no place in which the loops close.
     NoPlace,
+    /// Redundant rows do not close without play: there is no ideal position that a first order could be about.
+    PartsDoNotFit,
     /// An error of a marker is of a joint that is not there, or has a number that is not finite.
     BadMarkerError,
 }
@@ -29,6 +31,7 @@ impl fmt::Display for AccuracyError {
             Self::Singular => "the loop equations are singular in this position",
             Self::OutputIsFree => "the output moves with all drives held, so that it has no ideal value",
             Self::NoPlace => "no place of the joints within their play closes the loops",
+            Self::PartsDoNotFit => "the parts do not fit without play, so that there is no worst case of first order",
             Self::BadMarkerError => "errors of markers need a joint of this mechanism and finite numbers",
         })
     }

@@ -34,8 +34,12 @@ impl PoseAccuracy<'_> {
     ///
     /// # Errors
     ///
-    /// [`AccuracyError::NoPlace`] if the search for the multipliers does not come to an end.
+    /// [`AccuracyError::NoPlace`] if the search for the multipliers does not come to an end, [`AccuracyError::PartsDoNotFit`] if the loops close
+    /// by play alone, so that nothing is symmetric.
     pub fn first_order(&self, gains: &Gains) -> Result<FirstOrder, AccuracyError> {
+        if self.is_open() {
+            return Err(AccuracyError::PartsDoNotFit);
+        }
         let scaled = self.scaled_gains(gains);
         let Largest { place, multipliers, rest } =
             largest(&self.set, &scaled, None, &self.planes, &vec![0.0; self.redundant.len()])

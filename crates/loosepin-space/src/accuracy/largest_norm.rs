@@ -30,8 +30,11 @@ impl PoseAccuracy<'_> {
     ///
     /// # Errors
     ///
-    /// [`AccuracyError::NoPlace`], as for [`Self::first_order`].
+    /// As for [`Self::first_order`].
     pub fn largest_norm(&self, components: &[Gains]) -> Result<LargestNorm, AccuracyError> {
+        if self.is_open() {
+            return Err(AccuracyError::PartsDoNotFit);
+        }
         let scaled: Vec<Vec<f64>> = components.iter().map(|gains| self.scaled_gains(gains)).collect();
         let zero = vec![0.0; self.redundant.len()];
         let mut best = LargestNorm { largest: 0.0, direction: vec![0.0; components.len()], variables_m: Vec::new() };

@@ -9,6 +9,7 @@ use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, close, largest};
 use crate::closure::position::Position;
 use crate::closure::singular::RANK_THRESHOLD;
+use crate::closure::step::CLOSED;
 use crate::kind::frames::{JointFrames, MarkerShift};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
@@ -83,6 +84,16 @@ impl<'a> PoseAccuracy<'a> {
     /// The variables of play.
     pub fn play_set(&self) -> &PlaySet {
         &self.set
+    }
+
+    /// Whether the parts do not fit without play: redundant rows are open by more than the digits of a file.
+    pub(crate) fn is_open(&self) -> bool {
+        !(largest(&self.apart) <= CLOSED)
+    }
+
+    /// ν at which the loops count as closed: that of numbers with few digits, and zero where the parts do not fit without play.
+    pub(crate) fn closed_rows(&self) -> Vec<f64> {
+        if self.is_open() { vec![0.0; self.apart.len()] } else { self.apart.clone() }
     }
 
     /// Planes of redundant rows at another place: what plays do not reach is none.

@@ -86,12 +86,13 @@ impl Climb<'_, '_> {
     /// From the worst case of first order of some gains, of variables in units of their radii.
     pub(crate) fn climb_from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
         let accuracy = self.accuracy;
-        let zero = vec![0.0; accuracy.redundant.len()];
-        self.climb(largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &zero)?.place)
+        let pairs = accuracy.closed_rows().into_iter().zip(&accuracy.apart);
+        let right: Vec<f64> = pairs.map(|(closed, apart)| closed - apart).collect();
+        self.climb(largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &right)?.place)
     }
 
     fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
-        let ideal = &self.accuracy.position.poses;
+        let (ideal, closed_rows) = (&self.accuracy.position.poses, self.accuracy.closed_rows());
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
         let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
         for step in 0..MAX_STEPS {
@@ -110,7 +111,8 @@ impl Climb<'_, '_> {
                 .redundant
                 .iter()
                 .zip(&at.closed.apart)
-                .map(|(row, apart)| dot(row, &at.scaled) - apart)
+                .zip(&closed_rows)
+                .map(|((row, apart), closed)| dot(row, &at.scaled) - (apart - closed))
                 .collect();
             let next = largest(&self.accuracy.set, &linear.gains, near, &linear.planes, &right);
             let next = next.map(|found| found.place).and_then(|place| {
@@ -179,11 +181,11 @@ impl Climb<'_, '_> {
     fn feasible(&self, mut scaled: Vec<f64>, from: &[Pose], known: &Bordered) -> Option<Feasible> {
         let accuracy = self.accuracy;
         let mut poses = from.to_vec();
+        let closed_rows = accuracy.closed_rows();
         for _ in 0..MAX_CORRECTIONS {
             let variables_m = accuracy.set.in_metres(&scaled);
             let closed = accuracy.close_at(&poses, &variables_m, Some(known)).ok()?;
-            let apart: Vec<f64> =
-                closed.apart.iter().zip(&accuracy.apart).map(|(apart, ideal)| apart - ideal).collect();
+            let apart: Vec<f64> = closed.apart.iter().zip(&closed_rows).map(|(apart, ideal)| apart - ideal).collect();
             if largest_entry(&apart) <= MET {
                 // Loops that are closed another way round have the other orientation.
                 if closed.system.sign() != accuracy.system.sign() {

@@ -153,18 +153,35 @@ fn identity_least_play_by_places_is_that_by_multipliers() {
         if ideal.conditions() == 0 {
             continue;
         }
-        // So small that the second order is nothing.
-        let errors = drawn_errors(&mut random, mechanism.joints().len(), 2e-6);
-        let Ok(reserve) = ideal.assembly_reserve(&errors) else { panic!("{class}: all rows are reached") };
-        let off = with_errors(&mechanism, &errors);
-        let accuracy = PoseAccuracy::new(&off, &position).unwrap();
-        let found = accuracy.least_play().unwrap();
-        let expected = by_multipliers(&ideal, accuracy.open_rows());
-        assert!((found.bound - found.factor).abs() < 1e-8 * found.factor, "{class}: {found:?}");
-        // A lower bound, and near: softness is 1e-12 at the end.
-        assert!(expected <= found.factor * (1.0 + 1e-4), "{class}: {expected} {}", found.factor);
-        assert!(expected >= found.factor * (1.0 - 1e-4), "{class}: {expected} {}", found.factor);
-        assert!((found.factor * reserve.factor - 1.0).abs() < 1e-4, "{class}: {} {}", found.factor, reserve.factor);
+        let errors = drawn_errors(&mut random, mechanism.joints().len(), 1e-4);
+        let scaled = |factor: f64| {
+            let scaled = errors.iter().map(|error| MarkerError {
+                displacement_m: error.displacement_m * factor,
+                turning_rad: error.turning_rad * factor,
+                ..*error
+            });
+            with_errors(&mechanism, &scaled.collect::<Vec<_>>())
+        };
+        // h0 of first order, as a central difference; round-off over the step, and its square times third derivatives.
+        let open = |factor: f64| {
+            let off = scaled(factor);
+            PoseAccuracy::new(&off, &position).unwrap().open_rows().to_vec()
+        };
+        let h0: Vec<f64> = open(1.0).iter().zip(&open(-1.0)).map(|(plus, minus)| 0.5 * (plus - minus)).collect();
+        let by_multipliers = by_multipliers(&ideal, &h0);
+        let reserve = ideal.assembly_reserve(&errors).unwrap();
+        let product = by_multipliers * reserve.factor;
+        assert!((product - 1.0).abs() < 2e-7, "{class}: {by_multipliers} {}, {product}", reserve.factor);
+        assert!((reserve.bound / reserve.factor - 1.0).abs() < 1e-10, "{class}: {reserve:?}");
+        // The exact one, with errors so small that the second order is nothing: a hundredth.
+        let off = scaled(0.01);
+        let found = PoseAccuracy::new(&off, &position).unwrap().least_play().unwrap();
+        assert!((found.bound - found.factor).abs() < 1e-10 * found.factor, "{class}: {found:?}");
+        assert!(
+            (found.factor / (0.01 * by_multipliers) - 1.0).abs() < 1e-4,
+            "{class}: {} {by_multipliers}",
+            found.factor
+        );
         assert!((found.by_joint.iter().sum::<f64>() - 1.0).abs() < 1e-9);
     }
 }
@@ -238,6 +255,45 @@ fn analytic_a_shaft_in_two_bearings_that_are_not_in_line() {
     let fits = build(Vec3::ZERO);
     let found = PoseAccuracy::new(&fits, &position).unwrap().least_play().unwrap();
     assert_eq!((found.factor, found.bound), (0.0, 0.0));
+}
+
+#[test]
+fn identity_worst_cases_of_parts_that_do_not_fit_are_those_of_an_optimiser_over_poses() {
+    use crate::random_mechanisms::{optimiser::maximise, poses::PoseSet};
+    use loosepin_space::{AccuracyError, PointOutput, SearchOptions};
+    let mut random = Random(79);
+    let mut compared = 0;
+    for round in 0..12 {
+        let class = CLASSES[round % CLASSES.len()];
+        let mechanism = overconstrained(class, &mut random);
+        let held = vec![DriveValue::held(0.0); mechanism.drives().len()];
+        let position = assemble(&mechanism, &held).unwrap();
+        let off = with_errors(&mechanism, &drawn_errors(&mut random, mechanism.joints().len(), 4e-4));
+        let accuracy = PoseAccuracy::new(&off, &position).unwrap();
+        let least = accuracy.least_play().unwrap();
+        if accuracy.conditions() == 0 || least.factor > 0.9 {
+            continue;
+        }
+        let body = 1 + random.below(2);
+        let output = PointOutput { body, point_m: random.vector() * 0.2, direction: random.direction() }.into();
+        let exact = accuracy.worst_case(&output, &SearchOptions::default()).unwrap();
+        for extreme in [&exact.largest, &exact.smallest] {
+            assert!(accuracy.displaced(&extreme.variables_m).unwrap().apart < 1e-11, "{class}");
+        }
+        // Both count from poses of their own.
+        let range = exact.largest.deviation - exact.smallest.deviation;
+        let set = PoseSet::new(&off, &output);
+        let mut best = |sign: f64| {
+            maximise(&set, sign, 2, &mut random).iter().map(|end| end.value).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let found = best(1.0) + best(-1.0);
+        assert!((found - range).abs() < 1e-5 * range, "{class}: {found} {range}, least play {}", least.factor);
+        assert!(found < range * (1.0 + 1e-6), "{class}: {found} {range}");
+        let gains = accuracy.gains(&output).unwrap();
+        assert_eq!(accuracy.first_order(&gains).unwrap_err(), AccuracyError::PartsDoNotFit);
+        compared += 1;
+    }
+    assert!(compared > 4, "{compared}");
 }
 
 /// A planar four-bar whose journals lean, with errors of manufacture.

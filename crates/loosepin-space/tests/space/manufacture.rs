@@ -140,7 +140,7 @@ fn with_lines(joint: &str, lines: &str) -> String {
 }
 
 #[test]
-fn errors_of_zero_change_nothing() {
+fn identity_errors_of_zero_change_nothing() {
     let plain = read(SLIDER_CRANK);
     let plain = plain.mechanism(&plain.quantities.nominal()).unwrap();
     for joint in ["main", "guide"] {

@@ -2,8 +2,8 @@
 
 pub mod drawn;
 mod linear;
-mod optimiser;
-mod poses;
+pub mod optimiser;
+pub mod poses;
 mod scatter;
 
 use crate::random::Random;
