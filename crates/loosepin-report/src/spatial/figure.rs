@@ -97,9 +97,9 @@ fn prepared(record: &SpatialMotionRecord, wanted: usize) -> Option<Prepared> {
     let (parts, magnification) = parts(own);
     let around = Surroundings::of(&parts, &own.poses);
     let projection = Projection::ISOMETRIC;
-    let names = names(own, &projection);
     let half = half_sides(&around).map(|own| ROOM * own);
     let font_mm = FONT_SHARE * 2.0 * half[0];
+    let names = names(own, wanted, &projection, font_mm);
     let ([x, y], _) = on_sheet(&projection, around.centre);
     let frame = Frame {
         left: x - half[0],

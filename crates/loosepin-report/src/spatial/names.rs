@@ -49,8 +49,9 @@ struct Seen {
     places: Vec<[f64; 2]>,
 }
 
-/// Names of all joints, each on the side on which the fewest bars are over the turn, in this view.
-pub(crate) fn names(picture: &SpatialPicture, projection: &Projection) -> Vec<Name> {
+/// Names of all joints, each on the side on which the fewest bars are over the turn, in this view; in the position `sample` none covers another
+/// joint or name where that can be.
+pub(crate) fn names(picture: &SpatialPicture, sample: usize, projection: &Projection, font_mm: f64) -> Vec<Name> {
     let step = picture.poses.len().div_ceil(POSITIONS).max(1);
     let poses: Vec<&Vec<PicturePose>> = picture.poses.iter().step_by(step).collect();
     let places = |body: usize, at_mm: [f64; 3]| -> Vec<[f64; 2]> {
@@ -81,6 +82,10 @@ pub(crate) fn names(picture: &SpatialPicture, projection: &Projection) -> Vec<Na
         .map(|(body, at_m)| (body, places(body, at_m.map(|own| own * MM_PER_M))))
         .collect();
     let middle = mean(seen.iter().flat_map(|own| &own.places));
+    let poses_first = picture.poses.get(sample);
+    let first = |own: &Seen| poses_first.map(|poses| on_sheet(projection, in_ground(poses, own.body, own.at_mm)).0);
+    let joints: Vec<[f64; 2]> = seen.iter().filter_map(first).collect();
+    let mut taken: Vec<Box2> = Vec::new();
     seen.iter()
         .map(|own| {
             // Bodies of which a point is here.
@@ -97,24 +102,70 @@ pub(crate) fn names(picture: &SpatialPicture, projection: &Projection) -> Vec<Na
                 };
                 own.places.iter().enumerate().map(of).sum::<f64>()
             };
-            let side = (0..SIDES).map(direction).min_by(|a, b| crowd(*a).total_cmp(&crowd(*b))).unwrap_or([0.0, -1.0]);
             let away = if own.is_driven { AWAY_OF_DRIVE_LETTERS } else { AWAY_LETTERS };
+            let box_at = |side: [f64; 2]| first(own).map(|at| Box2::of(at, side, away, &own.text, font_mm));
+            let covered = |side: [f64; 2]| {
+                let own_box = box_at(side);
+                let of_joints =
+                    joints.iter().filter(|joint| own_box.is_some_and(|own| own.has(**joint, JOINT_LETTERS * font_mm)));
+                of_joints.count() + taken.iter().filter(|other| own_box.is_some_and(|own| own.meets(other))).count()
+            };
+            let side = (0..SIDES)
+                .map(direction)
+                .min_by(|a, b| covered(*a).cmp(&covered(*b)).then(crowd(*a).total_cmp(&crowd(*b))))
+                .unwrap_or([0.0, -1.0]);
+            taken.extend(box_at(side));
             Name {
                 text: own.text.clone(),
                 body: own.body,
                 at: own.at_mm.map(round),
                 side: [away * side[0], away * side[1] + 0.35].map(round),
-                anchor: if side[0] > 0.4 {
-                    "start"
-                } else if side[0] < -0.4 {
-                    "end"
-                } else {
-                    "middle"
-                },
+                anchor: anchor(side),
                 play: own.has_play,
             }
         })
         .collect()
+}
+
+/// Width of a letter, half the height of a line, and the radius of a joint's sign, in letters.
+const LETTER_WIDTH: f64 = 0.56;
+const HALF_LINE: f64 = 0.55;
+const JOINT_LETTERS: f64 = 0.7;
+
+/// Which end of a name on this side is next to its joint.
+fn anchor(side: [f64; 2]) -> &'static str {
+    match side[0] {
+        across if across > 0.4 => "start",
+        across if across < -0.4 => "end",
+        _ => "middle",
+    }
+}
+
+/// The room of a name: its middle, and half its sides.
+#[derive(Debug, Clone, Copy)]
+struct Box2 {
+    middle: [f64; 2],
+    half: [f64; 2],
+}
+
+impl Box2 {
+    fn of(at: [f64; 2], side: [f64; 2], away: f64, text: &str, font_mm: f64) -> Self {
+        let half = [0.5 * LETTER_WIDTH * text.chars().count() as f64 * font_mm, HALF_LINE * font_mm];
+        let beside = match anchor(side) {
+            "start" => half[0],
+            "end" => -half[0],
+            _ => 0.0,
+        };
+        Self { middle: [at[0] + away * side[0] * font_mm + beside, at[1] + away * side[1] * font_mm], half }
+    }
+
+    fn has(&self, point: [f64; 2], radius: f64) -> bool {
+        (0..2).all(|k| (point[k] - self.middle[k]).abs() < self.half[k] + radius)
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        (0..2).all(|k| (other.middle[k] - self.middle[k]).abs() < self.half[k] + other.half[k])
+    }
 }
 
 fn direction(number: usize) -> [f64; 2] {

@@ -60,15 +60,15 @@ mod tests {
 
     #[test]
     fn analytic_the_isometric_view_foreshortens_all_axes_alike() {
-        // √(2/3), at 120° to each other.
+        // √(2/3); their products are those of the identity less n nᵀ, n = (1, -1, 1)/√3.
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let flat = axes.map(|axis| Projection::ISOMETRIC.project(axis));
         for [x, y, _] in flat {
             assert!((x.hypot(y) - (2.0_f64 / 3.0).sqrt()).abs() < 1e-15, "{x} {y}");
         }
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+        for (a, b, due) in [(0, 1, 1.0 / 3.0), (1, 2, 1.0 / 3.0), (2, 0, -1.0 / 3.0)] {
             let product = flat[a][0] * flat[b][0] + flat[a][1] * flat[b][1];
-            assert!((product + 1.0 / 3.0).abs() < 1e-15, "{product}");
+            assert!((product - due).abs() < 1e-15, "{product} {due}");
         }
         let [right, up, toward] = Projection { azimuth_rad: 0.8, elevation_rad: -0.3 }.axes();
         let cross = [

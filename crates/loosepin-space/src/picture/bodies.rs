@@ -1,9 +1,9 @@
 //! Bodies between their points.
 
-use super::PictureSource;
 use super::hull::{Shape, shape};
 use super::shapes::{face, line};
 use super::sizes::Sizes;
+use super::source::PictureSource;
 use crate::geometry::vector::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 

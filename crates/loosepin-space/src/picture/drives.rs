@@ -1,9 +1,9 @@
 //! Arrows of drives.
 
-use super::PictureSource;
 use super::joints::bearing_length_m;
 use super::shapes::{OfJoint, at};
 use super::sizes::Sizes;
+use super::source::PictureSource;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::drive::{Drive, JointCoordinate};
 use crate::mechanism::marker::Marker;

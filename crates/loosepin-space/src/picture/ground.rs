@@ -1,9 +1,9 @@
 //! Feet: where joints stand on the ground.
 
-use super::PictureSource;
 use super::joints::{bearing_length_m, travel_m};
 use super::shapes::{OfJoint, at, face};
 use super::sizes::Sizes;
+use super::source::PictureSource;
 use crate::geometry::vector::Vec3;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::sign::JointSign;

@@ -21,7 +21,7 @@ pub(super) fn shape(points: &[Vec3], same_m: f64) -> Shape {
     let (first, far) = ends(points);
     let Some(along) = (points[far] - points[first]).normalised() else { return Shape::default() };
     let off_line = |point: Vec3| (point - points[first] - along * along.dot(point - points[first])).length();
-    let side = farthest(points, |point| off_line(point));
+    let side = farthest(points, off_line);
     if off_line(points[side]) <= same_m || points.len() > MAX_POINTS {
         let mut order: Vec<usize> = (0..points.len()).collect();
         if points.len() <= MAX_POINTS {

@@ -1,8 +1,8 @@
 //! Joints by the signs of their kinds.
 
-use super::PictureSource;
 use super::shapes::{OfJoint, at};
 use super::sizes::Sizes;
+use super::source::PictureSource;
 use crate::geometry::vector::Vec3;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::sign::JointSign;

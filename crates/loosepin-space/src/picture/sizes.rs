@@ -1,6 +1,6 @@
 //! Sizes of what is drawn, as shares of the mechanism.
 
-use super::PictureSource;
+use super::source::PictureSource;
 use crate::geometry::vector::Vec3;
 
 /// Sizes over the diagonal of the box around all points in all positions.

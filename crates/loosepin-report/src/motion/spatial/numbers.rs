@@ -1,6 +1,7 @@
 //! Numbers of a motion in space in the unit that fits their size.
 
-use loosepin_result::spatial_motion::SpatialOutputRecord;
+use crate::numbers::number::within_turn_rad;
+use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{Dimension, DisplayUnit, SiUnit, format_number, format_value};
 use std::f64::consts::PI;
@@ -31,6 +32,14 @@ pub(super) fn unit_of_size(unit: &SiUnit, scale_si: f64, medium: Medium) -> Disp
 pub(super) fn shown_deviation(value_si: f64, output: &SpatialOutputRecord, medium: Medium) -> String {
     let scale_si = output.first_order_si.get(output.worst.sample).copied().unwrap_or(value_si);
     shown(value_si, &output.unit, scale_si, medium)
+}
+
+/// The input at a position. On a page an angle counts from 0° to 360°, as in charts.
+pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: Medium) -> String {
+    let own = record.inputs_si.get(sample).copied().unwrap_or_default();
+    let is_within = medium == Medium::Page && record.input_unit == SiUnit::ANGLE;
+    let input = if is_within { within_turn_rad(own) } else { own };
+    shown(input, &record.input_unit, input, medium)
 }
 
 /// A number with the unit that fits a number of the size of `scale_si`.

@@ -2,7 +2,7 @@
 
 use super::answer::answer_sentences;
 use super::charts::{ideal_chart, worst_case_chart};
-use super::numbers::shown;
+use super::numbers::shown_input;
 use super::tables::{contributors_on_page, outputs_section};
 use crate::charts::figure::figures;
 use crate::medium::article_page::page_section;
@@ -22,8 +22,7 @@ const FIRST_POSITION: usize = 6;
 /// The page of a motion in space as one HTML text that needs no network. Text from files is escaped.
 pub fn spatial_motion_page(record: &SpatialMotionRecord) -> String {
     let sample = first_sample(record);
-    let at = record.inputs_si.get(sample).copied().unwrap_or_default();
-    let at = format!("{} {}", record.input, shown(at, &record.input_unit, at, Medium::Page));
+    let at = format!("{} {}", record.input, shown_input(record, sample, Medium::Page));
     let main = record.main_output();
     let others: Vec<&SpatialOutputRecord> = record
         .outputs

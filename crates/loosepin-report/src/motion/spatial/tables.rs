@@ -1,6 +1,6 @@
 //! Outputs of a motion in space, and what each joint contributes, as tables.
 
-use super::numbers::{shown, shown_deviation};
+use super::numbers::{shown, shown_deviation, shown_input};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::head;
@@ -54,21 +54,13 @@ fn row(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium: Mediu
     });
     let [smallest, largest] = ends.map_or([None, None], |ends| ends.map(Some));
     let worst = record.has_play.then(|| output.first_order_si.get(output.worst.sample).copied()).flatten();
-    let at = worst.and_then(|_| record.inputs_si.get(output.worst.sample));
+    let at = worst.map(|_| place(record, output, medium));
     let sigma = worst.and_then(|_| output.standard_deviation_si.get(output.worst.sample));
     let found = worst.map(|_| [output.worst.largest_si, output.worst.smallest_si].map(deviation));
     let [up, down] = found.map_or([None, None], |found| found.map(Some));
     let name = format!("{}: {}", output.name, output.words);
-    let cells = [
-        Some(name),
-        smallest,
-        largest,
-        worst.map(deviation),
-        at.map(|input| shown(*input, &record.input_unit, *input, medium)),
-        up,
-        down,
-        sigma.map(|sigma| deviation(*sigma)),
-    ];
+    let cells =
+        [Some(name), smallest, largest, worst.map(deviation), at, up, down, sigma.map(|sigma| deviation(*sigma))];
     cells.into_iter().map(Cell::from).collect()
 }
 
@@ -145,8 +137,7 @@ pub(crate) fn joints_text(record: &SpatialMotionRecord) -> Option<Section> {
 
 /// Where the worst case of an output is largest.
 pub(super) fn place(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium: Medium) -> String {
-    let at = record.inputs_si.get(output.worst.sample).copied().unwrap_or_default();
-    shown(at, &record.input_unit, at, medium)
+    shown_input(record, output.worst.sample, medium)
 }
 
 fn contributor(own: &SpatialContributor, output: &SpatialOutputRecord, medium: Medium) -> Vec<Cell> {
