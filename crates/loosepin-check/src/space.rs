@@ -20,7 +20,10 @@ pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
     let values = model.quantities.nominal();
     let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
     let (start, closing) = if model.cycle.is_some() {
-        let positions = model.positions(&mechanism, &values)?;
+        let positions = match model.positions(&mechanism, &values) {
+            Ok(positions) => positions,
+            Err(not_closed) => return fitted(model, &values).ok_or(not_closed),
+        };
         let count = positions.len();
         (
             positions.into_iter().next(),
@@ -40,6 +43,13 @@ pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
     }
     sections.push(Section::of_sentences("closing", [closing]));
     Ok(Article { title: model.name.clone(), sections })
+}
+
+/// Parts that do not close with ideal joints: whether their play takes that up; `None` where that is no question of play.
+fn fitted(model: &SpatialModel, values: &Values) -> Option<Article> {
+    let words = model.assembly(values).ok()?.sentence()?;
+    let closing = Section::of_sentences("closing", [format!("The loops do not close with ideal joints: {words}.")]);
+    Some(Article { title: model.name.clone(), sections: vec![bodies(model, values), joints(model, values), closing] })
 }
 
 fn bodies(model: &SpatialModel, values: &Values) -> Section {

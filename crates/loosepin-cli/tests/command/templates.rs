@@ -1,7 +1,7 @@
 //! Every template from `loosepin new` to the report of its study, in one go.
 
 use super::command_line::Desk;
-use loosepin::templates::TEMPLATES;
+use loosepin::templates::{SPATIAL_TEMPLATES, TEMPLATES};
 
 /// Largest residual of the energy account over the largest energy exchanged. A run at 1e-9 m has about 1e-10; what a wrong
 /// sign of a force leaves is of the order of one.
@@ -99,4 +99,31 @@ templates_run! {
     identity_space_manipulator_keeps_its_energy "space-manipulator"
     identity_flexible_slider_crank_keeps_its_energy "flexible-slider-crank"
     identity_flexible_four_bar_keeps_its_energy "flexible-four-bar"
+}
+
+/// `new`, `check`, `motion` and a small `study` of each template in space.
+#[test]
+fn templates_in_space_go_from_new_to_report() {
+    let desk = Desk::new();
+    for template in SPATIAL_TEMPLATES {
+        let name = template.name;
+        desk.succeed(&["new", name, name]);
+        let [model, study] = ["model", "study"].map(|file| format!("{name}/{file}.toml"));
+        let checked = desk.succeed(&["check", &model, &study]);
+        assert!(!checked.messages.contains("warning"), "{name}: {}", checked.messages);
+        desk.succeed(&["motion", &model, "--out", &format!("{name}/motion")]);
+        let line = |line: &str| match line.split(" = ").next() {
+            Some("outer") => "outer = 4\n".to_owned(),
+            Some("inner") => "inner = 8\n".to_owned(),
+            _ => format!("{line}\n"),
+        };
+        let short: String = desk.read(&study).lines().map(line).collect();
+        desk.write(&study, &short);
+        desk.succeed(&["study", &study, "--out", &format!("{name}/study")]);
+        let summary: serde_json::Value =
+            serde_json::from_str(&desk.read(&format!("{name}/study/summary.json"))).expect("JSON");
+        assert_eq!(summary["counts"]["failed"], 0, "{name}");
+        let page = desk.read(&format!("{name}/study/report.html"));
+        assert!(page.trim_end().ends_with("</html>") && page.contains("Contribution of each joint"), "{name}");
+    }
 }

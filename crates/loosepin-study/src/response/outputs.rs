@@ -81,6 +81,19 @@ pub const COMPONENTS: [&str; 6] = {
     names
 };
 
+/// The names of all components, those of paths in space last.
+pub const ALL_COMPONENTS: [&str; 8] = {
+    let mut names = [""; 8];
+    let mut place = 0;
+    while place < COMPONENTS.len() {
+        names[place] = COMPONENTS[place];
+        place += 1;
+    }
+    names[COMPONENTS.len()] = "z";
+    names[COMPONENTS.len() + 1] = "across";
+    names
+};
+
 /// All that can be asked of a model, in file order; of a path each of its parts.
 pub fn study_outputs(model: &StudyModel) -> Vec<StudyOutput> {
     match model {

@@ -8,9 +8,10 @@ use std::path::{Path, PathBuf};
 use loosepin::accuracy::{MotionPlan, motion};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
-use loosepin::report::mechanism_picture;
+use loosepin::report::{mechanism_picture, spatial_motion_picture};
 use loosepin::simulate::controlled_drawing;
-use loosepin::templates::{TEMPLATES, Template};
+use loosepin::space::SpatialModel;
+use loosepin::templates::{SPATIAL_TEMPLATES, TEMPLATES, Template, all_templates};
 
 /// Positions of the motion without play, of which one is drawn; the frame holds them all.
 const POSITIONS: usize = 72;
@@ -42,12 +43,18 @@ fn picture(template: &Template) -> String {
     mechanism_picture(&record.drawing, template.name)
 }
 
+fn picture_in_space(template: &Template) -> String {
+    let model = SpatialModel::from_text("model.toml", template.model).unwrap_or_else(|found| panic!("{found}"));
+    let record = model.motion_record(&model.quantities.nominal()).unwrap_or_else(|found| panic!("{found}"));
+    spatial_motion_picture(&record)
+}
+
 fn page() -> String {
     let mut page = String::from(
         "# Templates\n\nMechanisms to start from: `loosepin new NAME my_mechanism` writes a commented `model.toml` and \
          `study.toml`; `loosepin new --list` shows this list. Pictures and page are made from the templates by a test.\n",
     );
-    for template in TEMPLATES {
+    for template in all_templates() {
         page.push_str(&format!(
             "\n## {name}\n\n{description}.\n\n![The {name} in one position](images/templates/{name}.svg)\n\n{paragraph}\n",
             name = template.name,
@@ -83,8 +90,12 @@ fn pictures_and_page_of_the_templates_are_up_to_date() {
         assert!(!template.paragraph().is_empty(), "{} does not say what to look at", template.name);
         compare(&folder.join(format!("{}.svg", template.name)), &picture(template), &mut stale);
     }
+    for template in SPATIAL_TEMPLATES {
+        assert!(!template.paragraph().is_empty(), "{} does not say what to look at", template.name);
+        compare(&folder.join(format!("{}.svg", template.name)), &picture_in_space(template), &mut stale);
+    }
     compare(&repository().join("docs/templates.md"), &page(), &mut stale);
     let pictures = fs::read_dir(&folder).expect("there are pictures").count();
-    assert_eq!(pictures, TEMPLATES.len(), "a picture without a template in {}", folder.display());
+    assert_eq!(pictures, all_templates().count(), "a picture without a template in {}", folder.display());
     assert!(stale.is_empty(), "out of date: {stale:#?}\nhint: LOOSEPIN_BLESS=1 writes them anew; look at them");
 }

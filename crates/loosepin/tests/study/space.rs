@@ -35,7 +35,7 @@ fn four_bar() -> SpatialModel {
 
 fn studied(inputs: &str, question: &str) -> StudyResult {
     let text = format!(
-        "name = \"four-bar\"\nmodel = \"model.toml\"\n[sampling]\nouter = 6\ninner = 512\nreplicates = 4\n{inputs}\n[[ask]]\noutput = \"rocker\"\n{question}\n"
+        "name = \"four-bar\"\nmodel = \"model.toml\"\n[sampling]\nouter = 16\ninner = 512\nreplicates = 4\n{inputs}\n[[ask]]\noutput = \"rocker\"\n{question}\n"
     );
     let study = Study::from_text("study.toml", &text, four_bar()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     run(&study).result

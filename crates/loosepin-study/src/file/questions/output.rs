@@ -3,7 +3,7 @@
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
 use crate::file::words::{DEVIATIONS, words};
-use crate::response::outputs::{COMPONENTS, OutputSource, StudyOutput};
+use crate::response::outputs::{ALL_COMPONENTS, OutputSource, StudyOutput};
 use loosepin_mechanics::model::WearMeasure;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
@@ -14,10 +14,11 @@ pub(crate) const OUTPUT: Key = required("output", Kind::Reference("output"), "\"
 /// The component of it, where it is a path.
 pub(crate) const COMPONENT: Key = optional(
     "component",
-    Kind::Choice(&COMPONENTS),
+    Kind::Choice(&ALL_COMPONENTS),
     "\"normal\"",
     "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
-     contour: its distance from the path whatever the timing",
+     contour: its distance from the path whatever the timing; in space x, y, z, along, across (its distance from the line along the \
+     path) and magnitude",
 );
 /// Which deviation of it.
 pub(crate) const DEVIATION: Key = required(
