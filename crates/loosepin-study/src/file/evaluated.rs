@@ -11,7 +11,7 @@ use crate::file::questions::location::{POSES, Where};
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::questions::promise::PromiseTable;
 use crate::file::questions::question_settings::QuestionSettings;
-use crate::response::planar_response::{MAX_COLUMNS, MAX_RECORDED_TURNS, MAX_TURNS};
+use crate::response::limits::{MAX_COLUMNS, MAX_RECORDED_TURNS, MAX_TURNS};
 use loosepin_bounds::{PERCENTILES, PromiseSettings};
 use loosepin_mechanics::model::{LawError, Model, NormalDescription, PathError, QuantityError, measured_argument};
 use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Problem, Source, nearest_name, problems};

@@ -2,7 +2,7 @@
 
 use super::words::{DEVIATIONS, REDUCTIONS};
 use crate::model::StudyModel;
-use crate::response::outputs::study_outputs;
+use crate::response::study_outputs::study_outputs;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 
 /// The keys of a question.

@@ -3,7 +3,8 @@
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
 use crate::model::StudyModel;
-use crate::response::outputs::{StudyOutput, study_outputs};
+use crate::response::outputs::StudyOutput;
+use crate::response::study_outputs::study_outputs;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem, Source, Span};

@@ -6,6 +6,7 @@ use crate::response::columns::{ColumnPlan, Location};
 use crate::response::extras::RunExtras;
 use crate::response::ideal_tables::IdealTables;
 use crate::response::input_targets::{InputTargets, in_the_middle};
+use crate::response::limits::{MAX_COLUMNS, MAX_LAWS, MAX_RECORDED_TURNS, MAX_TURNS};
 use crate::response::outputs::OutputSource;
 use crate::response::problem::PrepareError;
 use crate::response::recorder::{Shared, positions};
@@ -20,15 +21,6 @@ use loosepin_simulate::{
 };
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
-
-/// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
-pub const MAX_TURNS: f64 = 10_000.0;
-/// Recorded ones, at most: each has a table of the ideal motion.
-pub const MAX_RECORDED_TURNS: f64 = 1000.0;
-/// Numbers of a run that are asked for, at most: each has bounds of its own, with hundreds of numbers in the files and on the page.
-pub const MAX_COLUMNS: usize = 20_000;
-/// Combinations of contact laws, at most: each is a mechanism of its own.
-pub(super) const MAX_LAWS: usize = 64;
 
 /// A compiled study: one mechanism for each combination of laws (a single one where no law is uncertain), one table of inputs.
 ///

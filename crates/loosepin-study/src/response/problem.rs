@@ -1,7 +1,7 @@
 //! Why a study cannot begin.
 
 use crate::file::MAX_POSES;
-use crate::response::planar_response::{MAX_COLUMNS, MAX_LAWS};
+use crate::response::limits::{MAX_COLUMNS, MAX_LAWS};
 use loosepin_mechanics::mechanism::{MechanismError, SampleError};
 use loosepin_mechanics::model::LawError;
 use loosepin_simulate::RunFailure;

@@ -1,0 +1,68 @@
+//! All that can be asked of a model.
+
+use super::outputs::{COMPONENTS, OutputSource, StudyOutput};
+use super::spatial_outputs::spatial_outputs;
+use crate::model::StudyModel;
+use loosepin_mechanics::model::{Model, Recorded};
+use loosepin_result::study::PathError;
+use loosepin_simulate::{columns, relative_words};
+use loosepin_text::units::SiUnit;
+
+/// All that can be asked of a model, in file order; of a path each of its parts.
+pub fn study_outputs(model: &StudyModel) -> Vec<StudyOutput> {
+    match model {
+        StudyModel::Planar(model) => planar_outputs(model),
+        StudyModel::Spatial(model) => spatial_outputs(model),
+    }
+}
+
+/// Outputs of a planar model; of a path in the order of [`COMPONENTS`].
+fn planar_outputs(model: &Model) -> Vec<StudyOutput> {
+    let mut outputs = Vec::new();
+    let columns = columns(model);
+    for (index, output) in model.outputs.iter().enumerate() {
+        let dimension = output.kind.dimension();
+        let own: Vec<_> = columns.iter().filter(|column| column.output == index).collect();
+        let is_path = own.len() > 1;
+        for (place, column) in own.iter().enumerate() {
+            outputs.push(StudyOutput {
+                output: index,
+                name: column.name.clone(),
+                component: is_path.then(|| COMPONENTS[place]),
+                words: column.words.clone(),
+                point: None,
+                unit: column.unit.clone(),
+                dimension,
+                seen: OutputSource::Reading(column.reading),
+            });
+        }
+        match output.kind.recorded() {
+            Recorded::Number(_) => {}
+            Recorded::Wear(joint, measure) => outputs.push(StudyOutput {
+                output: index,
+                name: output.name.clone(),
+                component: None,
+                words: measure.words(&model.joints[joint.0].name),
+                point: None,
+                unit: SiUnit::of_dimension(dimension),
+                dimension,
+                seen: OutputSource::Wear(joint, measure),
+            }),
+            Recorded::Path(point) => {
+                let [x, y] = own[..] else { continue };
+                let words = relative_words(model, point);
+                outputs.extend(PathError::ALL.map(|part| StudyOutput {
+                    output: index,
+                    name: format!("{} {}", output.name, part.word()),
+                    component: Some(part.word()),
+                    words: part.words(&words),
+                    point: Some(format!("{} ({})", output.name, words)),
+                    unit: x.unit.clone(),
+                    dimension,
+                    seen: OutputSource::Path([x.reading, y.reading], part),
+                }));
+            }
+        }
+    }
+    outputs
+}
