@@ -65,7 +65,7 @@ const MAX_JOINTS: usize = 120;
 const MAX_ENTRIES: usize = 100;
 
 /// Tables, what their entries are called, and how many there may be.
-const SIZES: [(&str, &'static str, usize); 4] = [
+const SIZES: [(&str, &str, usize); 4] = [
     ("body", "moving bodies", MAX_BODIES),
     ("joint", "joints", MAX_JOINTS),
     ("drive", "drives", MAX_ENTRIES),

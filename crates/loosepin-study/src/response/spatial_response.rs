@@ -176,15 +176,18 @@ fn reduced(reduction: Reduction, all: impl Iterator<Item = Ends> + Clone) -> End
     // Nearest to zero, and farthest from it.
     let near: fn(Ends) -> f64 = |ends| ends.lower.max(-ends.upper).max(0.0);
     let far: fn(Ends) -> f64 = |ends| ends.upper.max(-ends.lower);
-    let (lower, upper): (fn(Ends) -> f64, fn(Ends) -> f64) = (|ends| ends.lower, |ends| ends.upper);
+    let lower: fn(Ends) -> f64 = |ends| ends.lower;
+    let upper: fn(Ends) -> f64 = |ends| ends.upper;
     match reduction {
         Reduction::Maximum => Ends { lower: highest(lower), upper: highest(upper) },
         Reduction::Minimum => Ends { lower: lowest(lower), upper: lowest(upper) },
         Reduction::MaximumAbsolute => Ends { lower: highest(near), upper: highest(far) },
-        Reduction::RootMeanSquare => Ends {
-            lower: mean(|ends| ends.lower.max(-ends.upper).max(0.0).powi(2)).sqrt(),
-            upper: mean(|ends| ends.upper.max(-ends.lower).powi(2)).sqrt(),
-        },
+        Reduction::RootMeanSquare => {
+            let square_of = |of: fn(Ends) -> f64| {
+                all.clone().map(|ends| of(ends).powi(2)).sum::<f64>() / all.clone().count() as f64
+            };
+            Ends { lower: square_of(near).sqrt(), upper: square_of(far).sqrt() }
+        }
         Reduction::Mean => Ends { lower: mean(lower), upper: mean(upper) },
         Reduction::Range => {
             Ends { lower: (highest(lower) - lowest(upper)).max(0.0), upper: highest(upper) - lowest(lower) }
