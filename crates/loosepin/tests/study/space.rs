@@ -122,15 +122,19 @@ fn every_template_in_space_has_a_study_that_runs() {
     for template in SPATIAL_TEMPLATES {
         let model =
             SpatialModel::from_text("model.toml", template.model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let read = |text: &str| {
+            let study = Study::from_text("study.toml", text, model.clone());
+            study.unwrap_or_else(|found| panic!("{}: {found}", template.name))
+        };
+        let whole = read(template.study);
+        assert!(whole.warnings.is_empty(), "{}: {:?}", template.name, whole.warnings);
         let small = |line: &str| match line.split(" = ").next() {
             Some("outer") => "outer = 4\n".to_owned(),
             Some("inner") => "inner = 8\n".to_owned(),
             _ => format!("{line}\n"),
         };
         let text: String = template.study.lines().map(small).collect();
-        let study =
-            Study::from_text("study.toml", &text, model).unwrap_or_else(|found| panic!("{}: {found}", template.name));
-        assert!(study.warnings.is_empty(), "{}: {:?}", template.name, study.warnings);
+        let study = read(&text);
         let result = run(&study).result;
         assert_eq!(result.counts.failed, 0, "{}: {:?}", template.name, result.failures);
         assert!(result.bounds.iter().any(|bound| bound.upper.value_si > 0.0), "{}", template.name);
