@@ -63,6 +63,6 @@ fn what_does_not_know_space_refuses_it() {
     );
     desk.fail(
         &["motion", "model.toml", "--set", "parameter.rod_lenght=310mm"],
-        "--set:1:1: error[E0405]: the model has no quantity 'parameter.rod_lenght'",
+        "--set:1:1: error[E0405]: the model has no quantity 'parameter.rod_lenght'\nhint: did you mean 'parameter.rod_length'?",
     );
 }

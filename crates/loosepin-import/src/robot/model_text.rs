@@ -120,10 +120,13 @@ fn default_across(axis: Vec3) -> Vec3 {
     most_across(axis)
 }
 
+/// Whether a joint leaves places open that drives do not decide.
+fn is_open(joint: &RobotJoint) -> bool {
+    joint.closes_loop || matches!(joint.kind, RobotJointKind::Ball | RobotJointKind::Planar)
+}
+
 /// Where bodies are in the description, if drives and joints alone do not say it: balls, planes and loops leave it open.
 fn guesses(text: &mut String, robot: &Robot, names: &ModelNames) {
-    let is_open =
-        |joint: &RobotJoint| joint.closes_loop || matches!(joint.kind, RobotJointKind::Ball | RobotJointKind::Planar);
     if !robot.joints.iter().any(is_open) {
         return;
     }
@@ -183,6 +186,10 @@ fn outputs(text: &mut String, robot: &Robot, names: &ModelNames, drives: &[Plann
     let body = names.body(tool);
     let _ = writeln!(text, "\n# The origin of the last link; another point of it under points for another place.");
     let _ = writeln!(text, "[output.{body}]\npath_of = \"{}\"", names.point(tool, Vec3::ZERO));
+    // Between balls a body may turn about itself, which no drive decides.
+    if robot.joints.iter().any(is_open) {
+        return;
+    }
     let moving = drives.iter().find(|drive| drive.course != Course::Held);
     let Some(moving) =
         moving.map(|drive| &robot.joints[drive.joint]).filter(|joint| joint.kind == RobotJointKind::Hinge)
