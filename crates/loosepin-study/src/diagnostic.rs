@@ -128,7 +128,11 @@ impl StudyError {
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
                 Diagnostic::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
             }
-            Self::Prepare(PrepareError::UncertainStart { path } | PrepareError::SpeedThroughZero { path }) => {
+            Self::Prepare(
+                PrepareError::UncertainStart { path }
+                | PrepareError::UncertainDrive { path }
+                | PrepareError::SpeedThroughZero { path },
+            ) => {
                 let table = if study.random.iter().any(|input| input.path == *path) { "random" } else { "epistemic" };
                 Diagnostic::error(self, Some(place_within(table, Some(path), study)))
             }

@@ -1,7 +1,12 @@
 //! The places of the journals of a mechanism in space.
 
-use super::description::{EpistemicInput, EpistemicSubject};
+use super::description::{Deviation, EpistemicInput, EpistemicSubject};
+use super::problem::StudyProblem;
+use super::questions::ask::Asked;
+use super::questions::location::Where;
 use super::reader::StudyReader;
+use loosepin_bounds::{Event, Statistic};
+use loosepin_text::document::Entry;
 use loosepin_uncertainty::Interval;
 
 /// Path of the input that stands for the places of all journals.
@@ -18,5 +23,42 @@ impl StudyReader {
             let variable = interval.into();
             self.epistemic.push(EpistemicInput { path: PLAY.to_owned(), subject: EpistemicSubject::Play, variable });
         }
+    }
+
+    /// Whether a deviation depends on places of journals that no force decides.
+    fn has_unknown_play(&self, deviation: Deviation) -> bool {
+        self.model.spatial().is_some() && self.model.has_play() && deviation != Deviation::Dimensional
+    }
+
+    /// Refuses statistics whose largest value is not where all mechanisms have their journals on one side: what is monotone in a number has its
+    /// ends there, a standard deviation or a probability of leaving to either side has not.
+    pub(crate) fn check_sides(
+        &mut self,
+        entries: &[(Entry<'_>, Asked)],
+        deviation: Option<Deviation>,
+        location: Option<&Where>,
+    ) {
+        if !deviation.is_some_and(|deviation| self.has_unknown_play(deviation)) {
+            return;
+        }
+        let is_magnitude = matches!(location, Some(Where::Reduced(reduction)) if reduction.is_never_negative());
+        for (entry, asked) in entries {
+            let is_of_one_side = match asked {
+                Asked::Contributors => true,
+                Asked::SimultaneousBand(_) => false,
+                Asked::Statistic(statistic) | Asked::Rare(statistic, _) => {
+                    let is_of_both = matches!(statistic.event(), Some(Event::Beyond(_))) && !is_magnitude;
+                    *statistic == Statistic::Mean || statistic.is_by_shares() && !is_of_both
+                }
+            };
+            if !is_of_one_side {
+                self.report(&StudyProblem::NotOfOneSide { entry: entry.path.describe() }, entry);
+            }
+        }
+    }
+
+    /// Whether a limit to both sides at poses can be judged: over the cycle the largest magnitude decides.
+    pub(crate) fn can_judge_both_sides(&self, deviation: Deviation, location: &Where) -> bool {
+        *location == Where::Cycle || !self.has_unknown_play(deviation)
     }
 }

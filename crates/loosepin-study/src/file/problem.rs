@@ -178,6 +178,14 @@ problems! {
         ValueOfPathError { entry: String, component: &'static str } => Code::AskNotPossible,
             says("{entry}: component '{component}' is an error from the ideal path, not a value"),
             hint("write of = \"total\" to compare with the nominal mechanism, or of = \"clearance\" to compare with the same lengths without play");
+        /// A statistic that is not largest where all mechanisms have their journals on one side.
+        NotOfOneSide { entry: String } => Code::AskNotPossible,
+            says("{entry} has no bound here: the journals of each mechanism may be on another side of their play"),
+            hint("ask for a mean, quantiles or probabilities of one side, for the largest magnitude over the cycle, or of = \"dimensional\"");
+        /// A start-up of positions that do not depend on what was before.
+        NoStartUp { entry: String } => Code::AskNotPossible,
+            says("{entry}: positions in space do not depend on what was before, so that there is no start-up"),
+            hint("remove it");
         /// Poses of a drive that the cycle does not count.
         WrongDrive { entry: String, name: String, due: String } => Code::AskNotPossible,
             says("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'");

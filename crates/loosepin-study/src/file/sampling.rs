@@ -1,6 +1,7 @@
 //! Settings of the runs: their number, and their accuracy.
 
 use super::description::Sampling;
+use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_bounds::MAX_OUTER;
 use loosepin_mechanics::model::{CYCLE_NUMBERS, Cycle};
@@ -69,6 +70,10 @@ impl StudyReader {
     pub(super) fn cycle(&mut self, written: Option<&Entry<'_>>) -> Cycle {
         let mut cycle = self.model.cycle();
         if let Some(table) = written.and_then(|entry| StudyCycleTable::read(self, entry)) {
+            let start_up = table.table.get("transient_turns").filter(|_| table.transient_turns.unwrap_or(0.0) != 0.0);
+            if let Some(entry) = start_up.filter(|_| self.model.spatial().is_some()) {
+                self.report(&StudyProblem::NoStartUp { entry: entry.path.describe() }, &entry);
+            }
             cycle.transient_turns = table.transient_turns.unwrap_or(cycle.transient_turns);
             cycle.recorded_turns = table.recorded_turns.unwrap_or(cycle.recorded_turns);
             cycle.samples_per_turn = table.samples_per_turn.unwrap_or(cycle.samples_per_turn);

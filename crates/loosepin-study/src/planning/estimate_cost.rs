@@ -68,13 +68,19 @@ fn time_positions_s(study: &Study, response: &StudyResponse) -> Result<Option<f6
     let plan = DoubleLoop::try_new(problem(study, response))?;
     let inputs = plan.first_runs(TIMED_POSITIONS, 1, |_| true);
     let mut row = vec![f64::NAN; response.row_length()];
-    let begun = Instant::now();
-    let outcomes = inputs.iter().map(|inputs| response.run(&inputs.random, &inputs.epistemic, &mut row));
-    let failed: Vec<RunFailure> = outcomes.filter_map(Result::err).collect();
-    match failed.into_iter().next() {
-        Some(reason) if inputs.len() == 1 => Err(StudyError::AllFailed { runs: 1, reason }),
-        _ if inputs.is_empty() => Ok(None),
-        _ => Ok(Some(begun.elapsed().as_secs_f64() / inputs.len() as f64)),
+    let mut finished: Vec<f64> = Vec::new();
+    let mut reason = None;
+    for inputs in &inputs {
+        let begun = Instant::now();
+        match response.run(&inputs.random, &inputs.epistemic, &mut row) {
+            Ok(()) => finished.push(begun.elapsed().as_secs_f64()),
+            Err(failure) => reason = Some(failure),
+        }
+    }
+    match reason {
+        Some(reason) if finished.is_empty() => Err(StudyError::AllFailed { runs: inputs.len(), reason }),
+        _ if finished.is_empty() => Ok(None),
+        _ => Ok(Some(finished.iter().sum::<f64>() / finished.len() as f64)),
     }
 }
 

@@ -3,7 +3,7 @@
 use loosepin_mechanics::model::{JointId, Position, WearMeasure};
 use loosepin_result::study::PathError;
 use loosepin_simulate::Reading;
-use loosepin_space::SampledPart;
+use loosepin_space::{PartOfOutput, SampledPart};
 use loosepin_text::units::{Dimension, SiUnit};
 
 /// One number of a model that a study can ask about.
@@ -54,6 +54,15 @@ impl OutputSource {
         match self {
             Self::Reading(reading) => reading.force_in(),
             Self::Path(..) | Self::Wear(..) | Self::InSpace(_) => None,
+        }
+    }
+
+    /// Whether it is an error from the ideal path, and no value of its own.
+    pub fn is_error_of_path(&self) -> bool {
+        match self {
+            Self::Path(..) => true,
+            Self::InSpace(own) => own.part.is_length() || own.part == PartOfOutput::Along,
+            Self::Reading(_) | Self::Wear(..) => false,
         }
     }
 

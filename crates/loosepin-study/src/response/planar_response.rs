@@ -235,7 +235,7 @@ fn check_drive(study: &Study, model: &Model) -> Result<(), PrepareError> {
 }
 
 /// By this share of a turn a pose may lie beyond the end of the record: round-off of angles.
-const POSE_ROUND_OFF: f64 = 1e-9;
+pub(super) const POSE_ROUND_OFF: f64 = 1e-9;
 
 /// The tables of the ideal motion may err by this share of the tolerance of positions, angles at the size of the mechanism.
 const SHARE_OF_TOLERANCE: f64 = 0.1;
@@ -244,7 +244,7 @@ const SHARE_OF_TOLERANCE: f64 = 0.1;
 const ROUND_OFF_OF_LOOPS: f64 = 1e-11;
 
 /// Every pose must be passed while the run is recorded.
-fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
+pub(super) fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
     let recorded_turns = study.cycle.recorded_turns;
     for column in &plan.columns {
         if let Location::Pose { turns, angle_rad } = column.spot

@@ -17,6 +17,11 @@ problems! {
             says("'{path}' is the start of the drive: every sample must start at the same position to be compared with \
                   the ideal motion"),
             hint("make the angle of a link uncertain instead, for example with the position of a point");
+        /// Drives in space would be elsewhere at a place of the cycle.
+        UncertainDrive { path: String } => Code::AskNotPossible,
+            says("'{path}' changes where drives are at a place of the cycle: every sample must be at the same places to be compared with the \
+                  ideal motion"),
+            hint("where the cycle counts the turns of a single drive, its speed may be uncertain");
         /// The speed of the drive may change its sign.
         SpeedThroughZero { path: String } => Code::AskNotPossible,
             says("'{path}' may be zero or change its sign: the turns of such a drive cannot be counted"),

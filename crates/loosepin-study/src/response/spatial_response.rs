@@ -7,16 +7,18 @@
 //! column = lower + (upper - lower) (1 + play)/2
 //! ```
 
-use crate::file::{Deviation, Reduction, Study};
+use crate::file::{Deviation, MAX_POSES, Reduction, Study};
 use crate::response::columns::{ColumnPlan, Location, StudyColumn};
 use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::limits::MAX_COLUMNS;
 use crate::response::outputs::OutputSource;
+use crate::response::planar_response::{POSE_ROUND_OFF, check_poses, check_turns};
 use crate::response::problem::PrepareError;
+use loosepin_mechanics::model::CycleSpan;
 use loosepin_simulate::RunFailure;
 use loosepin_space::{PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler};
-use loosepin_text::numbers::{QuantityError, QuantityTable, Values};
+use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
 
 /// A prepared study of a mechanism in space.
 #[derive(Debug)]
@@ -32,8 +34,10 @@ pub struct SpatialResponse {
     targets: InputTargets,
     quantities: QuantityTable,
     sampler: TurnSampler,
-    /// Places at which the turn is looked at.
+    /// Places at which the motion is looked at.
     places: usize,
+    /// Those of the cycle, with their weights in means; other places are poses that are asked for alone.
+    grid: Vec<(usize, f64)>,
     /// The part that each column reads, and the places that it needs.
     reads: Vec<Read>,
 }
@@ -68,17 +72,15 @@ impl SpatialResponse {
         if plan.columns.len() > MAX_COLUMNS {
             return Err(PrepareError::TooManyColumns { columns: plan.columns.len() });
         }
+        check_turns(study.cycle.transient_turns, study.cycle.recorded_turns)?;
+        check_poses(study, &plan)?;
+        check_drives(study, model)?;
         let recorded_turns = study.cycle.recorded_turns;
-        let rows = (recorded_turns * study.cycle.samples_per_turn as f64).round().max(1.0) as usize;
-        // The cycle first, then poses that are asked for between its positions.
-        let mut turns: Vec<f64> = (0..rows).map(|row| recorded_turns * row as f64 / rows as f64).collect();
-        let asked = plan.columns.iter().filter_map(|column| match column.spot {
-            Location::Pose { turns, .. } => Some(turns),
-            Location::Reduced(_) => None,
-        });
-        turns.extend(asked);
-        turns.sort_by(f64::total_cmp);
-        turns.dedup();
+        let poses = (recorded_turns * study.cycle.samples_per_turn as f64).round().max(1.0);
+        if poses > MAX_POSES as f64 {
+            return Err(PrepareError::TooManyPoses { poses });
+        }
+        let Places { turns, grid } = Places::new(recorded_turns, poses as usize, &plan);
         let mut parts: Vec<SampledPart> = Vec::new();
         let mut reads = Vec::with_capacity(plan.columns.len());
         for column in &plan.columns {
@@ -88,7 +90,7 @@ impl SpatialResponse {
                 parts.len() - 1
             });
             let place = match column.spot {
-                Location::Pose { turns: at, .. } => Some(turns.partition_point(|known| *known < at)),
+                Location::Pose { turns: at, .. } => Some(nearest(&turns, at)),
                 Location::Reduced(_) => None,
             };
             reads.push(Read { part, place });
@@ -101,6 +103,7 @@ impl SpatialResponse {
         Ok(Self {
             nominal_at_pose: reads.iter().map(at_pose).collect(),
             places: turns.len(),
+            grid,
             targets: InputTargets::new(study),
             quantities: model.quantities.clone(),
             plan,
@@ -161,18 +164,81 @@ impl SpatialResponse {
             }
         };
         match (read.place, spot) {
-            (None, Location::Reduced(reduction)) => reduced(reduction, (0..self.places).map(at)),
+            (None, Location::Reduced(reduction)) => {
+                reduced(reduction, self.grid.iter().map(|&(place, weight)| (at(place), weight)))
+            }
             (place, _) => at(place.unwrap_or_default()),
         }
     }
 }
 
-/// A number of the curve, each position anywhere between its ends.
-fn reduced(reduction: Reduction, all: impl Iterator<Item = Ends> + Clone) -> Ends {
+/// Places at which a motion is looked at, in turns, and those of the cycle among them with their weights.
+struct Places {
+    turns: Vec<f64>,
+    grid: Vec<(usize, f64)>,
+}
+
+impl Places {
+    /// `rows` steps over the recorded turns, and the poses that are asked for between them.
+    fn new(recorded_turns: f64, rows: usize, plan: &ColumnPlan) -> Self {
+        // A whole number of turns ends where it began; what does not has half the weight at its ends.
+        let is_closed = recorded_turns.fract() == 0.0;
+        let last = rows - usize::from(is_closed);
+        let of_cycle: Vec<f64> = (0..=last).map(|row| recorded_turns * row as f64 / rows as f64).collect();
+        let asked = plan.columns.iter().filter_map(|column| match column.spot {
+            Location::Pose { turns, .. } => Some(turns),
+            Location::Reduced(_) => None,
+        });
+        let is_new = |turns: &f64| (of_cycle[nearest(&of_cycle, *turns)] - turns).abs() > POSE_ROUND_OFF;
+        let mut turns: Vec<f64> = of_cycle.iter().copied().chain(asked.filter(is_new)).collect();
+        turns.sort_by(f64::total_cmp);
+        turns.dedup();
+        let weight = |row: usize| if !is_closed && (row == 0 || row == last) { 0.5 } else { 1.0 };
+        let grid = of_cycle.iter().enumerate().map(|(row, at)| (nearest(&turns, *at), weight(row))).collect();
+        Self { turns, grid }
+    }
+}
+
+/// The place of `turns`, which ascend, that is nearest to `at`.
+fn nearest(turns: &[f64], at: f64) -> usize {
+    let above = turns.partition_point(|known| *known < at);
+    let distance = |place: usize| turns.get(place).map_or(f64::INFINITY, |known| (known - at).abs());
+    let below = above.saturating_sub(1);
+    if distance(below) <= distance(above) { below } else { above }
+}
+
+/// Every sample must have its drives at the same places.
+fn check_drives(study: &Study, model: &SpatialModel) -> Result<(), PrepareError> {
+    let random = study.random.iter().map(|input| (&input.path, input.quantity));
+    let epistemic = study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?)));
+    let counted = match study.cycle.span {
+        CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => Some(drive.0),
+        CycleSpan::Duration(_) => None,
+    };
+    for (path, quantity) in random.chain(epistemic) {
+        let depends = |id: QuantityId| id == quantity || model.quantities.roots(id).contains(&quantity);
+        if model.drives.iter().any(|drive| depends(drive.start)) {
+            return Err(PrepareError::UncertainStart { path: path.clone() });
+        }
+        // Alone, the drive that the cycle counts is at the same places at any speed.
+        let is_free = counted.is_some() && model.drives.len() == 1;
+        let is_duration = matches!(study.cycle.span, CycleSpan::Duration(duration) if depends(duration));
+        if is_duration || !is_free && model.drives.iter().any(|drive| depends(drive.speed)) {
+            return Err(PrepareError::UncertainDrive { path: path.clone() });
+        }
+    }
+    Ok(())
+}
+
+/// A number of the curve, each position anywhere between its ends; with the weight of each position in means.
+fn reduced(reduction: Reduction, all: impl Iterator<Item = (Ends, f64)> + Clone) -> Ends {
     let (no_less, no_more) = (f64::NEG_INFINITY, f64::INFINITY);
-    let highest = |of: fn(Ends) -> f64| all.clone().map(of).fold(no_less, f64::max);
-    let lowest = |of: fn(Ends) -> f64| all.clone().map(of).fold(no_more, f64::min);
-    let mean = |of: fn(Ends) -> f64| all.clone().map(of).sum::<f64>() / all.clone().count() as f64;
+    let highest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_less, f64::max);
+    let lowest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_more, f64::min);
+    let weights: f64 = all.clone().map(|(_, weight)| weight).sum();
+    let mean = |of: fn(Ends) -> f64| all.clone().map(|(ends, weight)| weight * of(ends)).sum::<f64>() / weights;
+    let mean_square =
+        |of: fn(Ends) -> f64| all.clone().map(|(ends, weight)| weight * of(ends).powi(2)).sum::<f64>() / weights;
     // Nearest to zero, and farthest from it.
     let near: fn(Ends) -> f64 = |ends| ends.lower.max(-ends.upper).max(0.0);
     let far: fn(Ends) -> f64 = |ends| ends.upper.max(-ends.lower);
@@ -182,12 +248,7 @@ fn reduced(reduction: Reduction, all: impl Iterator<Item = Ends> + Clone) -> End
         Reduction::Maximum => Ends { lower: highest(lower), upper: highest(upper) },
         Reduction::Minimum => Ends { lower: lowest(lower), upper: lowest(upper) },
         Reduction::MaximumAbsolute => Ends { lower: highest(near), upper: highest(far) },
-        Reduction::RootMeanSquare => {
-            let square_of = |of: fn(Ends) -> f64| {
-                all.clone().map(|ends| of(ends).powi(2)).sum::<f64>() / all.clone().count() as f64
-            };
-            Ends { lower: square_of(near).sqrt(), upper: square_of(far).sqrt() }
-        }
+        Reduction::RootMeanSquare => Ends { lower: mean_square(near).sqrt(), upper: mean_square(far).sqrt() },
         Reduction::Mean => Ends { lower: mean(lower), upper: mean(upper) },
         Reduction::Range => {
             Ends { lower: (highest(lower) - lowest(upper)).max(0.0), upper: highest(upper) - lowest(lower) }
@@ -227,7 +288,7 @@ mod tests {
                 };
                 found = [found[0].min(value), found[1].max(value)];
             }
-            let ends = reduced(reduction, all.into_iter());
+            let ends = reduced(reduction, all.into_iter().map(|ends| (ends, 1.0)));
             let is_near = |a: f64, b: f64| (a - b).abs() < 0.02;
             assert!(is_near(ends.lower, found[0]) && is_near(ends.upper, found[1]), "{reduction:?} {ends:?} {found:?}");
         }

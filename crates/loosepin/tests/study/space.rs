@@ -1,10 +1,11 @@
 //! Studies of mechanisms in space against closed forms: a four-bar with two balls, whose rocker depends on the length of its coupler alone.
 
-use crate::silent::run;
+use crate::silent::{Silent, run};
 use loosepin::space::SpatialModel;
-use loosepin::study::Study;
 use loosepin::study::result::{BoundRecord, StudyResult};
+use loosepin::study::{RunOptions, Study, run_study};
 use loosepin::templates::{SPATIAL_TEMPLATES, find_template};
+use std::sync::atomic::AtomicBool;
 
 const MM: f64 = 1e-3;
 const COUPLER_M: f64 = 0.25;
@@ -115,6 +116,66 @@ fn analytic_the_largest_deviation_of_a_turn_is_that_of_its_worst_position() {
     assert!((found.upper.value_si - largest).abs() < 1e-9 * largest, "{found:?} {largest}");
     // Journals that stay in the middle make no deviation.
     assert!(found.lower.value_si.abs() < 1e-12, "{found:?}");
+}
+
+/// What reading a study of the four-bar says.
+fn refused(inputs: &str, question: &str) -> String {
+    let text = format!("name = \"four-bar\"\nmodel = \"model.toml\"\n{inputs}\n{question}\n");
+    match Study::from_text("study.toml", &text, four_bar()) {
+        Ok(study) => match run_study(&study, "", &RunOptions::new(1, &Silent, &AtomicBool::new(false))) {
+            Ok(_) => panic!("{question}"),
+            Err(error) => error.to_string(),
+        },
+        Err(found) => found.to_string(),
+    }
+}
+
+#[test]
+fn what_is_not_largest_on_one_side_of_all_plays_is_refused() {
+    let inputs = format!("[epistemic]\n{CLEARANCE}");
+    let ask = |rest: &str| format!("[[ask]]\noutput = \"rocker\"\n{rest}");
+    let both = "the journals of each mechanism may be on another side of their play";
+    for question in [
+        ask("of = \"clearance\"\nat = \"cycle\"\nstatistics = [\"standard_deviation\"]"),
+        ask("of = \"total\"\nat = \"cycle\"\nstatistics = [{ simultaneous_band = 0.95 }]"),
+        "[[require]]\noutput = \"rocker\"\nof = \"total\"\nwithin = \"5 mrad\"\nposes = { crank = [\"60 deg\"] }\n\
+         probability_at_least = 0.9"
+            .to_owned(),
+    ] {
+        let said = refused(&inputs, &question);
+        assert!(said.contains(both), "{question}: {said}");
+    }
+}
+
+#[test]
+fn what_positions_do_not_have_is_refused() {
+    let ask = "[[ask]]\noutput = \"rocker\"\nof = \"clearance\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]";
+    let inputs = format!("[cycle]\ntransient_turns = 0.25\n[epistemic]\n{CLEARANCE}");
+    let said = refused(&inputs, ask);
+    assert!(said.contains("no start-up"), "{said}");
+    let inputs = "[random]\n\"drive.crank.start_angle\" = { normal = { standard_deviation = \"0.1 deg\" } }";
+    let said = refused(inputs, ask);
+    assert!(said.contains("is the start of the drive"), "{said}");
+    let inputs = format!("[cycle]\nrecorded_turns = 0.5\n[epistemic]\n{CLEARANCE}");
+    let said = refused(&inputs, &ask.replace("reduce = \"maximum\"", "poses = { crank = [\"270 deg\"] }"));
+    assert!(said.contains("do not pass there"), "{said}");
+}
+
+#[test]
+fn identity_numbers_of_the_cycle_do_not_depend_on_poses_that_are_asked_for() {
+    let inputs = format!("[epistemic]\n{CLEARANCE}");
+    let mean = "of = \"clearance\"\nreduce = \"rms\"\nstatistics = [\"mean\"]";
+    let poses: Vec<String> = (1..60).map(|k| format!("\"{k}.5 deg\"")).collect();
+    let further = format!(
+        "{mean}\n[[ask]]\noutput = \"rocker\"\nof = \"clearance\"\nposes = {{ crank = [{}] }}\nstatistics = [\"mean\"]",
+        poses.join(", ")
+    );
+    let ends = |question: &str| {
+        let found = studied(&inputs, question).bounds[0].clone();
+        [found.lower.value_si, found.upper.value_si]
+    };
+    let (alone, beside) = (ends(mean), ends(&further));
+    assert!((alone[1] - beside[1]).abs() < 1e-12 * alone[1], "{alone:?} {beside:?}");
 }
 
 #[test]

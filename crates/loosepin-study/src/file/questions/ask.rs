@@ -222,6 +222,7 @@ impl StudyReader {
         let output = output?;
         let statistics = table.statistics.as_ref()?;
         let entries = self.statistics(statistics, self.outputs[output].dimension)?;
+        self.check_sides(&entries, deviation, location.as_ref());
         let (deviation, location) = (deviation?, location?);
         // Of two places one is wrong, and which is not known.
         if places.into_iter().flatten().count() == 1 {

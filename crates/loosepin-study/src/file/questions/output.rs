@@ -67,8 +67,9 @@ impl StudyReader {
         let entry = entry?;
         let deviation = self.reader.choice(entry, &DEVIATIONS)?;
         if deviation == Deviation::Value
-            && let Some(StudyOutput { seen: OutputSource::Path(..), component: Some(component), .. }) =
+            && let Some(StudyOutput { seen, component: Some(component), .. }) =
                 output.map(|output| &self.outputs[output])
+            && seen.is_error_of_path()
         {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
             return self.refused(&problem, entry.span);

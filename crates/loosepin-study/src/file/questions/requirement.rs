@@ -137,6 +137,11 @@ impl StudyReader {
             self.reader.diagnostics.push(Diagnostic::warning(&problem, Some(place)));
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
+        if let (Limit::Within(_), Some(entry)) = (limit, within)
+            && !self.can_judge_both_sides(deviation, &location)
+        {
+            return self.refused(&StudyProblem::NotOfOneSide { entry: entry.path.describe() }, entry.span);
+        }
         // A life is to be long, everything else of wear small.
         let is_life = self.is_life(output);
         let is_on_its_side = if is_life { matches!(limit, Limit::Above(_)) } else { matches!(limit, Limit::Below(_)) };
