@@ -25,7 +25,7 @@ pub fn study_text(result: &StudyResult) -> String {
         answers_section(result, writer),
         surrogate_section(result, writer),
         contributors_section(result, writer),
-        result.spatial.as_ref().and_then(joints_text),
+        result.spatial.as_ref().and_then(|motion| joints_text(motion, &result.outputs)),
         treatments_section(result, writer),
         Some(runs_section(result, writer)),
     ];

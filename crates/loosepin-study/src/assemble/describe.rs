@@ -31,6 +31,9 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         let written = |value_si: f64| input.written(&study.model, value_si);
         let ends = |interval: &Interval| format!("{} .. {}", written(interval.lower()), written(interval.upper()));
         let (kind, words) = match (&input.variable, input.members_written(&study.model)) {
+            _ if matches!(input.subject, EpistemicSubject::Play) => {
+                (InputKind::Play, "journals anywhere in their play, at each position on the worse side".to_owned())
+            }
             (EpistemicVariable::Evidence(evidence), _) => {
                 let element = |element: &FocalElement| ElementDescription {
                     lower_si: element.interval.lower(),
@@ -76,9 +79,6 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
             (_, Some(of)) => {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
-            }
-            (_, None) if matches!(input.subject, EpistemicSubject::Play) => {
-                (InputKind::Play, "journals anywhere in their play, at each position on the worse side".to_owned())
             }
             (_, None) => (
                 InputKind::Interval { lower_si, upper_si },

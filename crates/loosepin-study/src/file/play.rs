@@ -5,9 +5,8 @@ use super::problem::StudyProblem;
 use super::questions::ask::Asked;
 use super::questions::location::Where;
 use super::reader::StudyReader;
-use loosepin_bounds::{Event, Statistic};
 use loosepin_text::document::Entry;
-use loosepin_uncertainty::Interval;
+use loosepin_uncertainty::Members;
 
 /// Path of the input that stands for the places of all journals.
 pub(crate) const PLAY: &str = "play";
@@ -19,8 +18,10 @@ impl StudyReader {
         if self.model.spatial().is_none() || !self.model.has_play() {
             return;
         }
-        if let Ok(interval) = Interval::try_new(-1.0, 1.0) {
-            let variable = interval.into();
+        // The middle stands for nominal parts. Everything that is asked is largest and smallest at the ends (`check_sides`), so that nothing between
+        // them has to be searched.
+        if let Ok(members) = Members::try_new(vec![0.0, -1.0, 1.0]) {
+            let variable = members.into();
             self.epistemic.push(EpistemicInput { path: PLAY.to_owned(), subject: EpistemicSubject::Play, variable });
         }
     }
@@ -47,8 +48,7 @@ impl StudyReader {
                 Asked::Contributors => true,
                 Asked::SimultaneousBand(_) => false,
                 Asked::Statistic(statistic) | Asked::Rare(statistic, _) => {
-                    let is_of_both = matches!(statistic.event(), Some(Event::Beyond(_))) && !is_magnitude;
-                    *statistic == Statistic::Mean || statistic.is_by_shares() && !is_of_both
+                    statistic.is_monotone() || is_magnitude && statistic.is_by_shares()
                 }
             };
             if !is_of_one_side {

@@ -192,6 +192,13 @@ impl Statistic {
         matches!(self.estimation(), None | Some(Estimation::Counted(_) | Estimation::Ordered(_)))
     }
 
+    /// Whether it never falls where no value falls, or never rises: a mean, and what is counted on one side of others or of a limit. Such a
+    /// statistic is largest and smallest where all values are.
+    pub fn is_monotone(self) -> bool {
+        let is_of_both_sides = matches!(self.event(), Some(Event::Beyond(_)));
+        self == Self::Mean || self.is_by_shares() && !is_of_both_sides
+    }
+
     /// The statistic of a sample whose values are finite and in increasing order; NaN if there are none, and if it is more than one number.
     pub fn of_sorted(self, sorted: &[f64]) -> f64 {
         self.with_kind(|kind| kind.of_sorted(sorted))

@@ -5,6 +5,7 @@ use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::head;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
+use loosepin_result::study::OutputDescription;
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
 use loosepin_text::units::{DisplayUnits, counted};
 
@@ -129,10 +130,11 @@ pub(crate) fn joints_section(record: &SpatialMotionRecord) -> Option<Section> {
     Some(Section { id: "joints", ..section })
 }
 
-/// The same of the main output on a terminal.
-pub(crate) fn joints_text(record: &SpatialMotionRecord) -> Option<Section> {
-    let main = record.main_output().filter(|_| record.has_play)?;
-    Some(contributors_on_terminal(record, main))
+/// The same of one output on a terminal: the first of those that are `asked` about, or the main one where these are parts of paths.
+pub(crate) fn joints_text(record: &SpatialMotionRecord, asked: &[OutputDescription]) -> Option<Section> {
+    let known = asked.iter().find_map(|asked| record.outputs.iter().find(|output| output.name == asked.name));
+    let shown = known.or_else(|| record.main_output()).filter(|_| record.has_play)?;
+    Some(contributors_on_terminal(record, shown))
 }
 
 /// Where the worst case of an output is largest.
