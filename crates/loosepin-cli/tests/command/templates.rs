@@ -113,7 +113,7 @@ fn templates_in_space_go_from_new_to_report() {
         assert!(!checked.messages.contains("warning"), "{name}: {}", checked.messages);
         desk.succeed(&["motion", &model, "--out", &format!("{name}/motion")]);
         let line = |line: &str| match line.split(" = ").next() {
-            Some("outer") => "outer = 5\n".to_owned(),
+            Some("outer") => "outer = 9\n".to_owned(),
             Some("inner") => "inner = 8\n".to_owned(),
             _ => format!("{line}\n"),
         };

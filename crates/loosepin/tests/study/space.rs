@@ -190,7 +190,7 @@ fn every_template_in_space_has_a_study_that_runs() {
         let whole = read(template.study);
         assert!(whole.warnings.is_empty(), "{}: {:?}", template.name, whole.warnings);
         let small = |line: &str| match line.split(" = ").next() {
-            Some("outer") => "outer = 5\n".to_owned(),
+            Some("outer") => "outer = 9\n".to_owned(),
             Some("inner") => "inner = 8\n".to_owned(),
             _ => format!("{line}\n"),
         };
