@@ -60,6 +60,12 @@ impl Study {
         &self.0.name
     }
 
+    /// Name of its model, in the plane or in space.
+    #[getter]
+    fn model_name(&self) -> &str {
+        self.0.model.name()
+    }
+
     /// The text that it was read from.
     #[getter]
     fn text(&self) -> &str {

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::process::Stdio;
 
 use super::command_line::{Desk, case_text};
-use loosepin::templates::TEMPLATES;
+use loosepin::templates::all_templates;
 
 #[test]
 fn check_says_in_words_what_a_mechanism_is() {
@@ -60,7 +60,7 @@ fn templates_are_listed_written_and_good() {
         .filter(|line| !line.is_empty() && !line.starts_with(' '))
         .filter_map(|line| line.split_once(": ").map(|(name, _)| name))
         .collect();
-    assert_eq!(names, TEMPLATES.iter().map(|template| template.name).collect::<Vec<_>>());
+    assert_eq!(names, all_templates().map(|template| template.name).collect::<Vec<_>>());
     for name in names.into_iter().take(2) {
         let said = desk.succeed(&["new", name]);
         assert_eq!(

@@ -131,7 +131,8 @@ class Study(NoArray):
             raise refused("resume and force exclude each other: one keeps the runs in the folder, the other replaces them", "E0205")
         if resume and folder is None:
             raise refused("resume needs the folder with the runs", "E0205")
-        units = {output.name: output.unit for output in self.model.outputs}
+        # Only numbers without a unit need that of their output.
+        units = {output.name: output.unit for output in self.model.outputs} if accuracy else {}
         stated = stated_accuracies(accuracy, units)
         most = stated_budget(budget)
         place = None if folder is None else os.fspath(folder)
@@ -296,7 +297,7 @@ class Study(NoArray):
         return study, model, [table for _, table in tables]
 
     def __repr__(self) -> str:
-        return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"
+        return f"<loosepin.Study {self.name!r} of the model {self._native.model_name!r}>"
 
 
 def _check_model(model: Any) -> None:
