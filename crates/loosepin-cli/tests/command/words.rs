@@ -78,12 +78,14 @@ fn templates_are_listed_written_and_good() {
             ),
         );
     }
+    let all: Vec<&str> = all_templates().map(|template| template.name).collect();
     desk.fail(
         &["new", "four-br"],
-        "error: invalid value 'four-br' for '[TEMPLATE]'\n  [possible values: slider-crank, four-bar, offset-slider-crank, inverted-slider-crank, \
-         whitworth-quick-return, scotch-yoke, double-slider, watt-six-bar, stephenson-six-bar, toggle-press, worn-press, pantograph, \
-         two-link-arm, three-link-arm, space-manipulator, flexible-slider-crank, flexible-four-bar]\n\n  \
-         tip: a similar value exists: 'four-bar'\n\nFor more information, try '--help'.",
+        &format!(
+            "error: invalid value 'four-br' for '[TEMPLATE]'\n  [possible values: {}]\n\n  \
+             tip: a similar value exists: 'four-bar'\n\nFor more information, try '--help'.",
+            all.join(", ")
+        ),
     );
 }
 
