@@ -28,6 +28,7 @@ mod options;
 mod robot;
 mod skeleton;
 mod sketch;
+mod toml_text;
 
 use std::io;
 use std::path::{Path, PathBuf};

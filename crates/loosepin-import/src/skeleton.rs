@@ -1,5 +1,6 @@
 //! The text of the model.
 
+use crate::toml_text::quoted;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -184,19 +185,6 @@ pub(super) fn model(name: &str, sketch: &Sketch, links: &Links) -> String {
         let _ = writeln!(text, "[output.{link}]\nangle_of = \"{link}\"");
     }
     text
-}
-
-/// A text as TOML.
-fn quoted(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .flat_map(|character| match character {
-            '"' | '\\' => vec!['\\', character],
-            character if character.is_control() => vec![' '],
-            character => vec![character],
-        })
-        .collect();
-    format!("\"{escaped}\"")
 }
 
 /// Findings in words.

@@ -5,6 +5,7 @@ use super::drives::{CYCLE_S, Course, PlannedDrive, TURN_RPM};
 use super::frame::of_roll_pitch_yaw;
 use super::model_names::ModelNames;
 use super::numbers::{angle, direction, length, lengths, number, shifted, word};
+use crate::toml_text::quoted;
 use loosepin_space::{Vec3, is_inertia};
 use std::fmt::Write;
 
@@ -212,17 +213,4 @@ fn outputs(text: &mut String, robot: &Robot, names: &ModelNames, drives: &[Plann
 /// A text on one line of a comment.
 fn comment(text: &str) -> String {
     text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect()
-}
-
-/// A text as TOML.
-fn quoted(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .flat_map(|character| match character {
-            '"' | '\\' => vec!['\\', character],
-            character if character.is_control() => vec![' '],
-            character => vec![character],
-        })
-        .collect();
-    format!("\"{escaped}\"")
 }
