@@ -104,31 +104,33 @@ pub fn bricard() -> SpatialMechanism {
     build.mechanism()
 }
 
+/// Axes of base, middle and platform of each leg of the spherical platform, from the notes that its check values come from.
+pub const LEGS: [[[f64; 3]; 3]; 3] = [
+    [
+        [0.766044443118978, 0.0, -0.6427876096865394],
+        [0.7558142029965635, -0.42502696236723575, 0.49809333644363274],
+        [0.17209290563706026, 0.7044350089802219, 0.6885893914027638],
+    ],
+    [
+        [-0.38302222155948884, 0.6634139481689384, -0.6427876096865394],
+        [-0.14090853214889773, 0.8306702750425854, 0.5386387283962402],
+        [-0.8730072530595924, -0.22097021486232163, 0.4347763795896052],
+    ],
+    [
+        [-0.38302222155948934, -0.6634139481689382, -0.6427876096865394],
+        [-0.7870842498598087, -0.3948696510038643, 0.4738948642248707],
+        [0.46301606997900435, -0.6791214095091356, 0.569570215239107],
+    ],
+];
+
 /// Spherical platform of three legs, each a driven revolute joint and two cylindrical ones whose axes meet in the centre: axes of base, of the
 /// middle and of the platform; bearings at 0.20, 0.18, 0.15 m from the centre, all with play. The driven angles count from the middle axis, which
 /// matters to second order. Bodies 1, 2 of each leg, then the platform, 7.
 pub fn platform() -> SpatialMechanism {
-    let legs = [
-        [
-            [0.766044443118978, 0.0, -0.6427876096865394],
-            [0.7558142029965635, -0.42502696236723575, 0.49809333644363274],
-            [0.17209290563706026, 0.7044350089802219, 0.6885893914027638],
-        ],
-        [
-            [-0.38302222155948884, 0.6634139481689384, -0.6427876096865394],
-            [-0.14090853214889773, 0.8306702750425854, 0.5386387283962402],
-            [-0.8730072530595924, -0.22097021486232163, 0.4347763795896052],
-        ],
-        [
-            [-0.38302222155948934, -0.6634139481689382, -0.6427876096865394],
-            [-0.7870842498598087, -0.3948696510038643, 0.4738948642248707],
-            [0.46301606997900435, -0.6791214095091356, 0.569570215239107],
-        ],
-    ];
     let revolute = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 2e-5, axial_clearance_m: 3e-5 };
     let cylindrical = CylindricalPlay { bearing_length_m: 0.02, radial_clearance_m: 2e-5 };
     let mut build = Build::new(7);
-    for (leg, axes) in legs.into_iter().enumerate() {
+    for (leg, axes) in LEGS.into_iter().enumerate() {
         let [base, middle, end] = axes.map(Vec3::from);
         let (first, second) = (2 * leg + 1, 2 * leg + 2);
         build = build.joint("revolute", [0, first], base * 0.20, base, middle).play(revolute).driven();

@@ -1,5 +1,6 @@
 //! Errors of manufacture in model files: tilts and shifts of the bearings and journals of joints.
 
+use crate::known::LEGS;
 use loosepin_space::{
     Gains, MarkerScatter, MarkerSide, PoseAccuracy, RotationSineOutput, SpatialModel, SpatialOutput, Vec3, assemble,
 };
@@ -9,25 +10,6 @@ const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slide
 fn read(text: &str) -> SpatialModel {
     SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
-
-/// Axes of base, middle and platform of each leg: /work/shared/reference/space/rcc_axes.json.
-const LEGS: [[[f64; 3]; 3]; 3] = [
-    [
-        [0.766044443118978, 0.0, -0.6427876096865394],
-        [0.7558142029965635, -0.42502696236723575, 0.49809333644363274],
-        [0.17209290563706026, 0.7044350089802219, 0.6885893914027638],
-    ],
-    [
-        [-0.38302222155948884, 0.6634139481689384, -0.6427876096865394],
-        [-0.14090853214889773, 0.8306702750425854, 0.5386387283962402],
-        [-0.8730072530595924, -0.22097021486232163, 0.4347763795896052],
-    ],
-    [
-        [-0.38302222155948934, -0.6634139481689382, -0.6427876096865394],
-        [-0.7870842498598087, -0.3948696510038643, 0.4738948642248707],
-        [0.46301606997900435, -0.6791214095091356, 0.569570215239107],
-    ],
-];
 
 /// The spherical platform with a driven revolute joint and two cylindrical ones in each leg; every bearing may be tilted.
 fn platform() -> String {
