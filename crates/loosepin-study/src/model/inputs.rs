@@ -4,7 +4,7 @@ use super::StudyModel;
 use loosepin_mechanics::model::{ContactId, LawError, NormalDescription, PathError, PlayId};
 use loosepin_space::SpatialModel;
 use loosepin_text::diagnostics::nearest_name;
-use loosepin_text::numbers::{Origin, QuantityId, QuantityTable, Values};
+use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
 
 /// A clearance of something that has play.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,9 +35,7 @@ impl StudyModel {
                 own.map(|(play, quantity)| Clearance { name: model.play_name(play).to_owned(), quantity }).collect()
             }
             Self::Spatial(model) => {
-                let depends =
-                    |clearance: QuantityId| clearance == id || model.quantities.roots(clearance).contains(&id);
-                spatial_clearances(model).filter(|own| depends(own.quantity)).collect()
+                spatial_clearances(model).filter(|own| model.quantities.depends_on(own.quantity, id)).collect()
             }
         }
     }
@@ -120,14 +118,7 @@ fn spatial_clearances(model: &SpatialModel) -> impl Iterator<Item = Clearance> {
 fn find_in_space(model: &SpatialModel, path: &str) -> Result<QuantityId, PathError> {
     let table = &model.quantities;
     let Some(id) = table.id(path) else { return Err(unknown(table, path)) };
-    match &table[id].origin {
-        Origin::Literal | Origin::Default => Ok(id),
-        Origin::Fixed => Err(PathError::Fixed { path: path.to_owned() }),
-        Origin::Expression { .. } => {
-            let depends_on = table.roots(id).into_iter().map(|root| table[root].path.clone()).collect();
-            Err(PathError::Expression { path: path.to_owned(), depends_on })
-        }
-    }
+    PathError::demand_settable(table, id)
 }
 
 fn unknown(table: &QuantityTable, path: &str) -> PathError {

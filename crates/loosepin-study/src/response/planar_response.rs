@@ -223,8 +223,7 @@ fn check_drive(study: &Study, model: &Model) -> Result<(), PrepareError> {
     let epistemic =
         study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?, input.variable.ends())));
     for (path, quantity, [lower, upper]) in random.chain(epistemic) {
-        let roots = |id: QuantityId| id == quantity || model.quantities.roots(id).contains(&quantity);
-        if roots(start) {
+        if model.quantities.depends_on(start, quantity) {
             return Err(PrepareError::UncertainStart { path: path.clone() });
         }
         if quantity == speed && lower <= 0.0 && upper >= 0.0 {

@@ -84,7 +84,13 @@ impl SpatialResponse {
         let mut parts: Vec<SampledPart> = Vec::new();
         let mut reads = Vec::with_capacity(plan.columns.len());
         for column in &plan.columns {
-            let OutputSource::InSpace(own) = plan.outputs[column.output].seen else { continue };
+            let output = &plan.outputs[column.output];
+            // Every column has its place in `reads`: none is left out.
+            let OutputSource::InSpace(own) = output.seen else {
+                return Err(
+                    RunFailure::NoPosition { why: format!("output '{}' is not one of space", output.name) }.into()
+                );
+            };
             let part = parts.iter().position(|known| *known == own).unwrap_or_else(|| {
                 parts.push(own);
                 parts.len() - 1
@@ -216,7 +222,7 @@ fn check_drives(study: &Study, model: &SpatialModel) -> Result<(), PrepareError>
         CycleSpan::Duration(_) => None,
     };
     for (path, quantity) in random.chain(epistemic) {
-        let depends = |id: QuantityId| id == quantity || model.quantities.roots(id).contains(&quantity);
+        let depends = |id: QuantityId| model.quantities.depends_on(id, quantity);
         if model.drives.iter().any(|drive| depends(drive.start)) {
             return Err(PrepareError::UncertainStart { path: path.clone() });
         }

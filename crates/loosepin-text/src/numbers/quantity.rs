@@ -187,6 +187,11 @@ impl QuantityTable {
         self.orders.iter().try_for_each(|order| self.check_order(*order, values))
     }
 
+    /// Whether a quantity is `other` or depends on it.
+    pub fn depends_on(&self, id: QuantityId, other: QuantityId) -> bool {
+        id == other || self.roots(id).contains(&other)
+    }
+
     /// The free numbers that a quantity depends on, itself if it is one.
     pub fn roots(&self, id: QuantityId) -> Vec<QuantityId> {
         let mut roots = Vec::new();

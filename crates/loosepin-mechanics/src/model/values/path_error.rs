@@ -1,7 +1,7 @@
 //! Why a path names no quantity that can be set.
 
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::numbers::{DIAMETRAL, RADIAL};
+use loosepin_text::numbers::{DIAMETRAL, Origin, QuantityId, QuantityTable, RADIAL};
 use loosepin_text::units::quoted;
 
 problems! {
@@ -32,5 +32,26 @@ problems! {
             } else {
                 "it fixes the unit of the stiffness; change both in the model file"
             });
+    }
+}
+
+impl PathError {
+    /// The quantity, if it can be set from outside.
+    ///
+    /// # Errors
+    /// It is fixed, or given by an expression (with what it depends on).
+    pub fn demand_settable(quantities: &QuantityTable, id: QuantityId) -> Result<QuantityId, PathError> {
+        let path = quantities[id].path.clone();
+        match &quantities[id].origin {
+            Origin::Literal | Origin::Default => Ok(id),
+            Origin::Fixed => Err(PathError::Fixed { path }),
+            Origin::Expression { .. } => {
+                let roots = quantities.roots(id).into_iter();
+                Err(PathError::Expression {
+                    path,
+                    depends_on: roots.map(|root| quantities[root].path.clone()).collect(),
+                })
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::model::contact::LawError;
 use crate::model::ids::PlayId;
 use crate::model::parts::topology::Model;
 use crate::model::values::path_error::PathError;
-use loosepin_text::numbers::{DIAMETRAL, Origin, Quantity, QuantityError, QuantityId, QuantityTable, RADIAL};
+use loosepin_text::numbers::{DIAMETRAL, Quantity, QuantityError, QuantityId, QuantityTable, RADIAL};
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, problems};
@@ -83,15 +83,7 @@ impl Model {
             }
             return Err(self.unknown_path(path));
         };
-        match &self.quantities[id].origin {
-            Origin::Literal | Origin::Default => Ok(id),
-            Origin::Fixed => Err(PathError::Fixed { path: path.to_owned() }),
-            Origin::Expression { .. } => {
-                let depends_on =
-                    self.quantities.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
-                Err(PathError::Expression { path: path.to_owned(), depends_on })
-            }
-        }
+        PathError::demand_settable(&self.quantities, id)
     }
 
     /// The clearance that a joint states, where `path` names the other of radial and diametral clearance.
@@ -109,10 +101,8 @@ impl Model {
     /// The joints and couplings with play whose stated clearance is this quantity or depends on it, each with its clearance: that of the
     /// parts at their temperature.
     pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
-        self.play_clearances().filter(move |(_, clearance)| {
-            let stated = self.quantities.stated_clearance(*clearance);
-            stated == id || self.quantities.roots(stated).contains(&id)
-        })
+        self.play_clearances()
+            .filter(move |(_, clearance)| self.quantities.depends_on(self.quantities.stated_clearance(*clearance), id))
     }
 
     /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several
