@@ -108,15 +108,27 @@ fn play_words(play: ModelPlay, values: &Values) -> String {
     }
 }
 
-/// Degrees of freedom, idle ones, and rows that repeat others.
-fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position) -> Section {
-    let found = mobility(mechanism, start);
-    let mut lines = vec![format!(
+/// Degrees of freedom and drives of a model in space in a sentence; `None` where it cannot be assembled.
+pub fn mobility_in_space(model: &SpatialModel) -> Option<String> {
+    let values = model.quantities.nominal();
+    let mechanism = model.mechanism(&values).ok()?;
+    let start = assemble(&mechanism, &model.drive_values(&values, 0.0)).ok()?;
+    Some(mobility_words(&mobility(&mechanism, &start)))
+}
+
+fn mobility_words(found: &Mobility) -> String {
+    format!(
         "{}, {}: {}",
         counted_or_no(found.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
         counted_or_no(found.drives, "drive", "drives"),
-        determined(&found)
-    )];
+        determined(found)
+    )
+}
+
+/// Degrees of freedom, idle ones, and rows that repeat others.
+fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position) -> Section {
+    let found = mobility(mechanism, start);
+    let mut lines = vec![mobility_words(&found)];
     lines.extend(found.idle.iter().map(|idle| idle_words(model, idle)));
     if !found.redundant.is_empty() {
         let count = found.redundant.len();

@@ -1,217 +1,39 @@
-// Turns the picture of a mechanism in space, and moves it: dragged, by arrow keys, to a standard view, through its turn. What is drawn comes with
-// the picture; it is projected and sorted here as in src/spatial/placed.rs and drawing.rs. Follows the cursor of the page, and moves it.
+// Turns the picture of a mechanism in space, and moves it: dragged, by arrow keys, to a standard view, through its turn. Follows the cursor of the
+// page, and moves it. It is drawn by space-scene.ts.
 (() => {
   const secondsPerTurn = 4;
-  const levels = 8;
-  const depthShare = 0.75;
-  const sameDepth = 1e-4;
-  const rimPoints = 20;
-  const axisLetters = 2.6;
   const degreesPerPixel = 0.5;
-  const radPerDeg = Math.PI / 180;
-
-  type Point = [number, number, number];
-  type Flat = [number, number];
-  type PoseNumbers = [number, number, number, number, number, number, number];
-
-  interface Part {
-    kind: 'line' | 'face' | 'solid' | 'hull' | 'ball';
-    class: string;
-    body: number;
-    points: Point[];
-    radius?: number;
-    lift: number;
-  }
-
-  interface JointName {
-    text: string;
-    body: number;
-    at: Point;
-    side: Flat;
-    anchor: string;
-    play: boolean;
-  }
-
-  interface SpaceData {
-    inputs: number[];
-    is_angle: boolean;
-    start: number;
-    azimuth: number;
-    elevation: number;
-    centre: Point;
-    radius: number;
-    outer: Point[];
-    half: Flat;
-    font: number;
-    triad: Flat;
-    parts: Part[];
-    names: JointName[];
-    poses: PoseNumbers[][];
-  }
-
-  /** Directions right, up and toward the reader. */
-  function viewAxes(azimuthDeg: number, elevationDeg: number): [Point, Point, Point] {
-    const [sine, cosine] = [Math.sin(azimuthDeg * radPerDeg), Math.cos(azimuthDeg * radPerDeg)];
-    const [rise, level] = [Math.sin(elevationDeg * radPerDeg), Math.cos(elevationDeg * radPerDeg)];
-    return [[cosine, sine, 0], [-sine * rise, cosine * rise, level], [sine * level, -cosine * level, rise]];
-  }
-
-  function dot(a: Point, b: Point): number {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-
-  /** A point of a body in the ground: s + 2 v × (v × s + w s) + r. */
-  function inGround(pose: PoseNumbers | undefined, [a, b, c]: Point): Point {
-    if (!pose) return [a, b, c];
-    const [x, y, z, w, p, q, r] = pose;
-    const [i, j, k] = [q * c - r * b + w * a, r * a - p * c + w * b, p * b - q * a + w * c];
-    return [a + 2 * (q * k - r * j) + x, b + 2 * (r * i - p * k) + y, c + 2 * (p * j - q * i) + z];
-  }
-
-  /** Between two poses: the shorter way round. */
-  function betweenPoses(first: PoseNumbers, second: PoseNumbers, share: number): PoseNumbers {
-    const sign = first[3] * second[3] + first[4] * second[4] + first[5] * second[5] + first[6] * second[6] < 0 ? -1 : 1;
-    const mixed = first.map((own, k) => own + share * ((k < 3 ? 1 : sign) * (second[k] ?? 0) - own)) as PoseNumbers;
-    const size = Math.hypot(mixed[3], mixed[4], mixed[5], mixed[6]);
-    return mixed.map((own, k) => k < 3 ? own : own / size) as PoseNumbers;
-  }
-
-  /** Corners of the convex hull (Andrew's monotone chain). */
-  function hull(points: Flat[]): Flat[] {
-    const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-    if (sorted.length < 3) return sorted;
-    const half = (ordered: Flat[]): Flat[] => {
-      const chain: Flat[] = [];
-      for (const point of ordered) {
-        for (;;) {
-          const [before, last] = [chain[chain.length - 2], chain[chain.length - 1]];
-          if (!before || !last) break;
-          const turn = (last[0] - before[0]) * (point[1] - before[1]) - (last[1] - before[1]) * (point[0] - before[0]);
-          if (turn > 0) break;
-          chain.pop();
-        }
-        chain.push(point);
-      }
-      chain.pop();
-      return chain;
-    };
-    return [...half(sorted), ...half([...sorted].reverse())];
-  }
 
   function build(figure: HTMLElement): void {
     const data = JSON.parse(figure.querySelector('script[type="application/json"]')?.textContent ?? '') as SpaceData;
     const svg = figure.querySelector<SVGSVGElement>('svg.figure');
-    const scene = svg?.querySelector<SVGElement>('.scene');
-    const names = [...(svg?.querySelectorAll<SVGElement>('.names text') ?? [])];
-    const triad = svg?.querySelector<SVGElement>('.triad');
-    const bar = svg?.querySelector<SVGElement>('.scale path');
-    const barText = svg?.querySelector<SVGElement>('.scale text');
-    if (!svg || !scene || !triad) throw new Error('the picture is not whole');
+    if (!svg) throw new Error('the picture is not whole');
+    const scene = window.spaceScene(svg, data);
     const play = figure.querySelector<HTMLButtonElement>('.play');
     const slider = figure.querySelector<HTMLInputElement>('.pose');
     const output = figure.querySelector<HTMLElement>('.angle');
     const views = [...figure.querySelectorAll<HTMLButtonElement>('[data-azimuth]')];
     const { inputs } = data;
     const count = inputs.length;
-    const places = Math.max(0, Math.min(12, 5 - Math.floor(Math.log10(data.radius))));
-    const first = viewAxes(data.azimuth, data.elevation);
-    const [middleX, middleY] = [dot(first[0], data.centre), -dot(first[1], data.centre)];
-    const barPath = bar?.getAttribute('d') ?? '';
-    const barLength = Number(/M[^M]*M[^M]*h([\d.]+)/.exec(barPath)?.[1] ?? 0);
-    const barTextAt = Number(barText?.getAttribute('x') ?? 0);
     let [azimuth, elevation] = [data.azimuth, data.elevation];
     let pose = data.start;
     let isRunning = false;
     let lastTime = 0;
 
-    /** Poses of the bodies at a place between two positions. */
-    function posesAt(): PoseNumbers[] {
-      const index = Math.min(Math.floor(pose), count - 1);
-      const [before, after] = [data.poses[index] ?? [], data.poses[Math.min(index + 1, count - 1)] ?? []];
-      const share = pose - index;
-      return share === 0 ? before : before.map((own, body) => betweenPoses(own, after[body] ?? own, share));
-    }
-
     function draw(): void {
-      const poses = posesAt();
-      const axes = viewAxes(azimuth, elevation);
-      const centre = axes.map((axis) => dot(axis, data.centre));
-      const [centreX = 0, centreY = 0, centreDepth = 0] = centre;
-      // A steep view may be higher than the picture: it is made smaller.
-      const room = data.outer.reduce((least, point) => Math.min(least,
-        data.half[0] / Math.max(Math.abs(dot(axes[0], point) - centreX), 1e-9),
-        data.half[1] / Math.max(Math.abs(dot(axes[1], point) - centreY), 1e-9)), 1);
-      const seen = (point: Point): Point => [
-        middleX + room * (dot(axes[0], point) - centreX), middleY - room * (dot(axes[1], point) - centreY), dot(axes[2], point)];
-      const text = (value: number): string => value.toFixed(places);
-      const path = (points: Flat[], isClosed: boolean): string =>
-        points.map(([x, y], k) => (k ? 'L' : 'M') + text(x) + ' ' + text(y)).join('') + (isClosed ? 'Z' : '');
-      const mean = (points: Point[]): number => points.reduce((sum, point) => sum + point[2], 0) / Math.max(points.length, 1);
-      const step = (depth: number): number => Math.floor(depth / (sameDepth * data.radius) + 0.5);
-      const placed = data.parts.map((part) => {
-        const points = part.points.map((point) => seen(inGround(poses[part.body], point)));
-        return { part, points, depth: mean(points) + part.lift };
-      }).sort((a, b) => step(a.depth) - step(b.depth));
-      scene!.innerHTML = placed.map(({ part, points, depth }) => {
-        const own = (depth - centreDepth) / (depthShare * data.radius);
-        const level = Math.min(levels - 1, Math.max(0, Math.floor(0.5 * (own + 1) * levels)));
-        const named = part.class + ' d' + level;
-        const flat = points.map(([x, y]): Flat => [x, y]);
-        const drawn = (style: string, d: string): string => '<path class="' + style + '" d="' + d + '"></path>';
-        if (part.kind === 'line') {
-          const line = path(flat, false);
-          const role = part.class.split(' ')[0] ?? '';
-          const edge = ['axis', 'hatch', 'trace'].includes(role) ? '' : drawn(role === 'bar' ? 'halo wide' : 'halo', line);
-          return edge + drawn(named, line);
-        }
-        if (part.kind === 'face') return drawn(named, path(flat, true));
-        if (part.kind === 'hull') return drawn(named, path(hull(flat), true));
-        if (part.kind === 'solid') {
-          const isSecond = mean(points.slice(rimPoints)) > mean(points.slice(0, rimPoints));
-          const rim = isSecond ? flat.slice(rimPoints) : flat.slice(0, rimPoints);
-          return drawn(named, path(hull(flat), true)) + drawn(named + ' end', path(rim, true));
-        }
-        return flat.map(([x, y]) => '<circle class="' + named + '" cx="' + text(x) + '" cy="' + text(y) + '" r="'
-          + text(room * (part.radius ?? 0)) + '"></circle>').join('');
-      }).join('');
-      data.names.forEach((name, k) => {
-        const [x, y] = seen(inGround(poses[name.body], name.at));
-        names[k]?.setAttribute('x', (x + name.side[0] * data.font).toFixed(places + 1));
-        names[k]?.setAttribute('y', (y + name.side[1] * data.font).toFixed(places + 1));
-      });
-      drawTriad(axes);
-      bar?.setAttribute('d', barPath.replace(/h[\d.]+/, 'h' + (room * barLength).toFixed(places + 1)));
-      barText?.setAttribute('x', (barTextAt + (room - 1) * barLength).toFixed(places + 1));
+      scene.draw(pose, azimuth, elevation);
       views.forEach((view) => {
         const isShown = Math.abs(Number(view.dataset.azimuth) - azimuth) < 1e-3 && Math.abs(Number(view.dataset.elevation) - elevation) < 1e-3;
         view.setAttribute('aria-pressed', String(isShown));
       });
       const input = inputs[Math.min(Math.round(pose), count - 1)] ?? 0;
-      if (output) output.textContent = data.is_angle ? (((inputAt() % 360) + 360) % 360).toFixed(0) + '°' : readText(input) + ' s';
+      if (output) output.textContent = data.is_angle ? (((scene.inputAt(pose) % 360) + 360) % 360).toFixed(0) + '°' : readText(input) + ' s';
       if (slider) slider.value = String(Math.round(pose));
-    }
-
-    function drawTriad(axes: [Point, Point, Point]): void {
-      const [x, y] = [middleX + data.triad[0], middleY + data.triad[1]];
-      const length = axisLetters * data.font;
-      const letters = ['x', 'y', 'z'].map((letter, k) => ({ letter, right: axes[0][k] ?? 0, down: -(axes[1][k] ?? 0), depth: axes[2][k] ?? 0 }));
-      const at = (value: number): string => value.toFixed(places + 1);
-      triad!.innerHTML = letters.sort((a, b) => a.depth - b.depth).filter(({ right, down }) => Math.hypot(right, down) > 0.1)
-        .map(({ letter, right, down }) => '<path class="' + letter + '" d="M' + at(x) + ' ' + at(y) + 'L' + at(x + length * right) + ' ' + at(y + length * down)
-          + '"></path><text text-anchor="middle" x="' + at(x + 1.32 * length * right) + '" y="'
-          + at(y + 1.32 * length * down + 0.35 * data.font) + '">' + letter + '</text>').join('');
-    }
-
-    /** The input between two positions. */
-    function inputAt(): number {
-      const index = Math.min(Math.floor(pose), count - 1);
-      const [before = 0, after = before] = [inputs[index], inputs[Math.min(index + 1, count - 1)]];
-      return before + (pose - index) * (after - before);
     }
 
     function moved(reason: CursorReason): void {
       draw();
-      if (data.is_angle) pageCursor.set(inputAt(), figure, reason);
+      if (data.is_angle) pageCursor.set(scene.inputAt(pose), figure, reason);
     }
 
     function frame(time: number): void {
@@ -248,7 +70,7 @@
     });
     views.forEach((view) => view.addEventListener('click', () => turnTo(Number(view.dataset.azimuth), Number(view.dataset.elevation))));
 
-    let dragged: Flat | null = null;
+    let dragged: [number, number] | null = null;
     svg.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       dragged = [event.clientX, event.clientY];
@@ -290,12 +112,7 @@
         const sign = last < start ? -1 : 1;
         const isThere = sign * (angleDeg - start) >= 0 && sign * (last - angleDeg) >= 0;
         const inTurn = isThere ? angleDeg : start + sign * ((((angleDeg - start) * sign) % 360) + 360) % 360;
-        const above = inputs.findIndex((input) => sign * (input - inTurn) >= 0);
-        if (above <= 0) pose = above < 0 ? count - 1 : 0;
-        else {
-          const [low = 0, high = 1] = [inputs[above - 1], inputs[above]];
-          pose = above - 1 + (high === low ? 0 : (inTurn - low) / (high - low));
-        }
+        pose = scene.poseAt(inTurn);
         draw();
       });
     }

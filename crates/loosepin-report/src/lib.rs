@@ -43,6 +43,7 @@ pub use bands::draft_band::{DraftBand, draft_bands};
 pub use bands::draft_text::draft_text;
 pub use bands::live_band::{BandPart, LiveBand, LiveLimit, PartKind, live_bands};
 pub use bands::live_path::{LivePath, live_paths};
+pub use bands::live_spatial_band::live_spatial_bands;
 pub use cases_page::{cases_page, cases_text};
 pub use charts::figure::{Figure, figures};
 pub use compare::{
@@ -57,9 +58,10 @@ pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{
     CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_page, motion_text,
-    spatial_motion_page, spatial_motion_picture, spatial_motion_text,
+    spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
+pub use spatial::figure::SpaceDrawing;
 pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
 pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};

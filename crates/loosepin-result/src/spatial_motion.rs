@@ -1,5 +1,6 @@
 //! The motion of a mechanism in space over a turn, and what play does to it, without dynamics. SI.
 
+use crate::motion::DimensionContributor;
 use crate::repeat::Repeat;
 use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
@@ -64,6 +65,19 @@ pub struct SpatialOutputRecord {
     pub standard_deviation_si: Vec<f64>,
     /// The worst position.
     pub worst: SpatialWorstCase,
+    /// What random dimensions of a study do to it.
+    #[serde(default)]
+    pub scatter: SpatialScatter,
+}
+
+/// What random dimensions do to an output over the turn, to first order; of a path the root of the mean square of the displacement. Empty where
+/// none is random.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct SpatialScatter {
+    /// Standard deviation at each position.
+    pub standard_deviation_si: Vec<f64>,
+    /// That of each random quantity alone.
+    pub contributors: Vec<DimensionContributor>,
 }
 
 /// An output in the position in which its worst case of first order is largest.

@@ -1,6 +1,7 @@
 //! `summary.json` of a motion in space: keys as those of a planar motion where they mean the same. SI.
 
 use crate::json::to_json;
+use crate::motion::DimensionContributor;
 use crate::repeat::Repeat;
 use crate::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use crate::spatial_picture::SpatialPicture;
@@ -37,6 +38,10 @@ struct Output<'r> {
     unit: &'r SiUnit,
     value_si: &'r [f64],
     clearance: Clearance<'r>,
+    #[serde(skip_serializing_if = "<[f64]>::is_empty")]
+    dimensional_standard_deviation_si: &'r [f64],
+    #[serde(skip_serializing_if = "<[DimensionContributor]>::is_empty")]
+    dimensional_contributors: &'r [DimensionContributor],
 }
 
 #[derive(Serialize)]
@@ -116,6 +121,8 @@ fn summary_of<'r>(record: &SpatialMotionRecord, output: &'r SpatialOutputRecord)
                 contributors: own.contributors.iter().map(contributor).collect(),
             },
         },
+        dimensional_standard_deviation_si: &output.scatter.standard_deviation_si,
+        dimensional_contributors: &output.scatter.contributors,
     }
 }
 

@@ -25,7 +25,6 @@ pub fn move_in_space(arguments: &MotionArguments, file: &InputFile, model: &Spat
     if let Some((option, _)) = options.into_iter().find(|(_, is_given)| *is_given) {
         return Err(Failure::of(&SpatialMotionProblem::OptionNotInSpace { option }));
     }
-    let values = file.model().spatial_values(&file.with_widest_play(&arguments.set))?;
     let folder = arguments.output.folder.as_ref();
     let names = [MOTION_FILE, REPORT_FILE, PICTURE_FILE, SUMMARY_FILE];
     // Before anything is computed.
@@ -33,7 +32,7 @@ pub fn move_in_space(arguments: &MotionArguments, file: &InputFile, model: &Spat
     if let Some(path) = paths.find(|path| path.symlink_metadata().is_ok()) {
         return Err(Failure::of(&SpatialMotionProblem::Exists { file: path.display().to_string() }));
     }
-    let record = model.motion_record(&values)?;
+    let record = file.motion_in_space(model, &arguments.set)?;
     console::print(&spatial_motion_text(&record))?;
     let Some(folder) = folder else { return Ok(Done::Well) };
     write_motion(&record, folder)?;

@@ -7,15 +7,18 @@
 use maud::html;
 use serde::Serialize;
 
-use crate::charts::chart::{Entry, EntryValues, Role, scaled};
+use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
-use crate::motion::{angle_chart, largest, moved_words, turn_angle};
+use crate::motion::{angle_chart, moved_words, turn_angle};
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::words::wording::named_words;
-use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{DimensionContributor, MotionRecord, OutputMotion};
+use loosepin_text::units::SiUnit;
 
 /// Standard deviations on either side of the middle.
 const DEVIATIONS: f64 = 2.0;
+/// Height of the chart, in units of the picture.
+const HEIGHT: u32 = 200;
 
 /// The band of one output.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -82,11 +85,11 @@ pub fn live_bands(record: &MotionRecord, limits: &[LiveLimit]) -> Vec<LiveBand> 
     record.outputs.iter().filter_map(|output| band(record, output, &limits_of(output), &writer)).collect()
 }
 
-/// Whether a band stays within a limit, with half widths of the outer and the inner one.
-fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> String {
+/// Whether a band stays within a limit, with half widths of the outer band and of the inner one where it has one.
+fn kept_words(outer_si: f64, inner_si: Option<f64>, limit_si: f64, limit: &str) -> String {
     if outer_si <= limit_si {
         format!("Without dynamics the band stays within ±{limit}.")
-    } else if inner_si <= limit_si {
+    } else if inner_si.is_some_and(|inner_si| inner_si <= limit_si) {
         format!(
             "Without dynamics ±2 standard deviations stay within ±{limit}, but the largest first-order effect of play does not."
         )
@@ -95,111 +98,183 @@ fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> Str
     }
 }
 
-/// Half widths of the outer and the inner band at each position, SI.
-fn half_widths_si(output: &OutputMotion) -> [Vec<f64>; 2] {
-    let at = |list: &[f64], position: usize| list.get(position).copied().unwrap_or(0.0);
-    let positions = output.clearance.first_order_si.len();
-    let both = |position: usize| {
-        let dimensions_si = at(&output.dimensional_standard_deviation_si, position);
-        let worst_si = at(&output.clearance.first_order_si, position);
-        let anywhere_si = at(&output.clearance.disc_standard_deviation_si, position);
-        [worst_si + DEVIATIONS * dimensions_si, DEVIATIONS * anywhere_si.hypot(dimensions_si)]
-    };
-    [0, 1].map(|which| (0..positions).map(|position| both(position)[which]).collect())
+/// An output whose band is drawn.
+pub(super) struct BandSource<'r> {
+    pub name: &'r str,
+    /// Its description with its name.
+    pub words: String,
+    /// What moves, in the sentence on the largest value.
+    pub moved: String,
+    pub unit: &'r SiUnit,
+    /// w, s_p and s_d at each position; s_p and s_d are empty where they are not known, or nothing scatters.
+    pub first_order_si: &'r [f64],
+    pub play_deviation_si: &'r [f64],
+    pub scatter_si: &'r [f64],
+}
+
+impl BandSource<'_> {
+    /// Half widths of the outer and the inner band at each position, SI.
+    pub fn half_widths_si(&self) -> [Vec<f64>; 2] {
+        let at = |list: &[f64], position: usize| list.get(position).copied().unwrap_or(0.0);
+        let both = |position: usize| {
+            let dimensions_si = at(self.scatter_si, position);
+            let (worst_si, anywhere_si) = (at(self.first_order_si, position), at(self.play_deviation_si, position));
+            [worst_si + DEVIATIONS * dimensions_si, DEVIATIONS * anywhere_si.hypot(dimensions_si)]
+        };
+        [0, 1].map(|which| (0..self.first_order_si.len()).map(|position| both(position)[which]).collect())
+    }
+
+    /// The position at which the outer band is widest, and half its width there, SI; `None` where it has none.
+    pub fn largest_si(&self) -> Option<(usize, f64)> {
+        let [outer_si, _] = self.half_widths_si();
+        let largest = outer_si.into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        largest.filter(|(_, value_si)| *value_si > 0.0)
+    }
+
+    /// The band on a chart that has its horizontal axis; `at` is the place of the largest value in words, and `in_order` puts values in the order
+    /// of the chart.
+    pub fn band(
+        &self,
+        mut chart: Chart,
+        at: &str,
+        in_order: &dyn Fn(&[f64]) -> Vec<f64>,
+        (limits_si, parts): (&[f64], Vec<Part>),
+        writer: &NumberWriter,
+    ) -> Option<LiveBand> {
+        let (_, largest_si) = self.largest_si()?;
+        let [outer_si, inner_si] = self.half_widths_si();
+        let has = |values_si: &[f64]| values_si.iter().any(|value| *value != 0.0);
+        let (has_play, has_parts) = (has(self.first_order_si), has(self.scatter_si));
+        let outer = match has_parts {
+            true => "largest first-order effect of play, and parts at ±2 standard deviations",
+            false => "largest first-order effect of play",
+        };
+        let inner = match (has(self.play_deviation_si), has_parts) {
+            (true, true) => Some("±2 standard deviations of play and parts"),
+            (true, false) => Some("±2 standard deviations of play"),
+            (false, true) => Some("±2 standard deviations of the parts"),
+            (false, false) => None,
+        };
+        chart.set_vertical_axis(format!("deviation of {}", self.name), self.unit, writer);
+        chart.height = HEIGHT;
+        let mut add = |label: &str, role, half_si: &[f64]| {
+            let upper = scaled(&in_order(half_si), self.unit, writer);
+            let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+            chart.entries.push(Entry::new(label, role, false, EntryValues::band(&lower, &upper)));
+        };
+        if has_play {
+            add(outer, Role::Mixed, &outer_si);
+        }
+        if let Some(inner) = inner {
+            add(inner, Role::Random, &inner_si);
+        }
+        let mut kept = Vec::new();
+        let most = |half_si: &[f64]| half_si.iter().fold(0.0_f64, |most, value| most.max(*value));
+        for limit_si in limits_si {
+            let limit = writer.value_trimmed(*limit_si, self.unit);
+            let inner_si = inner.map(|_| most(&inner_si));
+            kept.push(kept_words(most(&outer_si), inner_si, *limit_si, &limit));
+            let [upper, lower] =
+                [*limit_si, -limit_si].map(|value| vec![writer.scaled(value, self.unit); outer_si.len()]);
+            chart.entries.push(Entry::new(
+                format!("limit ±{limit}"),
+                Role::Limit,
+                true,
+                EntryValues::pair(&lower, &upper),
+            ));
+        }
+        let largest = format!(
+            "{} by up to ±{}, at {at}",
+            self.moved,
+            writer.rounded(largest_si, self.unit, PLAIN_DIGITS, Rounding::Up),
+        );
+        chart.alternative =
+            format!("Chart of the band of {} over one cycle, without dynamics: {largest}.", self.words);
+        chart.caption = html! {};
+        Some(LiveBand {
+            output: self.name.to_owned(),
+            words: self.words.clone(),
+            largest,
+            figure: chart.document(),
+            largest_value: writer.scaled(largest_si, self.unit),
+            unit: writer.symbol(self.unit),
+            si_per_unit: 1.0 / writer.scaled(1.0, self.unit),
+            kept,
+            parts: shares(parts, self.unit, writer),
+        })
+    }
+}
+
+fn source(output: &OutputMotion) -> BandSource<'_> {
+    BandSource {
+        name: &output.name,
+        words: named_words(&output.name, &output.words),
+        moved: moved_words(output),
+        unit: &output.unit,
+        first_order_si: &output.clearance.first_order_si,
+        play_deviation_si: &output.clearance.disc_standard_deviation_si,
+        scatter_si: &output.dimensional_standard_deviation_si,
+    }
 }
 
 fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer: &NumberWriter) -> Option<LiveBand> {
-    let [outer_si, inner_si] = half_widths_si(output);
-    let (angle_rad, largest_si) = largest(record, &outer_si);
-    if !(largest_si > 0.0) {
-        return None;
-    }
-    let has_play = output.clearance.first_order_si.iter().any(|value| *value != 0.0);
-    let has_parts = output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0);
-    let [outer, inner] = match (has_play, has_parts) {
-        (true, true) => [
-            "largest first-order effect of play, and parts at ±2 standard deviations",
-            "±2 standard deviations of play and parts",
-        ],
-        (true, false) => ["largest first-order effect of play", "±2 standard deviations of play"],
-        _ => ["", "±2 standard deviations of the parts"],
-    };
-    let mut chart = angle_chart(record, name_of("band", &output.name), writer);
-    chart.set_vertical_axis(format!("deviation of {}", output.name), &output.unit, writer);
-    chart.height = 200;
-    let mut add = |label: &str, role, half_si: &[f64]| {
-        let upper = scaled(half_si, &output.unit, writer);
-        let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
-        chart.entries.push(Entry::new(label, role, false, EntryValues::band(&lower, &upper)));
-    };
-    if has_play {
-        add(outer, Role::Mixed, &outer_si);
-    }
-    add(inner, Role::Random, &inner_si);
-    let mut kept = Vec::new();
-    let most = |half_si: &[f64]| half_si.iter().fold(0.0_f64, |most, value| most.max(*value));
-    for limit_si in limits_si {
-        let limit = writer.value_trimmed(*limit_si, &output.unit);
-        kept.push(kept_words([most(&outer_si), most(&inner_si)], *limit_si, &limit));
-        let [upper, lower] =
-            [*limit_si, -limit_si].map(|value| vec![writer.scaled(value, &output.unit); outer_si.len()]);
-        chart.entries.push(Entry::new(format!("limit ±{limit}"), Role::Limit, true, EntryValues::pair(&lower, &upper)));
-    }
-    let words = named_words(&output.name, &output.words);
-    let largest = format!(
-        "{} by up to ±{}, at {}",
-        moved_words(output),
-        writer.rounded(largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-        turn_angle(record, angle_rad, 3, writer)
-    );
-    chart.alternative = format!("Chart of the band of {words} over one cycle, without dynamics: {largest}.");
-    chart.caption = html! {};
-    let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
-    Some(LiveBand {
-        output: output.name.clone(),
-        words,
-        largest,
-        figure: chart.document(),
-        largest_value: writer.scaled(largest_si, &output.unit),
-        unit: writer.symbol(&output.unit),
-        si_per_unit: 1.0 / writer.scaled(1.0, &output.unit),
-        kept,
-        parts: parts(output, pose, writer),
-    })
+    let source = source(output);
+    let (position, _) = source.largest_si()?;
+    let angle_rad = record.drive_angle_rad.get(position).copied().unwrap_or(f64::NAN);
+    let at = turn_angle(record, angle_rad, 3, writer);
+    let chart = angle_chart(record, name_of("band", &output.name), writer);
+    source.band(chart, &at, &<[f64]>::to_vec, (limits_si, parts(output, position)), writer)
 }
 
-/// Parts of the outer band at a position. Dimensions share theirs as their variances do.
-fn parts(output: &OutputMotion, position: usize, writer: &NumberWriter) -> Vec<BandPart> {
+/// Name, source and half width, SI, of a part of an outer band.
+pub(super) type Part = (String, PartKind, f64);
+
+/// Parts of the outer band at a position.
+fn parts(output: &OutputMotion, position: usize) -> Vec<Part> {
     let at = |list: &[f64]| list.get(position).copied().unwrap_or(0.0);
     let plays = output
         .clearance
         .contributors
         .iter()
         .map(|joint| (joint.joint.clone(), PartKind::Play, at(&joint.first_order_si)));
-    let dimensions = &output.dimensional_contributors;
-    let variances: f64 = dimensions.iter().map(|dimension| at(&dimension.standard_deviation_si).powi(2)).sum();
-    let all_si = DEVIATIONS * at(&output.dimensional_standard_deviation_si);
-    let shares = dimensions.iter().map(|dimension| {
-        let share = if variances > 0.0 { at(&dimension.standard_deviation_si).powi(2) / variances } else { 0.0 };
-        (dimension.path.clone(), PartKind::Part, share * all_si)
-    });
-    let mut parts: Vec<(String, PartKind, f64)> = plays.chain(shares).filter(|part| part.2 > 0.0).collect();
+    let all_si = at(&output.dimensional_standard_deviation_si);
+    plays.chain(dimension_parts(&output.dimensional_contributors, all_si, position)).collect()
+}
+
+/// Parts of what scatters, with its standard deviation at a position. Dimensions share it as their variances do.
+pub(super) fn dimension_parts(
+    dimensions: &[DimensionContributor],
+    deviation_si: f64,
+    position: usize,
+) -> impl Iterator<Item = Part> {
+    let variance = move |dimension: &DimensionContributor| {
+        dimension.standard_deviation_si.get(position).copied().unwrap_or(0.0).powi(2)
+    };
+    let variances: f64 = dimensions.iter().map(variance).sum();
+    dimensions.iter().map(move |dimension| {
+        let share = if variances > 0.0 { variance(dimension) / variances } else { 0.0 };
+        (dimension.path.clone(), PartKind::Part, share * DEVIATIONS * deviation_si)
+    })
+}
+
+/// The parts, the largest first, with their shares.
+fn shares(parts: Vec<Part>, unit: &SiUnit, writer: &NumberWriter) -> Vec<BandPart> {
+    let mut parts: Vec<Part> = parts.into_iter().filter(|part| part.2 > 0.0).collect();
     parts.sort_by(|a, b| b.2.total_cmp(&a.2));
     let whole_si: f64 = parts.iter().map(|part| part.2).sum();
-    let told = |(name, kind, part_si): (String, PartKind, f64)| BandPart {
+    let shared = |(name, kind, part_si): Part| BandPart {
         name,
         kind,
         share: part_si / whole_si,
-        words: format!("±{}", writer.rounded(part_si, &output.unit, PLAIN_DIGITS, Rounding::Nearest)),
+        words: format!("±{}", writer.rounded(part_si, unit, PLAIN_DIGITS, Rounding::Nearest)),
     };
-    parts.into_iter().map(told).collect()
+    parts.into_iter().map(shared).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor};
-    use loosepin_text::units::SiUnit;
+    use loosepin_result::motion::{ClearanceAnswer, JointContributor};
 
     /// Two joints and two dimensions at one position: effects of 3 and 4 µm, standard deviations 1 and 2 µm.
     fn output() -> OutputMotion {
@@ -236,7 +311,7 @@ mod tests {
 
     #[test]
     fn analytic_the_inner_band_lies_in_the_outer_one() {
-        let [outer_si, inner_si] = half_widths_si(&output());
+        let [outer_si, inner_si] = source(&output()).half_widths_si();
         assert!((outer_si[0] - (7e-6 + 2.0 * 5f64.sqrt() * 1e-6)).abs() < 1e-18);
         assert!((inner_si[0] - 2.0 * (2.5f64.powi(2) + 5.0).sqrt() * 1e-6).abs() < 1e-18);
         assert!(inner_si[0] < outer_si[0]);
@@ -244,7 +319,7 @@ mod tests {
 
     #[test]
     fn a_limit_between_both_bands_is_kept_by_the_inner_one_alone() {
-        let words = |limit_si: f64| kept_words([7.0, 5.0], limit_si, "x");
+        let words = |limit_si: f64| kept_words(7.0, Some(5.0), limit_si, "x");
         assert_eq!(words(7.0), "Without dynamics the band stays within ±x.");
         assert!(words(6.0).contains("first-order effect of play does not"));
         assert_eq!(words(4.9), "Without dynamics the band goes beyond ±x.");
@@ -254,7 +329,7 @@ mod tests {
     fn analytic_parts_make_the_whole_band() {
         let units = loosepin_text::units::DisplayUnits::default();
         let writer = NumberWriter::for_page(&units);
-        let parts = parts(&output(), 0, &writer);
+        let parts = shares(parts(&output(), 0), &SiUnit::LENGTH, &writer);
         let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
         assert_eq!(names, ["gudgeon", "parameter.crank", "crank_pin", "parameter.rod"]);
         assert!((parts.iter().map(|part| part.share).sum::<f64>() - 1.0).abs() < 1e-15);

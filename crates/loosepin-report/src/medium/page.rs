@@ -15,7 +15,7 @@ const STYLE: &str = include_str!("../../assets/report.css");
 const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
 const SHARED_SCRIPTS: [&str; 2] = [include_str!("../../assets/ticks.js"), include_str!("../../assets/cursor.js")];
-const FIGURE_SCRIPTS: [&str; 9] = [
+const FIGURE_SCRIPTS: [&str; 10] = [
     // Closes sections before any figure asks for its room.
     include_str!("../../assets/fold.js"),
     // Takes the figures as they are before the next ones make them live.
@@ -26,6 +26,7 @@ const FIGURE_SCRIPTS: [&str; 9] = [
     // Hides figures: those before it have been drawn.
     include_str!("../../assets/chooser.js"),
     include_str!("../../assets/mechanism.js"),
+    include_str!("../../assets/space-scene.js"),
     include_str!("../../assets/space.js"),
     include_str!("../../assets/what-if.js"),
 ];

@@ -31,9 +31,11 @@ pub(crate) mod spatial;
 mod text;
 mod verdicts;
 
-pub(crate) use angles::{angle_chart, largest, turn_angle};
+pub(crate) use angles::{angle_chart, turn_angle};
 pub(crate) use answer::{headline_sentences, moved_words};
 pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
 pub use page::motion_page;
-pub use spatial::{spatial_motion_page, spatial_motion_picture, spatial_motion_text};
+pub use spatial::{
+    spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
+};
 pub use text::motion_text;

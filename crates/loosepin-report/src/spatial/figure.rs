@@ -142,21 +142,32 @@ fn pose_data(pose: &PicturePose) -> [f64; 7] {
     [x, y, z, w, a, b, c]
 }
 
-/// The picture with its controls, at first in the position `sample`; nothing where the record has none.
-pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Markup {
-    let Some(prepared) = prepared(record, sample) else { return html! {} };
+/// A drawing of a mechanism in space for a page that turns and moves it by itself.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SpaceDrawing {
+    /// The first view, as an SVG document that takes its style from the page.
+    pub svg: String,
+    /// What `scripts/space-scene.ts` draws it from, as JSON.
+    pub scene: String,
+}
+
+/// The drawing, at first in the position `sample`; `None` where the record has none.
+pub(crate) fn space_drawing(record: &SpatialMotionRecord, sample: usize) -> Option<SpaceDrawing> {
+    let prepared = prepared(record, sample)?;
+    let scene = serde_json::to_string(&data(record, &prepared)).ok()?;
+    Some(SpaceDrawing { svg: prepared.picture.document(&[]), scene })
+}
+
+fn data<'p>(record: &SpatialMotionRecord, prepared: &'p Prepared) -> Data<'p> {
     let is_angle = record.input_unit == SiUnit::ANGLE;
     let shown = |sample: &usize| {
         let input = record.inputs_si.get(*sample).copied().unwrap_or_default();
         round(if is_angle { input.to_degrees() } else { input })
     };
-    let inputs: Vec<f64> = prepared.samples.iter().map(shown).collect();
-    let at = inputs.get(prepared.start).copied().unwrap_or_default();
-    let at = if is_angle { format!("{:.0}°", at.rem_euclid(360.0)) } else { format!("{at:.4} s") };
     let poses = prepared.samples.iter().filter_map(|sample| record.picture.poses.get(*sample));
     let view = Projection::ISOMETRIC;
-    let data = Data {
-        inputs,
+    Data {
+        inputs: prepared.samples.iter().map(shown).collect(),
         is_angle,
         start: prepared.start,
         azimuth: view.azimuth_rad.to_degrees(),
@@ -170,7 +181,16 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Mar
         parts: &prepared.parts,
         names: &prepared.names,
         poses: poses.map(|poses| poses.iter().map(pose_data).collect()).collect(),
-    };
+    }
+}
+
+/// The picture with its controls, at first in the position `sample`; nothing where the record has none.
+pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Markup {
+    let Some(prepared) = prepared(record, sample) else { return html! {} };
+    let data = data(record, &prepared);
+    let is_angle = data.is_angle;
+    let at = data.inputs.get(prepared.start).copied().unwrap_or_default();
+    let at = if is_angle { format!("{:.0}°", at.rem_euclid(360.0)) } else { format!("{at:.4} s") };
     html! {
         figure.space id=(NAME) data-space=(NAME) data-figure=(NAME) {
             (prepared.picture.svg())

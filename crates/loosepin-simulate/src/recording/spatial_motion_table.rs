@@ -17,6 +17,7 @@ pub fn spatial_motion_csv(record: &SpatialMotionRecord) -> String {
             ("", &output.ideal_si),
             ("_first_order_worst_case", &output.first_order_si),
             ("_standard_deviation", &output.standard_deviation_si),
+            ("_scatter_standard_deviation", &output.scatter.standard_deviation_si),
         ] {
             if values_si.len() == record.inputs_si.len() {
                 add(&output.name, what, output.unit.symbol(), values_si);

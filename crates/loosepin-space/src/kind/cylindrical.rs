@@ -27,6 +27,9 @@ impl KindOfJoint for Cylindrical {
     fn slides(&self) -> bool {
         true
     }
+    fn play_keys(&self) -> &'static [&'static str] {
+        &["radial_clearance", "bearing_length"]
+    }
     fn sign(&self) -> JointSign {
         JointSign::Sleeve
     }

@@ -13,6 +13,10 @@ pub trait KindOfJoint {
     fn turns(&self) -> bool;
     /// Whether the place z_i·d along z is a coordinate of it.
     fn slides(&self) -> bool;
+    /// Keys of a model file that give it play; none where it has none.
+    fn play_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// What is drawn of it.
     fn sign(&self) -> JointSign;
 }

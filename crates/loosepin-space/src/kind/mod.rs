@@ -48,6 +48,9 @@ macro_rules! spatial_kinds {
             fn slides(&self) -> bool {
                 match self { $(Self::$kind(kind) => kind.slides(),)* }
             }
+            fn play_keys(&self) -> &'static [&'static str] {
+                match self { $(Self::$kind(kind) => kind.play_keys(),)* }
+            }
             fn sign(&self) -> JointSign {
                 match self { $(Self::$kind(kind) => kind.sign(),)* }
             }

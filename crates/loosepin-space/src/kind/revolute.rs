@@ -22,6 +22,9 @@ impl KindOfJoint for Revolute {
     fn slides(&self) -> bool {
         false
     }
+    fn play_keys(&self) -> &'static [&'static str] {
+        &["radial_clearance", "bearing_length", "axial_clearance"]
+    }
     fn sign(&self) -> JointSign {
         JointSign::Pin
     }

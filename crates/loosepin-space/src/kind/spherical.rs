@@ -21,6 +21,9 @@ impl KindOfJoint for Spherical {
     fn slides(&self) -> bool {
         false
     }
+    fn play_keys(&self) -> &'static [&'static str] {
+        &["radial_clearance"]
+    }
     fn sign(&self) -> JointSign {
         JointSign::Ball
     }

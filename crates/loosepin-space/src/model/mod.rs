@@ -9,6 +9,7 @@
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | what random dimensions do to it | `scatter.rs` |
 //! | whether its parts fit | `fit.rs` |
 //! | what is drawn of it | `drawn.rs` |
 //! | what is wrong with it | `problem.rs` |
@@ -29,6 +30,7 @@ mod placing;
 mod problem;
 mod read;
 mod reader;
+mod scatter;
 
 pub use body::is_inertia;
 pub use compile::CycleInput;
@@ -40,3 +42,4 @@ pub use parts::{
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};
+pub use scatter::SpatialScatterPlan;

@@ -1,18 +1,21 @@
 //! A model over its turn: ideal motion, worst cases, and who contributes, as a record.
 
+use super::compile::CycleInput;
 use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
 use crate::closure::cycle;
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
+use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
 use loosepin_result::repeat::{InputRole, Repeat};
-use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
+use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase};
+use loosepin_result::spatial_picture::SpatialPicture;
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::Values;
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -50,17 +53,42 @@ impl SpatialModel {
                 course.worst_case(&mechanism, &positions).map_err(|error| self.no_answer(&output.name, at, error))?;
             self.output_record(output, course, worst, &states)
         });
-        Ok(SpatialMotionRecord {
+        let outputs = outputs.collect::<Result<_, _>>()?;
+        Ok(self.record(&mechanism, &input, inputs_si, (outputs, picture)))
+    }
+
+    /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them.
+    ///
+    /// # Errors
+    /// As for [`SpatialModel::motion_record`], but for answers.
+    pub fn drawn_motion(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
+        let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
+        let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
+        let positions = self.positions(&mechanism, values)?;
+        let poses: Vec<Vec<Pose>> = positions.iter().map(|position| position.poses.clone()).collect();
+        let picture = self.picture(&mechanism, values, &positions, &poses, &[]);
+        let inputs_si = positions.iter().map(|position| input.at(position.input)).collect();
+        Ok(self.record(&mechanism, &input, inputs_si, (Vec::new(), picture)))
+    }
+
+    fn record(
+        &self,
+        mechanism: &SpatialMechanism,
+        input: &CycleInput,
+        inputs_si: Vec<f64>,
+        (outputs, picture): (Vec<SpatialOutputRecord>, SpatialPicture),
+    ) -> SpatialMotionRecord {
+        SpatialMotionRecord {
             model: self.name.clone(),
             input: input.drive.clone().unwrap_or_else(|| "time".to_owned()),
             repeat: Repeat::new("motion", &[], [(InputRole::Model, &**self.source())]),
             drive_speed_rad_s: input.drive.as_ref().map(|_| input.rate),
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
             has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
-            outputs: outputs.collect::<Result<_, _>>()?,
+            outputs,
             inputs_si,
             picture,
-        })
+        }
     }
 
     /// The positions of the turn.
@@ -109,6 +137,7 @@ impl SpatialModel {
             },
             first_order_si: course.first_order_si,
             worst,
+            scatter: SpatialScatter::default(),
         })
     }
 
@@ -136,6 +165,11 @@ impl SpatialModel {
             ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
         }
     }
+}
+
+/// Whether an output is a displacement, which is no number.
+pub(super) fn is_path(output: &ModelOutput) -> bool {
+    matches!(output.kind, ModelOutputKind::Path { .. })
 }
 
 /// Fewest steps of a turn for the angle of a body: a whole turn in one step would look like none.

@@ -104,6 +104,11 @@ impl ModelJointForm {
         self.with_pitch(|_| 1.0).word()
     }
 
+    /// Keys of a file that give a joint of this kind play; none where it has none.
+    pub fn play_keys(&self) -> &'static [&'static str] {
+        self.with_pitch(|_| 1.0).play_keys()
+    }
+
     /// The kind, with the pitch of a screw.
     pub(super) fn with_pitch(&self, pitch_m: impl Fn(QuantityId) -> f64) -> SpatialKind {
         match self {
@@ -162,6 +167,14 @@ pub enum ModelPlay {
 }
 
 impl ModelPlay {
+    /// The length of the bearing; `None` of a ball.
+    pub fn bearing_length_m(&self) -> Option<QuantityId> {
+        match *self {
+            Self::Pin { bearing_length_m, .. } | Self::Shaft { bearing_length_m, .. } => Some(bearing_length_m),
+            Self::Ball { .. } => None,
+        }
+    }
+
     /// The radial clearance, and that along the axis.
     pub fn clearances_m(&self) -> [Option<QuantityId>; 2] {
         match *self {

@@ -89,6 +89,8 @@ problems! {
         } => Code::SingularPosition,
             says("{subject} at {at}: {why}"),
             hint("`loosepin check` says which freedoms are left without a drive");
+        NoScatter { what: String, why: String } => Code::CannotClose,
+            says("what scatters has no answer without dynamics, at {what}: {why}");
         /// The sum of turns from position to position does not tell which way round a large one went.
         CoarseTurn { output: String } => Code::BreaksRule,
             says("{output}: from one position to the next, a body may turn by a quarter of a turn at most, and a turn has at least 8 positions"),

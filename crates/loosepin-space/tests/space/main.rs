@@ -16,5 +16,6 @@ mod random_mechanisms;
 mod refusals;
 mod sampled_play;
 mod sampling;
+mod scatter;
 mod searches;
 mod stops;

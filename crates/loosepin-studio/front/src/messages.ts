@@ -240,8 +240,10 @@ export interface TemplateCard {
   title: string;
   /** What is to be seen in it. */
   words: string;
-  /** The mechanism, moving. */
+  /** The mechanism, moving; `None` of one in space. */
   drawing: MovingDrawing | null;
+  /** The mechanism in space, moving. */
+  space: SpaceDrawing | null;
 }
 
 /** A drawing of a mechanism for a page that moves it by itself. */
@@ -293,10 +295,20 @@ export interface BodyMotion {
 
 /** A model or study of the folder as the page shows it. */
 export interface OwnCard {
-  /** The mechanism, moving; `None` if the model cannot be read. */
+  /** The mechanism, moving; `None` of one in space, or if the model cannot be read. */
   drawing: MovingDrawing | null;
+  /** The mechanism in space, moving. */
+  space: SpaceDrawing | null;
   /** The first error in the texts. */
   error: string | null;
+}
+
+/** A drawing of a mechanism in space for a page that turns and moves it by itself. */
+export interface SpaceDrawing {
+  /** The first view, as an SVG document that takes its style from the page. */
+  svg: string;
+  /** What `scripts/space-scene.ts` draws it from, as JSON. */
+  scene: string;
 }
 
 /** A model or a study. */
@@ -743,8 +755,10 @@ export interface View {
   incomplete: string | null;
   /** Quasi-static effects of play and scatter, in sentences. */
   sentences: string[];
-  /** The mechanism, moving. */
+  /** The mechanism, moving; `None` of one in space. */
   drawing: MovingDrawing | null;
+  /** The mechanism in space, moving. */
+  space: SpaceDrawing | null;
   /** The band of each output that has one. */
   bands: LiveBand[];
   /** The paths of output points and of traced points, with their zones. */
@@ -960,6 +974,8 @@ export interface JointView {
   kind: string;
   /** Its play, where it has any. */
   play: string | null;
+  /** Whether it can have play. */
+  takes_play: boolean;
   /** Its centre, where it is a pin that can be dragged. */
   pin: PinView | null;
   /** The points that it joins: `rod.small_end`, `slider.pin`. */

@@ -18,6 +18,7 @@ export const words = {
   studio: 'loosepin studio',
   fileName: (which: Document): string => which + '.toml',
   percent: (share: number): string => whole.format(share * 100) + ' %',
+  input: (value: number, isAngle: boolean): string => (isAngle ? words.degrees(value) : `${Number(value.toPrecision(3))} s`),
   degrees: (angle: number): string => whole.format(((Math.round(angle) % 360) + 360) % 360) + '°',
 
   ago(atMs: number, now: number): string {
@@ -176,8 +177,20 @@ export const words = {
     play: 'Play',
     pause: 'Pause',
     angle: 'Drive angle',
-    back: 'Turn back by 1 degree',
-    forth: 'Turn forward by 1 degree',
+    time: 'Time',
+    step: (steps: number, isAngle: boolean): string => (steps < 0 ? '−' : '+') + (isAngle ? '1°' : '1 %'),
+    back: (isAngle: boolean): string => (isAngle ? 'Turn back by 1 degree' : 'Go back by a hundredth of the time'),
+    forth: (isAngle: boolean): string => (isAngle ? 'Turn forward by 1 degree' : 'Go forward by a hundredth of the time'),
+  },
+
+  space: {
+    canvas: 'Mechanism in space. Arrow keys turn it, Home shows it as at first, plus and minus zoom, 0 fits.',
+    hint: 'Drag to turn · Shift + drag to move · click a name to select its joint · links and joints are changed in the text',
+    sides: 'View',
+    isometric: 'Isometric',
+    front: 'Front',
+    side: 'Side',
+    top: 'Top',
   },
 
   canvas: {

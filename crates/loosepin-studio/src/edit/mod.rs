@@ -10,6 +10,7 @@
 //! | the position of the new mechanism that a drag leaves on the screen; the closure of its loops | `nearest.rs`, `closure.rs` |
 //! | how well a number is known, as people write it | `uncertainty_spec.rs` |
 //! | the same in the texts: play, scatter, what is unknown | `set_uncertainty.rs` |
+//! | play of a joint that has none yet | `new_play.rs` |
 //! | links, joints and bodies that come, go, and get other names | `structure` |
 //! | how a text is changed, all else byte for byte | `toml` |
 
@@ -18,6 +19,7 @@ mod closure;
 mod grip;
 mod guide;
 mod nearest;
+mod new_play;
 mod reshape;
 mod set_uncertainty;
 mod structure;

@@ -9,10 +9,11 @@ use std::sync::Arc;
 
 use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::document::describe_path;
-use loosepin::model::{Model, Origin};
-use loosepin::study::{InputFile, Study, number_and_unit};
+use loosepin::model::Origin;
+use loosepin::study::{InputFile, Study, StudyModel, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
+use super::new_play::{PLAY, can_have_play, give_play};
 use super::toml::change::changes;
 use super::toml::lines::{EditedText, owned};
 use super::uncertainty_spec::{UncertaintySpec, WrittenQuantity, piece, uncertainty_spec};
@@ -20,7 +21,7 @@ use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
-use crate::view::texts::Texts;
+use crate::view::texts::{Texts, unreadable};
 
 const RANDOM: &str = "random";
 const EPISTEMIC: &str = "epistemic";
@@ -28,12 +29,6 @@ const EPISTEMIC: &str = "epistemic";
 const ROUND: f64 = 1e12;
 /// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
-const PLAY: &str = "radial_clearance";
-/// Radius of a bearing without a stated one, if no other joint has one.
-const FIRST_RADIUS: &str = "8 mm";
-/// Name and numbers of a contact that nobody has described.
-const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\n\
-    youngs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndensity = \"7800 kg/m^3\"\n";
 
 /// The changes that say how well the number at `path` is known, as people write it. They are not given where the texts could not be
 /// read with them, or would say anything else.
@@ -58,10 +53,10 @@ pub fn known_texts(
     path: &str,
     text: &str,
 ) -> Result<(Option<String>, Option<String>), Refusal> {
-    let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
-    let number = match model.quantities.id(path) {
+    let model = StudyModel::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
+    let number = match model.quantities().id(path) {
         // A clearance of zero, without a contact, is no play yet.
-        Some(id) if model.quantities[id].origin != Origin::Fixed => Number::of(&model, path)?,
+        Some(id) if model.quantities()[id].origin != Origin::Fixed => Number::of(&model, path)?,
         _ => Number::of_new_play(&model, path)?,
     };
     let known = uncertainty_spec(text, number.dimension, &number.unit)?;
@@ -117,8 +112,8 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     let after = new.read().map_err(refused)?;
     let before = old.read().map_err(|_| unreadable("study"))?;
     // Reading alone does not look at the mechanism as a whole: a driven joint can have no play.
-    if before.ideal_motion(POSITIONS, &[]).is_ok() {
-        after.ideal_motion(POSITIONS, &[]).map_err(refused)?;
+    if moves(&before).is_ok() {
+        moves(&after).map_err(refused)?;
     }
     let (InputFile::Study(before), InputFile::Study(after)) = (before, after) else { return Ok(()) };
     let paths = |study: &Study, table: &str| -> BTreeSet<String> {
@@ -141,6 +136,14 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     Ok(())
 }
 
+/// Whether a mechanism moves.
+fn moves(file: &InputFile) -> Result<(), Diagnostics> {
+    match file.model().spatial() {
+        Some(model) => model.drawn_motion(&model.quantities.nominal()).map(|_| ()),
+        None => file.ideal_motion(POSITIONS, &[]).map(|_| ()),
+    }
+}
+
 /// Location of a number of the model.
 enum NumberLocation {
     /// Bytes of the model, with quotes.
@@ -159,12 +162,13 @@ struct Number {
 }
 
 impl Number {
-    fn of(model: &Model, path: &str) -> Result<Self, Refusal> {
-        let quantity = model.quantities.id(path).map(|id| &model.quantities[id]).ok_or_else(|| missing(path))?;
+    fn of(model: &StudyModel, path: &str) -> Result<Self, Refusal> {
+        let quantities = model.quantities();
+        let quantity = quantities.id(path).map(|id| &quantities[id]).ok_or_else(|| missing(path))?;
         let span = match (&quantity.origin, quantity.span) {
             (Origin::Literal, Some(span)) => span,
             (Origin::Expression { depends_on }, _) => {
-                let by: Vec<&str> = depends_on.iter().map(|id| model.quantities[*id].path.as_str()).collect();
+                let by: Vec<&str> = depends_on.iter().map(|id| quantities[*id].path.as_str()).collect();
                 return Err(Refusal::bad(format!("{} follows from {}", describe_path(path), by.join(", ")))
                     .with_hint("set these instead"));
             }
@@ -186,12 +190,9 @@ impl Number {
         })
     }
 
-    fn of_new_play(model: &Model, path: &str) -> Result<Self, Refusal> {
+    fn of_new_play(model: &StudyModel, path: &str) -> Result<Self, Refusal> {
         let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix(&format!(".{PLAY}")));
-        let joint = joint.filter(|name| {
-            let found = model.joints.iter().find(|joint| joint.name == *name);
-            found.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none())
-        });
+        let joint = joint.filter(|name| can_have_play(model, name));
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
         Ok(Self {
             place: NumberLocation::NewPlay(name),
@@ -209,7 +210,7 @@ fn missing(path: &str) -> Refusal {
 /// An entry of a study: the table, and the text behind the equals sign.
 type StudyEntry = (&'static str, String);
 
-fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {
+fn entry(known: &UncertaintySpec, number: &Number, model: &StudyModel, path: &str) -> Result<Option<StudyEntry>, Refusal> {
     let nominal = || number.nominal.as_ref().ok_or_else(|| missing(path));
     Ok(match known {
         UncertaintySpec::Exact(_) => None,
@@ -235,8 +236,8 @@ fn entry(known: &UncertaintySpec, number: &Number, model: &Model, path: &str) ->
         }
         UncertaintySpec::Fit(fit) => {
             let radius =
-                path.rsplit_once('.').and_then(|(joint, _)| model.quantities.id(&format!("{joint}.bearing_radius")));
-            let radius_m = radius.map(|id| model.quantities.nominal()[id]).ok_or_else(|| {
+                path.rsplit_once('.').and_then(|(joint, _)| model.quantities().id(&format!("{joint}.bearing_radius")));
+            let radius_m = radius.map(|id| model.quantities().nominal()[id]).ok_or_else(|| {
                 Refusal::bad("a fit belongs to a pin in its bearing").with_hint("use it for the play of a joint")
             })?;
             let diameter = format_value(2.0 * radius_m, Dimension::LENGTH);
@@ -278,42 +279,4 @@ fn write_entry(study: &mut EditedText, path: &str, entry: Option<&StudyEntry>) -
         Some((table, new)) => study.add_entry(&[table], &format!("\"{path}\""), new),
         None => Ok(()),
     }
-}
-
-fn unreadable(which: &str) -> Refusal {
-    Refusal::bad(format!("the {which} cannot be read"))
-        .with_hint("correct its problems first; they are listed below the drawing")
-}
-
-/// Gives a joint its play, with what belongs to one: the radius of the bearing and the contact.
-fn give_play(text: &mut EditedText, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
-    let table = ["joint", joint];
-    let radius = model.quantities.iter().find(|(_, quantity)| {
-        quantity.path.starts_with("joint.")
-            && quantity.path.ends_with(".bearing_radius")
-            && quantity.origin == Origin::Literal
-    });
-    let source = model.source();
-    let radius = radius.and_then(|(_, quantity)| Some(source.text()[unquoted(source, quantity.span?)].to_owned()));
-    let radius = radius.unwrap_or_else(|| FIRST_RADIUS.to_owned());
-    let contact = model.contacts.first().map(|contact| contact.name.as_str());
-    let name = contact.unwrap_or("steel");
-    // Nothing but its end can stand behind a comment on a line.
-    let remark = if text.value_span(&table)?.is_some() { "" } else { "  # first guess" };
-    // What is there already stays; a clearance of zero is replaced.
-    let place = |key| [table[0], table[1], key];
-    if text.value_span(&place("bearing_radius"))?.is_none() {
-        text.add_entry(&table, "bearing_radius", &format!("\"{radius}\"{remark}"))?;
-    }
-    match text.value_span(&place(PLAY))? {
-        Some(zero) => text.replace([(zero, value.to_owned())])?,
-        None => text.add_entry(&table, PLAY, value)?,
-    }
-    if text.value_span(&place("contact"))?.is_none() {
-        text.add_entry(&table, "contact", &format!("\"{name}\""))?;
-    }
-    if contact.is_none() {
-        text.insert(text.text().len(), FIRST_CONTACT)?;
-    }
-    Ok(())
 }

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use loosepin::model::Model;
 use loosepin::report::known_values;
-use loosepin::study::number_and_unit;
+use loosepin::study::{StudyModel, number_and_unit};
 use loosepin::study::result::WitnessValue;
 use loosepin::units::{ReadableUnit, format_value};
 use serde::Serialize;
@@ -15,7 +14,7 @@ use crate::files::stored::stored_study;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
-use crate::view::texts::Texts;
+use crate::view::texts::{Texts, unreadable};
 
 /// Both texts with the values in them.
 #[derive(Debug, Serialize)]
@@ -66,10 +65,10 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
 
 /// A value in the unit in which the model has it.
 fn written(texts: &Texts, path: &str, value_si: f64) -> Result<String, Refusal> {
-    let unreadable = |_| Refusal::bad("the model cannot be read").with_hint("correct its problems first");
-    let model = Model::from_source(Arc::clone(&texts.model)).map_err(unreadable)?;
+    let model = StudyModel::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
     let missing = || Refusal::bad(format!("the model has no number '{path}'"));
-    let quantity = model.quantities.id(path).map(|id| &model.quantities[id]).ok_or_else(missing)?;
+    let quantities = model.quantities();
+    let quantity = quantities.id(path).map(|id| &quantities[id]).ok_or_else(missing)?;
     let source = model.source();
     let old = quantity.span.map(|span| &source.text()[unquoted(source, span)]);
     let unit = old.and_then(|text| number_and_unit(text.trim())).map(|(_, unit)| unit);

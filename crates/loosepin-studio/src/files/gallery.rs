@@ -3,8 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics::Severity;
-use loosepin::report::{MovingDrawing, moving_drawing};
-use loosepin::templates::{TEMPLATES, Template};
+use loosepin::report::{MovingDrawing, SpaceDrawing, moving_drawing, spatial_motion_drawing};
+use loosepin::study::InputFile;
+use loosepin::templates::{Template, all_templates};
 use serde::Serialize;
 
 use crate::files::folder::Folder;
@@ -25,13 +26,15 @@ pub struct TemplateCard {
     title: &'static str,
     /// What is to be seen in it.
     words: String,
-    /// The mechanism, moving.
+    /// The mechanism, moving; `None` of one in space.
     drawing: Option<MovingDrawing>,
+    /// The mechanism in space, moving.
+    space: Option<SpaceDrawing>,
 }
 
 /// All templates in the order in which they are listed.
 pub fn cards(folder: &Folder) -> Vec<TemplateCard> {
-    TEMPLATES.iter().map(|template| card(folder, template)).collect()
+    all_templates().map(|template| card(folder, template)).collect()
 }
 
 fn card(folder: &Folder, template: &Template) -> TemplateCard {
@@ -46,14 +49,22 @@ fn card(folder: &Folder, template: &Template) -> TemplateCard {
         title: template.description(),
         words: template.paragraph(),
         drawing: driven.or_else(controlled),
+        space: file.as_ref().and_then(space_drawing),
     }
+}
+
+fn space_drawing(file: &InputFile) -> Option<SpaceDrawing> {
+    let model = file.model().spatial()?;
+    spatial_motion_drawing(&model.drawn_motion(&model.quantities.nominal()).ok()?)
 }
 
 /// A model or study of the folder as the page shows it.
 #[derive(Debug, Default, Serialize)]
 pub struct OwnCard {
-    /// The mechanism, moving; `None` if the model cannot be read.
+    /// The mechanism, moving; `None` of one in space, or if the model cannot be read.
     pub drawing: Option<MovingDrawing>,
+    /// The mechanism in space, moving.
+    pub space: Option<SpaceDrawing>,
     /// The first error in the texts.
     pub error: Option<String>,
 }
@@ -69,7 +80,7 @@ pub fn own_card(folder: &Folder, path: &str, stop: &AtomicBool) -> Result<OwnCar
         None => (sent(path, text), None),
         Some(model_path) => match folder.read(&model_path) {
             Ok(model) => (sent(&model_path, model.text), Some(sent(path, text))),
-            Err(refusal) => return Ok(OwnCard { drawing: None, error: Some(refusal.message) }),
+            Err(refusal) => return Ok(OwnCard { error: Some(refusal.message), ..OwnCard::default() }),
         },
     };
     let poses = Some(Default::default());
@@ -81,5 +92,6 @@ pub fn own_card(folder: &Folder, path: &str, stop: &AtomicBool) -> Result<OwnCar
             _ => one.message,
         }
     });
-    Ok(OwnCard { drawing: seen.view.and_then(|view| view.drawing), error })
+    let (drawing, space) = seen.view.map_or((None, None), |view| (view.drawing, view.space));
+    Ok(OwnCard { drawing, space, error })
 }

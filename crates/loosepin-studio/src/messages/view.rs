@@ -1,6 +1,6 @@
 //! The mechanism as the page shows it.
 
-use loosepin::report::{CurveChoice, LiveBand, LiveCurve, LivePath, MovingDrawing};
+use loosepin::report::{CurveChoice, LiveBand, LiveCurve, LivePath, MovingDrawing, SpaceDrawing};
 use serde::Serialize;
 
 use super::diagnostics::Document;
@@ -58,6 +58,8 @@ pub struct JointView {
     pub kind: &'static str,
     /// Its play, where it has any.
     pub play: Option<String>,
+    /// Whether it can have play.
+    pub takes_play: bool,
     /// Its centre, where it is a pin that can be dragged.
     pub pin: Option<PinView>,
     /// The points that it joins: `rod.small_end`, `slider.pin`.
@@ -194,8 +196,10 @@ pub struct View {
     pub incomplete: Option<String>,
     /// Quasi-static effects of play and scatter, in sentences.
     pub sentences: Vec<String>,
-    /// The mechanism, moving.
+    /// The mechanism, moving; `None` of one in space.
     pub drawing: Option<MovingDrawing>,
+    /// The mechanism in space, moving.
+    pub space: Option<SpaceDrawing>,
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
     /// The paths of output points and of traced points, with their zones.

@@ -41,6 +41,11 @@ impl Refusal {
         Self { hint: Some(hint.into()), ..self }
     }
 
+    /// What is wrong, with the way out.
+    pub fn in_words(&self) -> String {
+        self.hint.as_ref().map_or(self.message.clone(), |hint| format!("{}: {hint}", self.message))
+    }
+
     /// Refusal of a malformed request.
     pub fn bad(message: impl Into<String>) -> Self {
         Self::new(StatusCode::BAD_REQUEST, message)

@@ -50,7 +50,7 @@ pub async fn card(State(studio): State<Studio>, query: Result<Query<OpenRequest>
         let seen = within(LONGEST_LOOK, || {}, |stop| own_card(&folder, &path, stop));
         seen.unwrap_or_else(|| {
             let error = Some(format!("its analysis took longer than {} s", LONGEST_LOOK.as_secs()));
-            Ok(OwnCard { drawing: None, error })
+            Ok(OwnCard { error, ..OwnCard::default() })
         })
     });
     Ok(json(&card.await?))

@@ -5,13 +5,21 @@ use std::sync::Arc;
 use loosepin::diagnostics::Source;
 use loosepin::document::parse_toml;
 use loosepin::report::LiveLimit;
-use loosepin::study::{Deviation, Limit, Study, Where};
+use loosepin::study::{Deviation, InputFile, Limit, Study, Where};
 
 use crate::messages::LimitView;
 use crate::view::places::unquoted;
+use crate::view::texts::Texts;
+
+/// The lines in the charts of bands, and where the text of the study says them.
+pub fn banded_limits(file: &InputFile, texts: &Texts) -> (Vec<LiveLimit>, Vec<LimitView>) {
+    let (InputFile::Study(study), Some(source)) = (file, &texts.study) else { return (Vec::new(), Vec::new()) };
+    let (lines, views): (Vec<LiveLimit>, Vec<Option<LimitView>>) = limits(study, source).into_iter().unzip();
+    (lines, views.into_iter().flatten().collect())
+}
 
 /// Each with the stretch of the text of the study that says it.
-pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<LimitView>)> {
+fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<LimitView>)> {
     let toml = parse_toml(source).ok();
     let written = |index: usize| {
         let required = toml.as_ref()?.get_ref().get("require")?.get_ref().as_array()?.get(index)?;

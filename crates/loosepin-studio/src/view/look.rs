@@ -1,13 +1,12 @@
 //! From texts to what the page shows of them.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::report::{
-    CurveKey, LiveLimit, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing,
+    CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing,
 };
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
@@ -20,11 +19,12 @@ use crate::drawing::still::{NamedPoses, placed, still_drawing};
 use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
 use crate::messages::{
-    BodyView, JointView, LimitView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
+    BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
 };
 use crate::view::diagnostics::diagnostic_views;
-use crate::view::limits::limits;
+use crate::view::limits::banded_limits;
 use crate::view::quantities::quantities;
+use crate::view::space_view::space_view;
 use crate::view::texts::Texts;
 
 const MM_PER_M: f64 = 1e3;
@@ -42,9 +42,9 @@ const POSITIONS: [usize; 2] = [12, 720];
 pub fn answer_look(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
     let began = Instant::now();
     let before = Texts::sent(folder, look);
-    let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
+    let drag = look.grip.as_ref().map(|grip| match before.planar_model() {
         Ok(model) => gripped(&model, &before, grip),
-        Err(_) => refused_drag("the model cannot be read: correct its problems first".to_owned()),
+        Err(refusal) => refused_drag(refusal.in_words()),
     });
     let (mut seen, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
     if let (Some(grip), Some(drag), Some(drawing)) = (&look.grip, &drag, &drawing)
@@ -81,12 +81,17 @@ fn seen_after(
     let mut reshaped = drag.map(|drag| drag.reshaped.clone());
     let mut drawing = None;
     let view = file.ok().and_then(|file| {
-        let model = file.model().planar()?;
         let warnings = match &file {
             InputFile::Model(model) => model.warnings(),
             InputFile::Study(study) => &study.warnings[..],
         };
         warnings.iter().for_each(|warning: &Diagnostic| diagnostics.push(warning.clone()));
+        if let Some(model) = file.model().spatial() {
+            let (view, found) = space_view(&file, model, &texts);
+            diagnostics.extend(found);
+            return view;
+        }
+        let model = file.model().planar()?;
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
         match file.ideal_motion_until(positions, &[], &known_points(model, &look.traced), stop) {
             Ok(record) => {
@@ -135,24 +140,21 @@ fn known_points(model: &Model, names: &[String]) -> Vec<String> {
 }
 
 fn view((file, model): (&InputFile, &Model), record: &MotionRecord, curve: Option<&CurveKey>, texts: &Texts) -> View {
-    let limits = match (file, &texts.study) {
-        (InputFile::Study(study), Some(source)) => limits(study, source),
-        _ => Vec::new(),
-    };
-    let (lines, limits): (Vec<LiveLimit>, Vec<Option<LimitView>>) = limits.into_iter().unzip();
+    let (lines, limits) = banded_limits(file, texts);
     View {
         title: title(file),
         mobility: record.mobility.clone(),
         incomplete: None,
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
+        space: None,
         bands: live_bands(record, &lines),
         paths: live_paths(record),
         curves: live_curves(record),
         curve: curve.and_then(|wanted| live_curve(record, wanted)),
-        limits: limits.into_iter().flatten().collect(),
+        limits,
         outline: outline(model, &record.drawing, outputs(record)),
-        quantities: quantities(model, texts),
+        quantities: quantities(&model.quantities, texts),
     }
 }
 
@@ -178,13 +180,14 @@ fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: Strin
         incomplete: None,
         sentences: Vec::new(),
         drawing: moving_drawing(drawing, "the cycle"),
+        space: None,
         bands: Vec::new(),
         paths: Vec::new(),
         curves: Vec::new(),
         curve: None,
         limits: Vec::new(),
         outline: outline(model, drawing, named_outputs(model)),
-        quantities: quantities(model, texts),
+        quantities: quantities(&model.quantities, texts),
     }
 }
 
@@ -192,7 +195,8 @@ fn named_outputs(model: &Model) -> Vec<OutputView> {
     model.outputs.iter().map(|output| OutputView { name: output.name.clone(), words: output.name.clone() }).collect()
 }
 
-fn title(file: &InputFile) -> String {
+/// Its name, or that of the study.
+pub(super) fn title(file: &InputFile) -> String {
     match file {
         InputFile::Model(model) => model.name().to_owned(),
         InputFile::Study(study) => study.name.clone(),
@@ -230,6 +234,7 @@ fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> JointView {
         name: joint.name.clone(),
         kind: joint.kind.words(),
         play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
+        takes_play: is_pin,
         pin: point.filter(|_| is_pin).map(|point| PinView {
             body: joint.first.body,
             x: point.x_m * MM_PER_M,

@@ -7,4 +7,5 @@ pub(crate) mod limits;
 pub(crate) mod look;
 pub(crate) mod places;
 pub(crate) mod quantities;
+pub(crate) mod space_view;
 pub(crate) mod texts;

@@ -2,7 +2,7 @@
 
 use loosepin::diagnostics::{Source, Span};
 use loosepin::document::{describe_path, parse_toml};
-use loosepin::model::Model;
+use loosepin::model::QuantityTable;
 use std::sync::Arc;
 
 use crate::edit::Locks;
@@ -14,10 +14,9 @@ use crate::view::texts::Texts;
 const KNOWN: [(&str, QuantityKind); 2] = [("random", QuantityKind::Scatter), ("epistemic", QuantityKind::Unknown)];
 
 /// Numbers of the model in the order of its text, then what the study says of them.
-pub fn quantities(model: &Model, texts: &Texts) -> Vec<QuantityView> {
+pub fn quantities(numbers: &QuantityTable, texts: &Texts) -> Vec<QuantityView> {
     let locks = Locks::of(texts.model.text());
-    let mut of_model: Vec<QuantityView> = model
-        .quantities
+    let mut of_model: Vec<QuantityView> = numbers
         .iter()
         .filter_map(|(_, quantity)| {
             let span = quantity.span?;

@@ -8,7 +8,7 @@ use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::model::Model;
 use loosepin::result::repeat::InputRole;
 use loosepin::study::result::StudyResult;
-use loosepin::study::{InputFile, Study, named_model};
+use loosepin::study::{InputFile, Study, StudyModel, named_model};
 
 use crate::files::folder::Folder;
 use crate::messages::{Look, Shown};
@@ -58,6 +58,18 @@ impl Texts {
             return Err(Refusal::bad(message).with_hint("save it, and open it again"));
         }
         Ok(Self::new(folder, (&model.path, &model.text), Some((&study.path, &study.text))))
+    }
+
+    /// The planar model, which alone is changed in the drawing.
+    ///
+    /// # Errors
+    /// It cannot be read, or is in space.
+    pub fn planar_model(&self) -> Result<Model, Refusal> {
+        let model = StudyModel::from_source(Arc::clone(&self.model)).map_err(|_| unreadable("model"))?;
+        model.into_planar().map_err(|_| {
+            Refusal::bad("links and joints of a mechanism in space are not changed in the drawing")
+                .with_hint("change them in the text of the model")
+        })
     }
 
     /// The texts in a result, with its tables.
@@ -114,17 +126,23 @@ impl Texts {
 
     fn read_by(
         &self,
-        read: fn(&Arc<Source>, Model, &Path) -> Result<Study, Diagnostics>,
+        read: fn(&Arc<Source>, StudyModel, &Path) -> Result<Study, Diagnostics>,
     ) -> Result<InputFile, Diagnostics> {
-        let model = Model::from_source(Arc::clone(&self.model))?;
+        let model = StudyModel::from_source(Arc::clone(&self.model))?;
         match &self.study {
-            None => Ok(InputFile::Model(model.into())),
+            None => Ok(InputFile::Model(model)),
             Some(study) => {
                 let path = PathBuf::from(self.model.name());
                 Ok(InputFile::Study(Box::new(read(study, model, &path)?)))
             }
         }
     }
+}
+
+/// A text that cannot be read is not changed.
+pub fn unreadable(which: &str) -> Refusal {
+    Refusal::bad(format!("the {which} cannot be read"))
+        .with_hint("correct its problems first; they are listed below the drawing")
 }
 
 /// The path of the model that the text of a study at `path` names.

@@ -12,3 +12,4 @@ mod looks;
 mod results;
 mod shelf;
 mod slow;
+mod space;

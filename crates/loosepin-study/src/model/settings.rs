@@ -9,8 +9,17 @@ impl StudyModel {
     /// The values of a model in space under settings `path=value`.
     ///
     /// # Errors
-    /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
+    /// As for [`Self::spatial_settings`], and values that break a rule together.
     pub fn spatial_values(&self, texts: &[String]) -> Result<Values, Diagnostics> {
+        let values = self.quantities().evaluate(&self.spatial_settings(texts)?);
+        values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
+    }
+
+    /// What settings `path=value` set in a model in space.
+    ///
+    /// # Errors
+    /// Every setting that cannot be read, and a quantity that is set twice.
+    pub fn spatial_settings(&self, texts: &[String]) -> Result<Vec<(QuantityId, f64)>, Diagnostics> {
         let mut diagnostics = Diagnostics::new();
         let mut set: Vec<(QuantityId, f64)> = Vec::new();
         let quantities = self.quantities();
@@ -25,9 +34,6 @@ impl StudyModel {
                 Err(diagnostic) => diagnostics.push(diagnostic),
             }
         }
-        if !diagnostics.is_empty() {
-            return Err(diagnostics);
-        }
-        quantities.evaluate(&set).map_err(|error| Diagnostics::one(&error, self.place(error.path())))
+        if diagnostics.is_empty() { Ok(set) } else { Err(diagnostics) }
     }
 }

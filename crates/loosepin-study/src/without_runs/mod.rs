@@ -2,4 +2,5 @@
 
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
+pub(crate) mod spatial_motion;
 pub(crate) mod widest_play;

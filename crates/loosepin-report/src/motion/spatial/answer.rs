@@ -1,6 +1,7 @@
 //! The answer of a motion in space in sentences.
 
-use super::numbers::{shown, shown_deviation};
+use super::numbers::{shown, shown_deviation, shown_input};
+use super::scatter::largest_scatter;
 use super::tables::place;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
@@ -12,7 +13,7 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
     let others = record.outputs.iter().filter(|output| output.name != main.name);
     if !record.has_play {
         let ranges = std::iter::once(main).chain(others).filter_map(range);
-        return ranges.chain(["No joint has play.".to_owned()]).collect();
+        return ranges.chain(["No joint has play.".to_owned()]).chain(scattered(record, main)).collect();
     }
     let mut sentences = vec![format!("{} is the largest worst case of play: {}.", worst(main), at(record, main))];
     let [up, down] =
@@ -23,6 +24,7 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
     ));
     sentences.extend(contribution(main));
     sentences.extend(others.map(|output| format!("{}: {}.", worst(output), at(record, output))));
+    sentences.extend(scattered(record, main));
     let conditions = record.outputs.iter().map(|output| output.worst.conditions).max().unwrap_or(0);
     if conditions > 0 {
         let conditions = counted(conditions, "condition");
@@ -40,6 +42,14 @@ fn worst(output: &SpatialOutputRecord) -> String {
 fn at(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> String {
     let place = place(record, output, Medium::Page);
     format!("{} ({}), with {} at {place}", output.name, output.words, record.input)
+}
+
+/// What random dimensions do to an output.
+fn scattered(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> Option<String> {
+    let (position, value_si) = largest_scatter(output)?;
+    let value = shown(value_si, &output.unit, value_si, Medium::Page);
+    let place = shown_input(record, position, Medium::Page);
+    Some(format!("Random dimensions add a standard deviation of up to {value} to {}, at {place}.", output.name))
 }
 
 fn range(output: &SpatialOutputRecord) -> Option<String> {

@@ -13,7 +13,7 @@ use maud::{Markup, html};
 /// The band of worst cases of first order of an output, with its standard deviation; nothing where no joint has play.
 pub(super) fn worst_case_chart(record: &SpatialMotionRecord, output: &SpatialOutputRecord) -> Markup {
     let unit = unit_of_size(&output.unit, output.worst_case_si(), Medium::Page);
-    let mut chart = chart(record, name_of("worst-case", &output.name));
+    let mut chart = motion_chart(record, name_of("worst-case", &output.name));
     (chart.y_label, chart.y_symbol) = (format!("deviation of {}", output.name), unit.symbol.clone());
     chart.height = 320;
     for (label, role, is_line, values_si) in [
@@ -45,7 +45,7 @@ pub(super) fn ideal_chart(record: &SpatialMotionRecord, output: &SpatialOutputRe
     let least = output.ideal_si.iter().copied().reduce(f64::min)?;
     let most = output.ideal_si.iter().copied().reduce(f64::max)?;
     let unit = unit_of_size(&output.unit, least.abs().max(most.abs()), Medium::Page);
-    let mut chart = chart(record, name_of("position", &output.name));
+    let mut chart = motion_chart(record, name_of("position", &output.name));
     (chart.y_label, chart.y_symbol) = (output.name.clone(), unit.symbol.clone());
     chart.height = 240;
     let values = in_order(record, &output.ideal_si, &unit);
@@ -57,7 +57,8 @@ pub(super) fn ideal_chart(record: &SpatialMotionRecord, output: &SpatialOutputRe
     Some(chart.figure())
 }
 
-fn chart(record: &SpatialMotionRecord, id: String) -> Chart {
+/// A chart over the input of the motion.
+pub(crate) fn motion_chart(record: &SpatialMotionRecord, id: String) -> Chart {
     let units = DisplayUnits::default();
     let writer = NumberWriter::for_page(&units);
     let inputs = sorted(record, &record.inputs_si);
@@ -73,7 +74,7 @@ fn input_unit(record: &SpatialMotionRecord) -> DisplayUnit {
 }
 
 /// Values in the order in which the input increases: a drive may run backwards.
-fn sorted(record: &SpatialMotionRecord, values: &[f64]) -> Vec<f64> {
+pub(crate) fn sorted(record: &SpatialMotionRecord, values: &[f64]) -> Vec<f64> {
     let is_backwards = matches!(record.inputs_si[..], [first, .., last] if last < first);
     if is_backwards { values.iter().rev().copied().collect() } else { values.to_vec() }
 }

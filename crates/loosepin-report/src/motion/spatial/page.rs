@@ -3,11 +3,12 @@
 use super::answer::answer_sentences;
 use super::charts::{ideal_chart, worst_case_chart};
 use super::numbers::shown_input;
+use super::scatter::scatter_section;
 use super::tables::{contributors_on_page, outputs_section};
 use crate::charts::figure::figures;
 use crate::medium::article_page::page_section;
 use crate::medium::page::{Page, Section, sentences};
-use crate::spatial::figure::spatial_figure;
+use crate::spatial::figure::{SpaceDrawing, space_drawing, spatial_figure};
 use crate::spatial::views::views_figure;
 use crate::study::repeat_section::repeat_section;
 use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
@@ -36,6 +37,7 @@ pub fn spatial_motion_page(record: &SpatialMotionRecord) -> String {
     let others_body = html! { @for output in &others { (worst_case_chart(record, output)) } };
     let sections = [
         page_section(contributors_on_page(record)),
+        page_section(scatter_section(record, Medium::Page)),
         (!others.is_empty()).then(|| Section::new("worst-cases", "Worst cases of the other outputs", others_body)),
         page_section(outputs_section(record, Medium::Page)),
         ideal_section(record),
@@ -73,6 +75,16 @@ pub fn spatial_motion_picture(record: &SpatialMotionRecord) -> String {
 /// The mechanism to be turned, in the position that matters most.
 pub(crate) fn spatial_motion_figure(record: &SpatialMotionRecord) -> Markup {
     spatial_figure(record, first_sample(record))
+}
+
+/// The mechanism for a page that turns and moves it by itself; `None` where the record has no positions.
+pub fn spatial_motion_drawing(record: &SpatialMotionRecord) -> Option<SpaceDrawing> {
+    space_drawing(record, first_sample(record))
+}
+
+/// The sentences that the page begins with.
+pub fn spatial_motion_sentences(record: &SpatialMotionRecord) -> Vec<String> {
+    answer_sentences(record)
 }
 
 /// The position that pictures show first: that of the largest worst case of the main output, where there is play.

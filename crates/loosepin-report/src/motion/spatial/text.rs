@@ -1,5 +1,6 @@
 //! A motion in space on a terminal.
 
+use super::scatter::scatter_section;
 use super::tables::{contributors_on_terminal, outputs_section};
 use crate::medium::article_text::terminal_text;
 use loosepin_result::spatial_motion::SpatialMotionRecord;
@@ -11,5 +12,6 @@ pub fn spatial_motion_text(record: &SpatialMotionRecord) -> String {
     if record.has_play {
         sections.extend(record.outputs.iter().map(|output| contributors_on_terminal(record, output)));
     }
+    sections.extend(scatter_section(record, Medium::Terminal));
     terminal_text(&record.model, sections)
 }

@@ -14,6 +14,7 @@ import { Head } from '../drawing/head.svelte.ts';
 import { Viewport } from '../drawing/viewport.svelte.ts';
 import { Looker } from '../network/looker.ts';
 import { posesAt } from '../drawing/player.ts';
+import { parsedSpace, type Space } from '../drawing/space.ts';
 import { movedRange } from './ranges.ts';
 import { session } from '../network/session.svelte.ts';
 import { ask } from '../network/wire.ts';
@@ -44,6 +45,8 @@ export class Desk {
   readonly viewport = new Viewport();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
+  /** The picture of a mechanism in space. */
+  space = $state.raw<Space | null>(null);
   /** The view in the panels about the canvas. */
   panels = $state.raw<View | null>(null);
   /** What the last answer to a drag changes beyond the canvas, in the next frame: both together would make one late. */
@@ -525,7 +528,9 @@ export class Desk {
   private showCanvas(view: View, angle: number | null): void {
     this.view = view;
     this.isStale = false;
+    this.space = view.space && parsedSpace(view.space);
     if (view.drawing) this.head.follow(view.drawing.motion);
+    else if (this.space) this.head.follow({ angle_deg: this.space.data.inputs, start: this.space.data.start }, this.space.data.is_angle);
     if (angle !== null) this.head.set(angle);
   }
 

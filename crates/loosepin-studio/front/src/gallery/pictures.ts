@@ -27,7 +27,7 @@ export function pictureOf({ file, atMs }: Entry): Promise<OwnCard> {
   if (known) return known;
   const asked = inTurn(() => ask<OwnCard>('GET', '/api/card?path=' + encodeURIComponent(file.path))).catch((error: unknown) => {
     kept.delete(key);
-    return { drawing: null, error: messageOf(error) };
+    return { drawing: null, space: null, error: messageOf(error) };
   });
   kept.set(key, asked);
   if (kept.size > mostKept) kept.delete(kept.keys().next().value ?? '');

@@ -36,11 +36,11 @@ export function isMotionWelcome(): boolean {
 
 const secondsPerTurn = 4;
 
-/** The angle after this time; at the end of what is drawn it begins again. */
-export function advanced(angle: number, first: number, last: number, seconds: number): number {
+/** The angle after this time; at the end of what is drawn it begins again. Other inputs say how many turns they are. */
+export function advanced(angle: number, first: number, last: number, seconds: number, wholeTurns?: number): number {
   const span = last - first;
   if (span === 0) return first;
-  const turns = Math.max(Math.abs(span) / 360, 0.05);
+  const turns = wholeTurns ?? Math.max(Math.abs(span) / 360, 0.05);
   const share = (angle - first) / span + seconds / secondsPerTurn / turns;
   return first + (share - Math.floor(share)) * span;
 }

@@ -14,7 +14,7 @@ use crate::edit::toml::PathPrefixes;
 use crate::edit::toml::scan::scan;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
-use crate::view::texts::Texts;
+use crate::view::texts::{Texts, unreadable};
 
 /// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 36;
@@ -50,7 +50,7 @@ pub struct LibraryFindings {
 /// # Errors
 /// It has not, or cannot be read, in words.
 pub fn check(old: &Texts, new: &Texts, due: &IntendedChange) -> Result<Model, Refusal> {
-    let before = Model::from_source(old.model.clone()).map_err(|_| unreadable("model"))?;
+    let before = old.planar_model()?;
     let after = Model::from_source(new.model.clone()).map_err(|diagnostics| first_of(&diagnostics))?;
     if expected(&facts(&before), due) != beside_added(&facts(&after), due) {
         return Err(otherwise("model"));
@@ -104,12 +104,6 @@ fn check_study(old: &Texts, new: &Texts, due: &IntendedChange, before: Model, af
 fn otherwise(which: &str) -> Refusal {
     Refusal::bad(format!("this change would damage the text of the {which}"))
         .with_hint(format!("change it in the text of the {which}"))
-}
-
-/// A text that has problems of its own.
-pub fn unreadable(which: &str) -> Refusal {
-    Refusal::bad(format!("the {which} cannot be read"))
-        .with_hint("correct its problems first; they are listed below the drawing")
 }
 
 fn first_of(diagnostics: &Diagnostics) -> Refusal {
@@ -273,8 +267,7 @@ pub fn why_not(file: &InputFile, found: &Diagnostics) -> String {
             format!("{missing} of freedom too few for {}. Remove a joint or a drive.", counted(drives, "drive"))
         }
         _ => {
-            let Refusal { message, hint, .. } = first_of(found);
-            hint.map_or(message.clone(), |hint| format!("{message}: {hint}"))
+            first_of(found).in_words()
         }
     }
 }

@@ -22,14 +22,13 @@ mod remove;
 mod rename;
 mod watch;
 
-use std::sync::Arc;
 
 use loosepin::document::describe_path;
 use loosepin::model::{Model, Origin};
 use serde::Serialize;
 
 use add::Draft;
-use checked::{IntendedChange, check, said, unreadable};
+use checked::{IntendedChange, check, said};
 use edit::{Joined, Named};
 use remove::{Removed, removed};
 use rename::renamed;
@@ -97,7 +96,7 @@ pub fn restructured(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPo
 
 /// The texts after an edit: read again, and found to say what they are to say.
 fn after(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<(Texts, New), Refusal> {
-    let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
+    let model = texts.planar_model()?;
     let new = changed(&model, texts, edit, poses)?;
     let study = new.study.as_ref().map(EditedText::text);
     let mut after = texts.with(folder, Some(new.model.text()), study);

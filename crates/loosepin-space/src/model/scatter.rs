@@ -1,0 +1,115 @@
+//! What random dimensions do to outputs over a turn, to first order.
+//!
+//! With the derivative y_i of an output by the dimension x_i at fixed places of the drives, standard deviations σ_i and correlations ρ_ij:
+//!
+//! ```text
+//! variance of y = Σ_i Σ_j ρ_ij (y_i σ_i)(y_j σ_j)
+//! ```
+//!
+//! Derivatives are central differences of loops that are closed exactly, at ± [`STEP`] σ_i. Where constraints repeat others, play takes up what
+//! does not fit, as in [`TurnSampler`].
+
+use super::over_turn::is_path;
+use super::parts::SpatialModel;
+use super::problem::SpatialMotionProblem;
+use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
+use loosepin_result::motion::DimensionContributor;
+use loosepin_result::spatial_motion::SpatialScatter;
+use loosepin_text::diagnostics::Diagnostics;
+use loosepin_text::document::describe_path;
+use loosepin_text::numbers::QuantityId;
+
+/// Step of a difference, in standard deviations: the error of the formula is of its square, that of the closed loops of its inverse.
+const STEP: f64 = 1e-2;
+
+/// Random dimensions of a model in space.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SpatialScatterPlan {
+    /// Values that replace those of the file, SI.
+    pub set: Vec<(QuantityId, f64)>,
+    /// Each random quantity with its standard deviation, SI.
+    pub quantities: Vec<(QuantityId, f64)>,
+    /// Linear correlations of two of them, by their places in `quantities`.
+    pub correlations: Vec<(usize, usize, f64)>,
+}
+
+impl SpatialModel {
+    /// What random dimensions do to each output, at the positions of [`SpatialModel::motion_record`].
+    ///
+    /// # Errors
+    /// Values that break a rule; loops that do not close; drives whose place is uncertain.
+    pub fn scatter(&self, plan: &SpatialScatterPlan) -> Result<Vec<SpatialScatter>, Diagnostics> {
+        if plan.quantities.is_empty() || self.outputs.is_empty() {
+            return Ok(vec![SpatialScatter::default(); self.outputs.len()]);
+        }
+        let values_of = |set: &[(QuantityId, f64)]| {
+            let values = self.quantities.evaluate(set);
+            values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
+        };
+        let values = values_of(&plan.set)?;
+        let input = self.cycle_input(&values).map_err(|error| self.diagnostic(&error))?;
+        let turns: Vec<f64> = (0..=input.samples).map(|sample| sample as f64 / input.samples as f64).collect();
+        let parts: Vec<SampledPart> = self.sampled_parts();
+        let no_scatter = |path: &str, error: SamplingError| {
+            let problem = SpatialMotionProblem::NoScatter { what: describe_path(path), why: error.to_string() };
+            Diagnostics::one(&problem, self.place(path))
+        };
+        let sampler = TurnSampler::new(self, &values, &turns, &parts).map_err(|error| no_scatter("cycle", error))?;
+        let effects = plan.quantities.iter().map(|&(quantity, deviation_si)| {
+            let at = |side: f64| {
+                let own = (quantity, values[quantity] + side * STEP * deviation_si);
+                let set: Vec<(QuantityId, f64)> = plan.set.iter().copied().chain([own]).collect();
+                let sample = sampler.sample(&values_of(&set)?);
+                sample.map_err(|error| no_scatter(&self.quantities[quantity].path, error))
+            };
+            let [above, below] = [at(1.0)?.from_nominal_si, at(-1.0)?.from_nominal_si];
+            Ok(above.iter().zip(&below).map(|(above, below)| (above - below) / (2.0 * STEP)).collect())
+        });
+        let effects: Vec<Vec<f64>> = effects.collect::<Result<_, Diagnostics>>()?;
+        let scatter = (0..self.outputs.len()).map(|output| {
+            let own = parts.iter().enumerate().filter(|(_, part)| part.output == output);
+            let starts: Vec<usize> = own.map(|(number, _)| number * turns.len()).collect();
+            self.scatter_of(plan, &effects, &starts, turns.len())
+        });
+        Ok(scatter.collect())
+    }
+
+    /// The parts that deviations are read off from: of a path its three coordinates.
+    fn sampled_parts(&self) -> Vec<SampledPart> {
+        let parts = |(output, own): (usize, &super::parts::ModelOutput)| {
+            let parts: &[PartOfOutput] = match is_path(own) {
+                true => &[PartOfOutput::X, PartOfOutput::Y, PartOfOutput::Z],
+                false => &[PartOfOutput::Number],
+            };
+            parts.iter().map(move |&part| SampledPart { output, part })
+        };
+        self.outputs.iter().enumerate().flat_map(parts).collect()
+    }
+
+    /// Of an output whose parts begin at `starts` in each row of `effects`.
+    fn scatter_of(
+        &self,
+        plan: &SpatialScatterPlan,
+        effects: &[Vec<f64>],
+        starts: &[usize],
+        places: usize,
+    ) -> SpatialScatter {
+        let product = |first: usize, second: usize, place: usize| -> f64 {
+            starts.iter().map(|start| effects[first][start + place] * effects[second][start + place]).sum()
+        };
+        let variance = |place: usize| -> f64 {
+            let own: f64 = (0..effects.len()).map(|input| product(input, input, place)).sum();
+            let pairs = plan.correlations.iter();
+            own + pairs.map(|&(first, second, linear)| 2.0 * linear * product(first, second, place)).sum::<f64>()
+        };
+        let contributors = plan.quantities.iter().enumerate().map(|(input, &(quantity, _))| DimensionContributor {
+            path: self.quantities[quantity].path.clone(),
+            standard_deviation_si: (0..places).map(|place| product(input, input, place).sqrt()).collect(),
+        });
+        SpatialScatter {
+            // Round-off of a correlation of one.
+            standard_deviation_si: (0..places).map(|place| variance(place).max(0.0).sqrt()).collect(),
+            contributors: contributors.collect(),
+        }
+    }
+}

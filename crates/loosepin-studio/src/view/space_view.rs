@@ -1,0 +1,73 @@
+//! A mechanism in space as the page shows it. It is turned and moved there; its links and joints are changed in the text.
+
+use loosepin::check::mobility_in_space;
+use loosepin::diagnostics::Diagnostics;
+use loosepin::report::{live_spatial_bands, spatial_motion_drawing, spatial_motion_sentences};
+use loosepin::result::spatial_motion::SpatialMotionRecord;
+use loosepin::space::{ModelJoint, SpatialModel};
+use loosepin::study::InputFile;
+use loosepin::units::{Dimension, format_value};
+
+use super::limits::banded_limits;
+use super::look::title;
+use super::quantities::quantities;
+use super::texts::Texts;
+use crate::messages::{BodyView, JointView, Outline, OutputView, View};
+
+/// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer.
+pub fn space_view(file: &InputFile, model: &SpatialModel, texts: &Texts) -> (Option<View>, Diagnostics) {
+    match file.motion_in_space(model, &[]) {
+        Ok(record) => (Some(view(file, model, &record, texts)), Diagnostics::new()),
+        Err(found) => {
+            let values = file.model().spatial_values(&file.with_widest_play(&[]));
+            let record = values.and_then(|values| model.motion_record(&values));
+            (record.ok().map(|record| view(file, model, &record, texts)), found)
+        }
+    }
+}
+
+fn view(file: &InputFile, model: &SpatialModel, record: &SpatialMotionRecord, texts: &Texts) -> View {
+    let (lines, limits) = banded_limits(file, texts);
+    View {
+        title: title(file),
+        mobility: mobility_in_space(model).unwrap_or_default(),
+        incomplete: None,
+        sentences: spatial_motion_sentences(record),
+        drawing: None,
+        space: spatial_motion_drawing(record),
+        bands: live_spatial_bands(record, &lines),
+        paths: Vec::new(),
+        curves: Vec::new(),
+        curve: None,
+        limits,
+        outline: outline(model, record),
+        quantities: quantities(&model.quantities, texts),
+    }
+}
+
+fn outline(model: &SpatialModel, record: &SpatialMotionRecord) -> Outline {
+    let outputs = record.outputs.iter();
+    Outline {
+        bodies: model.bodies.iter().skip(1).map(|body| body.name.clone()).collect(),
+        joints: model.joints.iter().map(|joint| seen_joint(model, joint)).collect(),
+        drives: model.drives.iter().map(|drive| drive.name.clone()).collect(),
+        outputs: outputs.map(|own| OutputView { name: own.name.clone(), words: own.words.clone() }).collect(),
+        forces: Vec::new(),
+        parts: model.bodies.iter().map(|body| BodyView { name: body.name.clone(), points: Vec::new() }).collect(),
+        dimensions: Vec::new(),
+    }
+}
+
+fn seen_joint(model: &SpatialModel, joint: &ModelJoint) -> JointView {
+    let values = model.quantities.nominal();
+    let radial = joint.play.and_then(|play| play.clearances_m()[0]).map(|id| values[id]);
+    let play = radial.filter(|clearance_m| *clearance_m > 0.0);
+    JointView {
+        name: joint.name.clone(),
+        kind: joint.form.word(),
+        play: play.map(|clearance_m| format!("c = {}", format_value(clearance_m, Dimension::LENGTH))),
+        takes_play: !joint.form.play_keys().is_empty(),
+        pin: None,
+        points: [joint.bearing.point, joint.journal.point].map(|point| model.point_name(point)),
+    }
+}
