@@ -11,6 +11,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 ROUNDS = 8  # of Newton's method: twice what the poses here need
+STEP_M = 1e-6  # of central differences over places of journals
 
 Output = Callable[[np.ndarray], np.ndarray]  # of rows of places of the journals
 
@@ -85,7 +86,7 @@ class Plays:
     def first_order(self, output: Output) -> float:
         """Largest value of the linear function with the derivatives of the output at the middle of all plays."""
         count = 2 * self.discs + len(self.axial)
-        step = 1e-6
+        step = STEP_M
         moved = output(np.concatenate([np.eye(count), -np.eye(count)]) * step)
         gains = (moved[:count] - moved[count:]) / (2 * step)
         of_discs = np.linalg.norm(gains[: 2 * self.discs].reshape(-1, 2), axis=1)
@@ -93,7 +94,7 @@ class Plays:
 
     def as_separate_tolerances(self, output: Output) -> float:
         """The sum where both coordinates of the offset, and both of the lean, of each journal count as tolerances of their own."""
-        step, total = 1e-6, 0.0
+        step, total = STEP_M, 0.0
         for k, clearance in enumerate(self.clearances):
             for pattern in ([1, 0, 1, 0], [0, 1, 0, 1], [-1, 0, 1, 0], [0, -1, 0, 1]):
                 row = np.zeros((2, 2 * self.discs + len(self.axial)))
@@ -115,7 +116,7 @@ class Plays:
         count = 2 * self.discs + len(self.axial)
         bounds = [(-1, 1)] * self.discs + [(None, None)] * self.discs + [(-1, 1)] * len(self.axial)
         unit = float(np.abs(output(self.on_rims(64, generator))).max())
-        step = 1e-4
+        step = 1e-4  # of a clearance, of a radian
 
         def rows(numbers: np.ndarray) -> np.ndarray:
             return self.rows(numbers[:, : self.discs], numbers[:, self.discs : 2 * self.discs], numbers[:, 2 * self.discs :])

@@ -29,7 +29,8 @@ def show(name: str, plays: Plays, output: Output) -> None:
     down, spread_down = plays.largest(deviation, -1.0, STARTS, generator)
     print(f"{name}: {len(plays.clearances)} joints, {len(plays.axial) + 2 * plays.discs} numbers say where the journals are")
     print(f"  first order        {1e6 * plays.first_order(deviation):9.3f} um")
-    print(f"  exact, up and down {1e6 * up:9.3f} um {-1e6 * down:9.3f} um; {STARTS} searches each end within {1e6 * max(spread_up, spread_down):.0e} um")
+    spread = 1e6 * max(spread_up, spread_down)
+    print(f"  exact, up and down {1e6 * up:9.3f} um {-1e6 * down:9.3f} um; {STARTS} searches each end within {spread:.0e} um")
     drawn = {"anywhere": plays.anywhere(DRAWN, generator), "on the rims": plays.on_rims(DRAWN, generator)}
     for places, rows in drawn.items():
         values = np.concatenate([deviation(part) for part in np.array_split(rows, 20)])

@@ -8,7 +8,7 @@ BASE_ARM, MIDDLE_ARM, PLATFORM_ARM = 0.2, 0.18, 0.15
 CLEARANCE, LENGTH, AXIAL = 20e-6, 0.02, 30e-6
 MOTORS = np.radians([116.105176, 107.677050, 120.084777])
 START = np.array([0.1, -0.15, 0.2])  # rotation vector of the platform
-LEGS, JOINTS = range(3), range(9)
+LEGS = range(3)
 PLAYS = Plays([CLEARANCE] * 9, [AXIAL] * 3)  # base, middle, platform of each leg; the bases have stops
 
 X, Z = np.eye(3)[0], np.eye(3)[2]
@@ -30,8 +30,10 @@ def arc(angle: float) -> np.ndarray:
 
 
 class Platform:
-    def __init__(self, motors: np.ndarray = MOTORS) -> None:
-        self.motors = motors
+    """The platform at angles of its motors; its ideal pose is searched from `start`, a rotation vector."""
+
+    def __init__(self, motors: np.ndarray = MOTORS, start: np.ndarray = START) -> None:
+        self.motors, self.vector = motors, start
         azimuths = np.radians([0.0, 120.0, 240.0])
         bases = [polar(np.pi - BASE_CONE, azimuth) for azimuth in azimuths]
         self.bases = [frame(BASE_ARM * base, base, np.array([-np.sin(a), np.cos(a), 0.0])) for base, a in zip(bases, azimuths)]
@@ -45,7 +47,7 @@ class Platform:
 
     def ideal(self) -> np.ndarray:
         """Turns and slides of the two free joints of each leg, where nothing has play: the loops of the arcs, then both turns."""
-        vector = START.copy()
+        vector = self.vector
         middles = []
         for leg in LEGS:
             turn = np.array([[np.cos(self.motors[leg]), -np.sin(self.motors[leg]), 0],
@@ -58,7 +60,8 @@ class Platform:
         for _ in range(60):
             jacobian = np.stack([(gaps(vector + h) - gaps(vector - h)) / 2e-6 for h in 1e-6 * np.eye(3)], axis=-1)
             vector = vector - np.linalg.solve(jacobian, gaps(vector))
-        self.gap = float(np.abs(gaps(vector)).max())
+        if not np.abs(gaps(vector)).max() < 1e-12:
+            raise ValueError("the legs do not meet")
         self.vector, turned = vector, rotation(vector)
         free = np.zeros(12)
         nothing = np.zeros((1, 4))
