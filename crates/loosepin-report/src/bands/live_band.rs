@@ -105,6 +105,8 @@ pub(super) struct BandSource<'r> {
     pub words: String,
     /// What moves, in the sentence on the largest value.
     pub moved: String,
+    /// A length, which is never negative: its band begins at 0.
+    pub is_length: bool,
     pub unit: &'r SiUnit,
     /// w, s_p and s_d at each position; s_p and s_d are empty where they are not known, or nothing scatters.
     pub first_order_si: &'r [f64],
@@ -159,7 +161,7 @@ impl BandSource<'_> {
         chart.height = HEIGHT;
         let mut add = |label: &str, role, half_si: &[f64]| {
             let upper = scaled(&in_order(half_si), self.unit, writer);
-            let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+            let lower: Vec<f64> = upper.iter().map(|value| if self.is_length { 0.0 } else { -value }).collect();
             chart.entries.push(Entry::new(label, role, false, EntryValues::band(&lower, &upper)));
         };
         if has_play {
@@ -184,8 +186,9 @@ impl BandSource<'_> {
             ));
         }
         let largest = format!(
-            "{} by up to ±{}, at {at}",
+            "{} by up to {}{}, at {at}",
             self.moved,
+            if self.is_length { "" } else { "±" },
             writer.rounded(largest_si, self.unit, PLAIN_DIGITS, Rounding::Up),
         );
         chart.alternative =
@@ -210,6 +213,7 @@ fn source(output: &OutputMotion) -> BandSource<'_> {
         name: &output.name,
         words: named_words(&output.name, &output.words),
         moved: moved_words(output),
+        is_length: false,
         unit: &output.unit,
         first_order_si: &output.clearance.first_order_si,
         play_deviation_si: &output.clearance.disc_standard_deviation_si,

@@ -36,6 +36,7 @@ fn band(
         name: &name,
         words: named_words(&output.name, &output.words),
         moved: output.name.clone(),
+        is_length: output.ideal_si.is_empty(),
         unit: &output.unit,
         first_order_si: &output.first_order_si,
         play_deviation_si: &output.standard_deviation_si,

@@ -26,6 +26,8 @@ pub(crate) struct Placed<'p> {
 const SAME_DEPTH: f64 = 1e-4;
 /// Positions that are looked at for the frame of a picture, at most.
 const FRAME_POSITIONS: usize = 48;
+/// Of the points of a rim, one in so many.
+const RIM_STRIDE: usize = 5;
 /// Directions in which the outermost points of all that is drawn are taken.
 const OUTER_DIRECTIONS: usize = 120;
 
@@ -41,11 +43,16 @@ impl Surroundings {
     /// About all parts in positions of the turn.
     pub fn of(parts: &[Part], poses: &[Vec<PicturePose>]) -> Self {
         let step = poses.len().div_ceil(FRAME_POSITIONS).max(1);
+        let (still, moving): (Vec<&Part>, Vec<&Part>) = parts.iter().partition(|part| part.body == 0);
         let mut points = Vec::new();
-        for poses in poses.iter().step_by(step) {
+        let ground = [PicturePose::GROUND];
+        let all = poses.iter().step_by(step).map(|poses| (&moving, &poses[..])).chain([(&still, &ground[..])]);
+        for (parts, poses) in all {
             for part in parts {
                 let radius = part.radius.unwrap_or(0.0);
-                for point in &part.points {
+                // Rims are small: a few of their points show how far they go.
+                let stride = if part.kind == PartKind::Solid { RIM_STRIDE } else { 1 };
+                for point in part.points.iter().step_by(stride) {
                     let [x, y, z] = in_ground(part, *point, poses);
                     points.push([x, y, z]);
                     if radius > 0.0 {
@@ -69,13 +76,16 @@ impl Surroundings {
         let radius = points.iter().map(away).fold(0.0, f64::max);
         let mut outer: Vec<[f64; 3]> = Vec::new();
         for direction in 0..OUTER_DIRECTIONS {
-            let direction = spread(direction);
-            let along = |point: &[f64; 3]| point.iter().zip(direction).map(|(a, b)| a * b).sum::<f64>();
-            if let Some(point) = points.iter().max_by(|a, b| along(a).total_cmp(&along(b)))
-                && !outer.contains(point)
-            {
-                outer.push(*point);
+            let [a, b, c] = spread(direction);
+            let (mut farthest, mut farthest_at) = (f64::NEG_INFINITY, None);
+            // Without an iterator: of so many points each call would cost more than its sum.
+            for point in &points {
+                let along = a * point[0] + b * point[1] + c * point[2];
+                if along > farthest {
+                    (farthest, farthest_at) = (along, Some(*point));
+                }
             }
+            outer.extend(farthest_at.filter(|point| !outer.contains(point)));
         }
         Self { centre, radius: if radius > 0.0 { round(radius) } else { 1.0 }, outer }
     }

@@ -178,7 +178,7 @@ export const words = {
     pause: 'Pause',
     angle: 'Drive angle',
     time: 'Time',
-    step: (steps: number, isAngle: boolean): string => (steps < 0 ? '−' : '+') + (isAngle ? '1°' : '1 %'),
+    step: (steps: number, isAngle: boolean): string => (steps < 0 ? '−' : '+') + (isAngle ? '1°' : ''),
     back: (isAngle: boolean): string => (isAngle ? 'Turn back by 1 degree' : 'Go back by a hundredth of the time'),
     forth: (isAngle: boolean): string => (isAngle ? 'Turn forward by 1 degree' : 'Go forward by a hundredth of the time'),
   },
