@@ -22,6 +22,7 @@ pub mod templates;
 mod dxf;
 mod error;
 mod export;
+mod file_kind;
 mod imported;
 mod links;
 mod options;
@@ -39,9 +40,10 @@ use loosepin_text::document::not_readable;
 
 pub use error::ImportError;
 pub use export::{ExportProblem, Exported, RobotFormat, export_robot, write_robot};
+pub use file_kind::{FileKind, KnownBy};
 pub use imported::Imported;
 pub use options::ImportOptions;
-pub use robot::{RobotProblem, import_robot, is_robot_description};
+pub use robot::{RobotProblem, import_robot};
 
 /// Reads a DXF drawing (ASCII or binary); `name` becomes the name of the model.
 ///

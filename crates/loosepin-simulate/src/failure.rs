@@ -213,9 +213,9 @@ problems! {
             says("at {} spring '{spring}' is compressed to length zero: its force has no direction there", time(*time_s)),
             hint("give it a stop (more stiffness at the end of a table of its force), or points that stay apart");
         /// A mechanism in space has no position, or no worst case, for these values.
-        NoPosition { why: String } => Code::CannotClose,
+        NoPosition { why: String, hint: &'static str } => Code::CannotClose,
             says("{why}"),
-            hint("the values differ too much from those of the model, or they do not fit together");
+            hint("{hint}");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
             says("implicit steps need a flexible body in absolute nodal coordinates, and this mechanism has none"),

@@ -85,10 +85,8 @@ impl StudyError {
             Self::Prepare(PrepareError::Mechanism(error)) => {
                 study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model))
             }
-            Self::Prepare(PrepareError::Nominal { .. })
-                if study.model.planar().is_some()
-                    && let Some((place, words)) = middle_of(study) =>
-            {
+            Self::Prepare(PrepareError::InSpace { found }) => (**found).clone(),
+            Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
                 Diagnostic { hint, ..Diagnostic::error(self, Some(place)) }
             }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use loosepin::diagnostics::Diagnostic;
 use loosepin::document::source_from_bytes;
 use loosepin::import::{
-    ImportError, ImportOptions, Imported, import_dxf, import_robot, is_robot_description, read_drawing, write_model,
+    FileKind, ImportError, ImportOptions, Imported, KnownBy, import_dxf, import_robot, read_drawing, write_model,
 };
 use loosepin::model::{Rule, measured_argument};
 use loosepin::units::Dimension;
@@ -14,18 +14,24 @@ use crate::arguments::ImportArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
-/// Writes the model of a drawing, or of a robot description: no drawing begins as XML does.
+/// Writes the model of a drawing, or of a robot description.
 pub fn run(arguments: &ImportArguments) -> Ending {
     let bytes = read_drawing(&arguments.file)?;
-    let is_robot = is_robot_description(&bytes);
-    let imported = if is_robot { of_robot(arguments, bytes) } else { of_drawing(arguments, &bytes) }?;
+    let (kind, known_by) = FileKind::of(&arguments.file, &bytes);
+    if known_by == KnownBy::Content {
+        console::message(kind.note_of_content());
+    }
+    let imported = match kind {
+        FileKind::Robot => of_robot(arguments, bytes),
+        FileKind::Drawing => of_drawing(arguments, &bytes),
+    }?;
     let folder = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(name(arguments)));
     let model = write_model(&folder, &imported.model).map_err(|error| Failure::of(&error))?;
     for note in &imported.notes {
         console::message(note);
     }
     let model = model.display();
-    let fill_in = if is_robot { "" } else { "; fill in every \"?\" in it" };
+    let fill_in = if kind == FileKind::Robot { "" } else { "; fill in every \"?\" in it" };
     console::message(&format!("wrote {model}{fill_in}\nnext: loosepin check {model}"));
     Ok(Done::Well)
 }

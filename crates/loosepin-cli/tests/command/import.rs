@@ -53,12 +53,13 @@ fn a_drawing_becomes_a_model_that_asks_for_its_numbers() {
 fn a_robot_description_becomes_a_model_that_moves() {
     let desk = Desk::new();
     let arm = include_str!("../../../../docs/examples/two-axis-arm.urdf");
-    // The root element says what it is, not the name.
+    // The name does not say what it is.
     desk.write("arm.txt", arm);
     let said = desk.succeed(&["import", "arm.txt"]);
     assert_eq!(
         said.messages,
-        "3 moving links, 3 joints\nthe root link 'base' is the ground\n\
+        "read as a robot description: the name does not say what the file is (.dxf, .urdf, .xml or .mjcf would), and its first character is <\n\
+         3 moving links, 3 joints\nthe root link 'base' is the ground\n\
          1 shape of links, with their meshes, ignored: a model has points and axes\n\
          wrote arm/model.toml\nnext: loosepin check arm/model.toml\n"
     );
@@ -67,11 +68,14 @@ fn a_robot_description_becomes_a_model_that_moves() {
     desk.succeed(&["motion", "arm/model.toml"]);
     let again = desk.run(&["import", "arm.txt"]);
     assert_eq!(again.status, 2);
-    assert!(again.messages.starts_with("error[E0904]: arm/model.toml already exists"), "{}", again.messages);
+    assert!(again.messages.contains("error[E0904]: arm/model.toml already exists"), "{}", again.messages);
+    desk.write("arm.URDF", arm);
     desk.fail(
-        &["import", "arm.txt", "other", "--unit", "mm"],
+        &["import", "arm.URDF", "other", "--unit", "mm"],
         "error[E0905]: --unit is for drawings; robot descriptions are in metres",
     );
+    desk.write("empty.urdf", "");
+    desk.fail(&["import", "empty.urdf"], "empty.urdf:1:1: error[E1103]: the file is not XML that can be read");
     desk.write("wrong.urdf", &arm.replace("0 0 0.12", "0 0 0,12"));
     desk.fail(
         &["import", "wrong.urdf"],

@@ -15,12 +15,6 @@ use std::sync::Arc;
 /// Names that were changed and are listed one by one, at most.
 const MAX_LISTED_NAMES: usize = 5;
 
-/// Whether bytes are to be read as XML: they begin with `<`, apart from a byte order mark and blanks. No drawing does.
-pub fn is_robot_description(bytes: &[u8]) -> bool {
-    let text = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
-    text.trim_ascii_start().starts_with(b"<")
-}
-
 /// Reads a robot description, URDF or MJCF by its root element, and writes a model in space: links are bodies, the root is the ground, each joint
 /// can be given play, and all that can be driven is.
 ///

@@ -27,7 +27,7 @@ mod urdf;
 mod xml;
 
 pub(crate) use frame::{Frame, of_roll_pitch_yaw};
-pub use import::{import_robot, is_robot_description};
+pub use import::import_robot;
 pub(crate) use names::Names;
 pub(crate) use numbers::number;
 pub use problem::RobotProblem;

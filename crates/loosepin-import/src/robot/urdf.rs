@@ -55,6 +55,9 @@ pub(super) fn read(root: Element<'_>) -> Result<Robot, Diagnostics> {
         }
         joints.push(own);
     }
+    for element in root.all("joint") {
+        refuse_unknown_mimic(element, &joint_names)?;
+    }
     let root_link = root_of(root, &elements, &joints)?;
     shapes_note(&elements, &mut notes);
     ordered(name, links, joints, root_link, &elements, notes)
@@ -156,6 +159,16 @@ fn read_joint(
         comments,
     };
     Ok(FileJoint { joint, parent, child })
+}
+
+/// Refuses a joint that follows one that the file does not have.
+fn refuse_unknown_mimic(element: Element<'_>, joints: &HashMap<&str, ()>) -> Result<(), Diagnostics> {
+    let Some(mimic) = element.only("mimic")? else { return Ok(()) };
+    let other = mimic.required_attribute("joint")?;
+    if joints.contains_key(other.text) {
+        return Ok(());
+    }
+    Err(other.error(&RobotProblem::Unknown { element: mimic.words(), kind: "joint", name: other.shown() }))
 }
 
 /// The one link that is no child.

@@ -1,6 +1,7 @@
 //! Robot descriptions: what is read, held against closed forms and products of matrices; what is refused; what is written and read again.
 
 mod export;
+mod file_kind;
 mod matrices;
 mod mjcf;
 mod refused;

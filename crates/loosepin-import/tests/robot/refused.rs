@@ -25,6 +25,7 @@ fn arm(from: &str, to: &str) -> (usize, usize, String) {
 #[test]
 fn mistakes_in_urdf_have_their_place() {
     for (from, to, line, column, message) in [
+        ("<limit", "<mimic joint='k'/>\n  <limit", 9, 10, "<mimic> of joint 'j': there is no joint 'k'"),
         ("0 0 1'", "0 0 nan'", 5, 11, "<origin> of joint 'j': xyz is '0 0 nan'; must be 3 numbers"),
         ("0 0 1'", "0 0 inf'", 5, 11, "<origin> of joint 'j': xyz is '0 0 inf'; must be 3 numbers"),
         ("0 0 1'", "0 0 1e999'", 5, 11, "<origin> of joint 'j': xyz is '0 0 1e999'; must be 3 numbers"),

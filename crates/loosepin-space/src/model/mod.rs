@@ -11,7 +11,9 @@
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
 //! | what random dimensions do to it | `scatter.rs` |
 //! | whether its parts fit | `fit.rs` |
+//! | whether a file forgot to say that it is in space | `forgotten.rs` |
 //! | what is drawn of it | `drawn.rs` |
+//! | why it cannot be sampled | `sampled.rs` |
 //! | what is wrong with it | `problem.rs` |
 
 mod assembly;
@@ -21,6 +23,7 @@ mod direction;
 mod drawn;
 mod drive;
 mod fit;
+mod forgotten;
 mod joint;
 mod misalignment;
 mod output;
@@ -30,12 +33,14 @@ mod placing;
 mod problem;
 mod read;
 mod reader;
+mod sampled;
 mod scatter;
 
 pub use body::is_inertia;
 pub use compile::CycleInput;
 pub use direction::Direction;
 pub use fit::ModelAssembly;
+pub use forgotten::refuse_without_geometry;
 pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
     ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,

@@ -14,9 +14,11 @@ use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
 use loosepin_result::repeat::{InputRole, Repeat};
-use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase};
+use loosepin_result::spatial_motion::{
+    SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase,
+};
 use loosepin_result::spatial_picture::SpatialPicture;
-use loosepin_text::diagnostics::Diagnostics;
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::numbers::Values;
 use loosepin_text::units::{Dimension, SiUnit, format_value};
 use std::f64::consts::FRAC_PI_2;
@@ -106,8 +108,12 @@ impl SpatialModel {
 
     /// Why loops do not close, at the joint.
     pub fn not_closed(&self, error: &ClosureError) -> Diagnostics {
+        self.open(error).into()
+    }
+
+    pub(super) fn open(&self, error: &ClosureError) -> Diagnostic {
         let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
-        Diagnostics::one(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
+        Diagnostic::error(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
     }
 
     fn output_record(
@@ -148,12 +154,12 @@ impl SpatialModel {
     }
 
     /// Why an output has no answer at a place of the input, at the table of the output; of all outputs where it has no name.
-    fn no_answer(&self, output: &str, input: f64, error: AccuracyError) -> Diagnostics {
+    pub(super) fn no_answer(&self, output: &str, input: f64, error: AccuracyError) -> Diagnostic {
         let at = self.input_words(input);
         let subject = if output.is_empty() { "the motion".to_owned() } else { format!("output '{output}'") };
         let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
         let table = if output.is_empty() { "cycle".to_owned() } else { format!("output.{output}") };
-        Diagnostics::one(&problem, self.place(&table))
+        Diagnostic::error(&problem, self.place(&table))
     }
 
     fn words(&self, kind: ModelOutputKind) -> (String, SiUnit) {

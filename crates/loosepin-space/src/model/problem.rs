@@ -11,6 +11,9 @@ problems! {
         NotSpace { found: String } => Code::WrongKindOfFile,
             says("geometry is '{found}'; must be \"space\""),
             hint("a planar model has no key geometry, or geometry = \"plane\"");
+        NoGeometry { entry: String, what: &'static str } => Code::WrongKindOfFile,
+            says("{entry} {what}, which only models in space have, and the file does not say that it is one"),
+            hint("add the line geometry = \"space\" at its top, or write two coordinates for each point and no axes");
         UnknownAxis { entry: String, body: String, name: String, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: body '{body}' has no axis '{name}'"),
             hint("{}", match known.is_empty() {
@@ -95,6 +98,14 @@ problems! {
         CoarseTurn { output: String } => Code::BreaksRule,
             says("{output}: from one position to the next, a body may turn by a quarter of a turn at most, and a turn has at least 8 positions"),
             hint("take more samples_per_turn");
+        /// A point whose path has no direction there.
+        AtRest { output: String, at: String } => Code::SingularPosition,
+            says("output '{output}' at {at}: the point rests, so that nothing is along or across its path"),
+            hint("use component = \"magnitude\", or x, y and z");
+        /// What keeps the nominal mechanism of samples from being one.
+        NotSampled { why: String } => Code::CannotClose,
+            says("{why}"),
+            hint("give the joints more play, or smaller tilts and shifts");
         Exists { file: String } => Code::FileExists,
             says("{file} already exists"),
             hint("give another folder, or delete the file");

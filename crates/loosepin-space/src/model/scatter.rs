@@ -54,7 +54,8 @@ impl SpatialModel {
             let problem = SpatialMotionProblem::NoScatter { what: describe_path(path), why: error.to_string() };
             Diagnostics::one(&problem, self.place(path))
         };
-        let sampler = TurnSampler::new(self, &values, &turns, &parts).map_err(|error| no_scatter("cycle", error))?;
+        let sampler = TurnSampler::new(self, &values, &turns, &parts);
+        let sampler = sampler.map_err(|error| Diagnostics::from(self.not_sampled(&values, &error)))?;
         let effects = plan.quantities.iter().map(|&(quantity, deviation_si)| {
             let at = |side: f64| {
                 let own = (quantity, values[quantity] + side * STEP * deviation_si);

@@ -4,6 +4,7 @@ use crate::accuracy::AccuracyError;
 use crate::closure::error::{ClosureError, OpenJoint};
 use crate::model::SpatialModelError;
 use core::fmt;
+use loosepin_text::units::{Dimension, format_apart};
 
 /// Why a sample, or what is fixed for all samples, has no answer. `turn` is a place in the motion, in turns.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +49,8 @@ pub enum SamplingError {
         nominal_si: f64,
         /// Its place, rad or m.
         found_si: f64,
+        /// Whether that is a length, m.
+        is_length: bool,
     },
     /// The loops do not close, or not as those of the nominal mechanism do.
     DoesNotClose {
@@ -141,11 +144,15 @@ impl fmt::Display for SamplingError {
                 out,
                 "output '{output}' at {turn} turns: the point rests, so that nothing is along or across its path; take its magnitude"
             ),
-            Self::DriveElsewhere { drive, turn, nominal_si, found_si } => write!(
-                out,
-                "drive '{drive}' at {turn} turns: it is at {found_si} (SI) and nominally at {nominal_si}; its start, and its speed relative to \
-                 the turn, cannot vary"
-            ),
+            Self::DriveElsewhere { drive, turn, nominal_si, found_si, is_length } => {
+                let dimension = if *is_length { Dimension::LENGTH } else { Dimension::ANGLE };
+                let [found, nominal] = format_apart([*found_si, *nominal_si], dimension);
+                write!(
+                    out,
+                    "drive '{drive}' at {turn} turns: it is at {found} and nominally at {nominal}; its start, and its speed relative to the \
+                     turn, cannot vary"
+                )
+            }
             Self::DoesNotClose { turn, why } => write!(out, "at {turn} turns: {why}"),
             Self::CannotBeAssembled { turn, open, rows, needed } => {
                 write!(

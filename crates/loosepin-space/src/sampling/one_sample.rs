@@ -19,6 +19,7 @@ use crate::closure::newton::largest;
 use crate::closure::position::Position;
 use crate::closure::step::CLOSED;
 use crate::geometry::pose::Pose;
+use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use loosepin_text::numbers::Values;
@@ -89,6 +90,7 @@ impl TurnSampler {
                     turn: place.turn,
                     nominal_si: *nominal,
                     found_si: found,
+                    is_length: drive.coordinate == JointCoordinate::Slide,
                 });
             }
         }

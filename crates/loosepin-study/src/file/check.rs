@@ -71,7 +71,8 @@ impl StudyReader {
             })
         };
         if is_empty(self, &[&root.random, &root.epistemic]) {
-            self.reader.report(&StudyProblem::NothingUncertain, root.table.span);
+            let is_in_space = self.model.spatial().is_some();
+            self.reader.report(&StudyProblem::NothingUncertain { is_in_space }, root.table.span);
         }
         // Readings of a rig are asked about by `identify`, which needs no question.
         if is_empty(self, &[&root.ask, &root.require, &root.measured]) {

@@ -39,6 +39,7 @@ pub use measurements::measurement::{
 pub use measurements::motion::MotionProblem;
 pub use measurements::specimen::MIN_ROWS as MIN_SPECIMEN_ROWS;
 pub use measurements::specimen_problem::SpecimenProblem;
+pub(crate) use play::PLAY;
 pub use problem::StudyProblem;
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};

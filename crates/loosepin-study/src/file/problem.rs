@@ -166,10 +166,15 @@ problems! {
                 None => format!("available: {}", listed(known, "and")),
             }));
         /// A question about a path of a point.
-        PathOutput { entry: String, name: String } => Code::AskNotPossible,
+        PathOutput { entry: String, name: String, is_in_space: bool } => Code::AskNotPossible,
             says("{entry}: output '{name}' is a path, but 'component' is missing"),
-            hint("add component: normal or along is the error across or along the path, magnitude the whole error, contour the \
-                  distance from the path regardless of time, x or y a coordinate");
+            hint("add component: {}", if *is_in_space {
+                "along is the error along the path, across the distance from the line along the path, magnitude the distance from the ideal \
+                 place, x, y or z a coordinate"
+            } else {
+                "normal or along is the error across or along the path, magnitude the whole error, contour the distance from the path \
+                 regardless of time, x or y a coordinate"
+            });
         /// A component of an output that is one number.
         ComponentOfNoPath { entry: String, name: String } => Code::AskNotPossible,
             says("{entry}: output '{name}' is one number and has no components"),
@@ -344,9 +349,13 @@ problems! {
         Limit { entry: String, found: String, rule: &'static str } => Code::AskNotPossible,
             says("{entry} {found}; must be {rule}");
         /// No random and no epistemic input.
-        NothingUncertain => Code::NothingUncertain,
+        NothingUncertain { is_in_space: bool } => Code::NothingUncertain,
             says("the study has no uncertain input"),
-            hint("add uncertain quantities under [random] or [epistemic]; for one run use `loosepin simulate`");
+            hint("add uncertain quantities under [random] or [epistemic]; {}", if *is_in_space {
+                "`loosepin motion` shows what play does to the nominal mechanism"
+            } else {
+                "for one run use `loosepin simulate`"
+            });
         /// No question and no requirement.
         NothingAsked => Code::NothingAsked,
             says("the study asks no question"),

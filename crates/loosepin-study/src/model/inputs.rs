@@ -3,8 +3,7 @@
 use super::StudyModel;
 use loosepin_mechanics::model::{ContactId, LawError, NormalDescription, PathError, PlayId};
 use loosepin_space::SpatialModel;
-use loosepin_text::diagnostics::nearest_name;
-use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
+use loosepin_text::numbers::{QuantityId, Values};
 
 /// A clearance of something that has play.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +22,7 @@ impl StudyModel {
     pub fn find(&self, path: &str) -> Result<QuantityId, PathError> {
         match self {
             Self::Planar(model) => model.find(path),
-            Self::Spatial(model) => find_in_space(model, path),
+            Self::Spatial(model) => super::spatial_paths::find(model, path),
         }
     }
 
@@ -113,19 +112,4 @@ fn spatial_clearances(model: &SpatialModel) -> impl Iterator<Item = Clearance> {
         let own = joint.play.map_or([None, None], |play| play.clearances_m());
         own.into_iter().flatten().map(|quantity| Clearance { name: joint.name.clone(), quantity })
     })
-}
-
-fn find_in_space(model: &SpatialModel, path: &str) -> Result<QuantityId, PathError> {
-    let table = &model.quantities;
-    let Some(id) = table.id(path) else { return Err(unknown(table, path)) };
-    PathError::demand_settable(table, id)
-}
-
-fn unknown(table: &QuantityTable, path: &str) -> PathError {
-    let all = || table.iter().filter(|(_, known)| known.is_settable()).map(|(_, known)| known.path.as_str());
-    let hint = match nearest_name(path, all()) {
-        Some(near) => format!("did you mean '{near}'?"),
-        None => "paths follow the model file, for example joint.main.radial_clearance".to_owned(),
-    };
-    PathError::Unknown { path: path.to_owned(), why: None, hint }
 }

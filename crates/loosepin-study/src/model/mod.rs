@@ -5,11 +5,12 @@
 mod inputs;
 pub use inputs::Clearance;
 mod settings;
+mod spatial_paths;
 mod turn;
 
 use loosepin_mechanics::model::{Model, ModelProblem};
 use loosepin_result::repeat::InputRole;
-use loosepin_space::{SpatialModel, is_spatial};
+use loosepin_space::{SpatialModel, is_spatial, refuse_without_geometry};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::document::parse_toml;
 use loosepin_text::numbers::QuantityTable;
@@ -54,6 +55,7 @@ impl StudyModel {
         if is_spatial(&source) {
             return SpatialModel::from_source(&source).map(Self::from);
         }
+        refuse_without_geometry(&source)?;
         Model::from_source(source).map(Self::from)
     }
 

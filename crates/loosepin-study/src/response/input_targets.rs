@@ -53,6 +53,18 @@ impl InputTargets {
         own.filter(|(input, _)| matches!(input, EpistemicTarget::Play)).map(|(_, &value)| value).next().unwrap_or(0.0)
     }
 
+    /// Whether the places of the journals are an input.
+    pub fn has_play(&self) -> bool {
+        self.epistemic.iter().any(|input| matches!(input, EpistemicTarget::Play))
+    }
+
+    /// Those of these inputs that are numbers of the model.
+    pub fn of_sample(&self, random: &[f64], epistemic: &[f64]) -> impl Iterator<Item = f64> {
+        let own = self.epistemic.iter().zip(epistemic);
+        let own = own.filter(|(input, _)| matches!(input, EpistemicTarget::Quantity(_))).map(|(_, &value)| value);
+        random.iter().copied().chain(own)
+    }
+
     /// The values of a model for these inputs.
     ///
     /// # Errors

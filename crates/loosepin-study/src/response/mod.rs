@@ -2,6 +2,7 @@
 //! It knows no questions and no bounds.
 
 pub(crate) mod columns;
+mod ends;
 pub(crate) mod extras;
 pub(crate) mod further_outputs;
 pub(crate) mod ideal_tables;
@@ -12,6 +13,7 @@ pub(crate) mod limits;
 pub(crate) mod outputs;
 pub(crate) mod planar_response;
 pub(crate) mod problem;
+mod recent_ends;
 pub(crate) mod recorded_output;
 pub(crate) mod recorder;
 pub(crate) mod sampled_feature;

@@ -5,7 +5,7 @@ use crate::response::limits::{MAX_COLUMNS, MAX_LAWS};
 use loosepin_mechanics::mechanism::{MechanismError, SampleError};
 use loosepin_mechanics::model::LawError;
 use loosepin_simulate::RunFailure;
-use loosepin_text::diagnostics::{Code, Problem, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, Problem, problems};
 use loosepin_text::numbers::QuantityError;
 
 problems! {
@@ -50,6 +50,10 @@ problems! {
         PathStandsStill { output: String, share_percent: f64 } => Code::AskNotPossible,
             says("output '{output}': its point hardly moves after {share_percent:.1} % of the recorded part; its path has no direction there"),
             hint("use component = \"magnitude\", or x and y");
+        /// The nominal mechanism in space, where the file of the model is at fault: what `loosepin motion` says of it, with the place.
+        InSpace { found: Box<Diagnostic> } => found.code,
+            says("{}", found.message),
+            hint_of(found.hint.clone());
         /// The nominal run.
         Nominal { failure: RunFailure } => Problem::code(failure),
             says("the nominal mechanism, with unknown inputs at the middle of their intervals: {failure}"),

@@ -7,17 +7,19 @@
 //! column = lower + (upper - lower) (1 + play)/2
 //! ```
 
-use crate::file::{Deviation, MAX_POSES, Reduction, Study};
-use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use crate::file::{Deviation, MAX_POSES, Study};
+use crate::response::columns::{ColumnPlan, Location};
+use crate::response::ends::{Ends, reduced};
 use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::limits::MAX_COLUMNS;
 use crate::response::outputs::OutputSource;
 use crate::response::planar_response::{POSE_ROUND_OFF, check_poses, check_turns};
 use crate::response::problem::PrepareError;
+use crate::response::recent_ends::{EndsOfSample, RecentEnds};
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_simulate::RunFailure;
-use loosepin_space::{PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler};
+use loosepin_space::{AccuracyError, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler};
 use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
 
 /// A prepared study of a mechanism in space.
@@ -40,6 +42,8 @@ pub struct SpatialResponse {
     grid: Vec<(usize, f64)>,
     /// The part that each column reads, and the places that it needs.
     reads: Vec<Read>,
+    /// Samples that may come again with other places of their journals; `None` where these are no input.
+    recent: Option<RecentEnds>,
 }
 
 /// What a column reads.
@@ -50,13 +54,6 @@ struct Read {
     place: Option<usize>,
 }
 
-/// The ends between which play lets a number be.
-#[derive(Debug, Clone, Copy)]
-struct Ends {
-    lower: f64,
-    upper: f64,
-}
-
 impl SpatialResponse {
     /// Prepares a study of `model`.
     ///
@@ -64,6 +61,8 @@ impl SpatialResponse {
     /// The nominal mechanism does not close over the turn; more columns than a study can bound.
     pub fn new(study: &Study, model: &SpatialModel) -> Result<Self, PrepareError> {
         let nominal = model.quantities.evaluate(&in_the_middle(study))?;
+        let of_model = model.quantities.nominal();
+        model.cycle_input(&of_model).map_err(|error| refused(model, &of_model, &error.into()))?;
         let input = study.model.input(study.cycle.span, &nominal);
         if input.speed_rad_s == 0.0 {
             return Err(RunFailure::StandsStill { drive: input.name }.into());
@@ -87,9 +86,8 @@ impl SpatialResponse {
             let output = &plan.outputs[column.output];
             // Every column has its place in `reads`: none is left out.
             let OutputSource::InSpace(own) = output.seen else {
-                return Err(
-                    RunFailure::NoPosition { why: format!("output '{}' is not one of space", output.name) }.into()
-                );
+                let why = format!("output '{}' is not one of space", output.name);
+                return Err(RunFailure::NoPosition { why, hint: "ask for an output of the model" }.into());
             };
             let part = parts.iter().position(|known| *known == own).unwrap_or_else(|| {
                 parts.push(own);
@@ -101,16 +99,30 @@ impl SpatialResponse {
             };
             reads.push(Read { part, place });
         }
-        let sampler =
-            TurnSampler::new(model, &nominal, &turns, &parts).and_then(|own| own.with_play_side(PlaySide::Exact));
-        let sampler = sampler.map_err(failure)?;
+        // Play is counted to first order unless somebody asks what it makes: that needs a search.
+        let is_of_dimensions = plan.columns.iter().all(|column| column.deviation == Deviation::Dimensional);
+        let side = if is_of_dimensions { PlaySide::FirstOrder } else { PlaySide::Exact };
+        let prepared = |values: &Values| {
+            let sampler = TurnSampler::new(model, values, &turns, &parts)?;
+            if side == PlaySide::FirstOrder { Ok(sampler) } else { sampler.with_play_side(side) }
+        };
+        let sampler = prepared(&nominal).map_err(|error| {
+            // Where the values of the model alone have no answer either, its file is at fault.
+            match prepared(&of_model) {
+                Ok(_) => failure(error).into(),
+                Err(error) => refused(model, &of_model, &error),
+            }
+        })?;
         let ideal = &sampler.nominal().ideal_si;
         let at_pose = |read: &Read| read.place.map_or(f64::NAN, |place| ideal[read.part * turns.len() + place]);
+        let targets = InputTargets::new(study);
+        let inputs = study.random.len() + study.epistemic.len();
         Ok(Self {
+            recent: targets.has_play().then(|| RecentEnds::new(inputs, plan.columns.len())),
             nominal_at_pose: reads.iter().map(at_pose).collect(),
             places: turns.len(),
             grid,
-            targets: InputTargets::new(study),
+            targets,
             quantities: model.quantities.clone(),
             plan,
             nominal,
@@ -133,14 +145,13 @@ impl SpatialResponse {
     /// # Errors
     /// A value breaks its rule; the loops do not close.
     pub fn row(&self, random: &[f64], epistemic: &[f64]) -> Result<Vec<f64>, RunFailure> {
-        let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = self.sampler.sample(&values).map_err(failure)?;
-        let share = 0.5 * (1.0 + self.targets.play(epistemic));
-        let column = |(read, column): (&Read, &StudyColumn)| {
-            let ends = self.ends(&sample, read, column.deviation, column.spot);
-            ends.lower + (ends.upper - ends.lower) * share
+        let close = || self.close(random, epistemic);
+        let ends = match &self.recent {
+            Some(recent) => recent.of(self.targets.of_sample(random, epistemic), close)?,
+            None => close()?,
         };
-        let mut row: Vec<f64> = self.reads.iter().zip(&self.plan.columns).map(column).collect();
+        let play = self.targets.play(epistemic);
+        let mut row: Vec<f64> = ends.iter().map(|ends| ends.at(play)).collect();
         let extras = RunExtras {
             energy_residual: f64::NAN,
             evaluations: 0.0,
@@ -152,6 +163,14 @@ impl SpatialResponse {
         Ok(row)
     }
 
+    /// The ends of the columns, with the loops closed for these inputs. They do not depend on where in their play the journals are.
+    fn close(&self, random: &[f64], epistemic: &[f64]) -> EndsOfSample {
+        let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
+        let sample = self.sampler.sample(&values).map_err(failure)?;
+        let columns = self.reads.iter().zip(&self.plan.columns);
+        Ok(columns.map(|(read, column)| self.ends(&sample, read, column.deviation, column.spot)).collect())
+    }
+
     fn ends(&self, sample: &TurnSample, read: &Read, of: Deviation, spot: Location) -> Ends {
         let at = |place: usize| {
             let own = read.part * self.places + place;
@@ -160,9 +179,7 @@ impl SpatialResponse {
                     lower: sample.ideal_si[own] + sample.smallest_si[own],
                     upper: sample.ideal_si[own] + sample.largest_si[own],
                 },
-                Deviation::Dimensional => {
-                    Ends { lower: sample.from_nominal_si[own], upper: sample.from_nominal_si[own] }
-                }
+                Deviation::Dimensional => Ends::of(sample.from_nominal_si[own]),
                 Deviation::Clearance => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
                 Deviation::Total => {
                     Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
@@ -236,67 +253,26 @@ fn check_drives(study: &Study, model: &SpatialModel) -> Result<(), PrepareError>
     Ok(())
 }
 
-/// A number of the curve, each position anywhere between its ends; with the weight of each position in means.
-fn reduced(reduction: Reduction, all: impl Iterator<Item = (Ends, f64)> + Clone) -> Ends {
-    let (no_less, no_more) = (f64::NEG_INFINITY, f64::INFINITY);
-    let highest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_less, f64::max);
-    let lowest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_more, f64::min);
-    let weights: f64 = all.clone().map(|(_, weight)| weight).sum();
-    let mean = |of: fn(Ends) -> f64| all.clone().map(|(ends, weight)| weight * of(ends)).sum::<f64>() / weights;
-    let mean_square =
-        |of: fn(Ends) -> f64| all.clone().map(|(ends, weight)| weight * of(ends).powi(2)).sum::<f64>() / weights;
-    // Nearest to zero, and farthest from it.
-    let near: fn(Ends) -> f64 = |ends| ends.lower.max(-ends.upper).max(0.0);
-    let far: fn(Ends) -> f64 = |ends| ends.upper.max(-ends.lower);
-    let lower: fn(Ends) -> f64 = |ends| ends.lower;
-    let upper: fn(Ends) -> f64 = |ends| ends.upper;
-    match reduction {
-        Reduction::Maximum => Ends { lower: highest(lower), upper: highest(upper) },
-        Reduction::Minimum => Ends { lower: lowest(lower), upper: lowest(upper) },
-        Reduction::MaximumAbsolute => Ends { lower: highest(near), upper: highest(far) },
-        Reduction::RootMeanSquare => Ends { lower: mean_square(near).sqrt(), upper: mean_square(far).sqrt() },
-        Reduction::Mean => Ends { lower: mean(lower), upper: mean(upper) },
-        Reduction::Range => {
-            Ends { lower: (highest(lower) - lowest(upper)).max(0.0), upper: highest(upper) - lowest(lower) }
-        }
-    }
+/// That the file of the model is at fault.
+fn refused(model: &SpatialModel, values: &Values, error: &SamplingError) -> PrepareError {
+    PrepareError::InSpace { found: Box::new(model.not_sampled(values, error)) }
 }
 
 fn failure(error: SamplingError) -> RunFailure {
-    RunFailure::NoPosition { why: error.to_string() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Ends, reduced};
-    use crate::file::Reduction;
-
-    /// Two positions, each anywhere in its interval: every reduction against a grid of all places.
-    #[test]
-    fn analytic_reductions_of_intervals_are_those_of_all_curves() {
-        let all = [Ends { lower: -0.4, upper: 0.1 }, Ends { lower: 0.2, upper: 0.5 }, Ends { lower: -0.1, upper: 0.3 }];
-        const STEPS: usize = 20;
-        let place = |ends: &Ends, k: usize| ends.lower + (ends.upper - ends.lower) * k as f64 / STEPS as f64;
-        for reduction in Reduction::ALL {
-            let mut found = [f64::INFINITY, f64::NEG_INFINITY];
-            for k in 0..(STEPS + 1).pow(3) {
-                let steps = [k % (STEPS + 1), k / (STEPS + 1) % (STEPS + 1), k / (STEPS + 1).pow(2)];
-                let curve: Vec<f64> = all.iter().zip(steps).map(|(ends, k)| place(ends, k)).collect();
-                let max = curve.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                let min = curve.iter().copied().fold(f64::INFINITY, f64::min);
-                let value = match reduction {
-                    Reduction::Maximum => max,
-                    Reduction::Minimum => min,
-                    Reduction::MaximumAbsolute => max.max(-min),
-                    Reduction::RootMeanSquare => (curve.iter().map(|y| y * y).sum::<f64>() / 3.0).sqrt(),
-                    Reduction::Mean => curve.iter().sum::<f64>() / 3.0,
-                    Reduction::Range => max - min,
-                };
-                found = [found[0].min(value), found[1].max(value)];
-            }
-            let ends = reduced(reduction, all.into_iter().map(|ends| (ends, 1.0)));
-            let is_near = |a: f64, b: f64| (a - b).abs() < 0.02;
-            assert!(is_near(ends.lower, found[0]) && is_near(ends.upper, found[1]), "{reduction:?} {ends:?} {found:?}");
+    let hint = match &error {
+        SamplingError::AtRest { .. } => "use component = \"magnitude\", or x, y and z",
+        SamplingError::CoarseTurn { .. } => "take more samples_per_turn",
+        SamplingError::DriveElsewhere { .. } => {
+            "remove what changes this drive from the uncertain inputs; where the cycle counts the turns of a single drive, its speed may be \
+             uncertain"
         }
-    }
+        SamplingError::CannotBeAssembled { .. } => {
+            "give the joints more play, or let lengths, tilts and shifts scatter less; most_failed under [sampling] says how many runs may fail"
+        }
+        SamplingError::NoAnswer { why: AccuracyError::OutputIsFree, .. } => {
+            "`loosepin check` says which freedoms are left without a drive"
+        }
+        _ => "the values differ too much from those of the model, or they do not fit together",
+    };
+    RunFailure::NoPosition { why: error.to_string(), hint }
 }

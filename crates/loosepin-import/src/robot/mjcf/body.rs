@@ -25,6 +25,8 @@ pub(super) struct Bodies<'s, 'd> {
     joint_names: HashSet<&'d str>,
     /// Sites by their names: the link, and the place on it.
     pub sites: HashMap<&'d str, (usize, Vec3)>,
+    /// Sites without a name, which nothing can refer to.
+    pub nameless_sites: usize,
     /// Bodies, those between joints of one body left out.
     pub count: usize,
     /// Geoms in all.
@@ -66,6 +68,7 @@ impl<'s, 'd> Bodies<'s, 'd> {
             by_name: HashMap::from([("world", GROUND)]),
             joint_names: HashSet::new(),
             sites: HashMap::new(),
+            nameless_sites: 0,
             count: 0,
             geoms: 0,
             weighed: 0,
@@ -282,7 +285,10 @@ impl<'s, 'd> Bodies<'s, 'd> {
     /// Sites become points.
     fn read_sites(&mut self, link: usize, content: &Content<'s, 'd>) -> Result<(), Diagnostics> {
         for (site, around) in &content.sites {
-            let Some(name) = site.element.attribute("name") else { continue };
+            let Some(name) = site.element.attribute("name") else {
+                self.nameless_sites += 1;
+                continue;
+            };
             let at_m = around.point(site.attribute("pos").map_or(Ok(Vec3::ZERO), |own| own.vector())?);
             if self.sites.insert(name.text, (link, at_m)).is_some() {
                 return Err(name.error(&RobotProblem::SameName { kind: "site", name: name.shown() }));

@@ -82,6 +82,12 @@ fn findings(bodies: &Bodies<'_, '_>) -> Vec<String> {
     if !bodies.unweighed.is_empty() {
         notes.push(format!("no mass of {}: meshes are not read", quoted(&bodies.unweighed)));
     }
+    if bodies.nameless_sites > 0 {
+        notes.push(format!(
+            "{} without a name left out: points of a model have names",
+            counted(bodies.nameless_sites, "site")
+        ));
+    }
     let between = bodies.links.len() - 1 - bodies.count;
     if between > 0 {
         notes.push(format!("{} without mass between the joints of one body", counted(between, "link")));

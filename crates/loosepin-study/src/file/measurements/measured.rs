@@ -60,6 +60,10 @@ problems! {
     /// Problems of a reading. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
     pub enum MeasuredProblem {
+        /// The model is in space.
+        InSpace => Code::WrongKindOfFile,
+            says("[[measured]] has readings of planar models, and the model of this study is in space"),
+            hint("remove it: `loosepin identify` takes planar models");
         NoPosition { entry: String, output: String } => Code::AskNotPossible,
             says("{entry}: output '{output}' is neither a position nor an angle, and a dead travel must be one of these"),
             hint("add an output position_of or angle_of to the model, and use it here");
@@ -124,6 +128,10 @@ impl StudyReader {
         written: Option<&Entry<'_>>,
         cycle: &Cycle,
     ) -> (Vec<Measured>, Vec<MeasuredMotion>) {
+        if let Some(entry) = written.filter(|_| self.model.spatial().is_some()) {
+            self.reader.report(&MeasuredProblem::InSpace, entry.key_span);
+            return (Vec::new(), Vec::new());
+        }
         let entries = self.double_brackets(written);
         if let Some(surplus) = entries.get(MAX_READINGS) {
             let problem = MeasuredProblem::TooManyReadings { found: entries.len() };

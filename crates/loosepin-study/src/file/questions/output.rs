@@ -55,7 +55,9 @@ impl StudyReader {
             return self.outputs.iter().position(|output| output.output == index);
         }
         let Some(component) = component else {
-            return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
+            let is_in_space = self.model.spatial().is_some();
+            let problem = StudyProblem::PathOutput { entry: table.path.describe(), name, is_in_space };
+            return self.refused(&problem, entry.span);
         };
         let choices: Vec<(&str, &'static str)> = components.iter().map(|&name| (name, name)).collect();
         let component = self.reader.choice(component, &choices)?;

@@ -1,0 +1,199 @@
+//! Studies of models in space that are refused: each at its place, in the words of space. Models without `geometry`, paths of tilts.
+
+use loosepin_space::SpatialModel;
+use loosepin_study::{Progress, RunOptions, Study, StudyModel, StudyRun, estimate_cost, run_study};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
+use std::sync::atomic::AtomicBool;
+
+const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
+const INPUTS: &str = "[epistemic]\n\"joint.ball.radial_clearance\" = { interval = [\"0.15 mm\", \"0.25 mm\"] }\n";
+const ASK: &str =
+    "[[ask]]\noutput = \"rocker\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\"]\n";
+
+struct Silent;
+
+impl Progress for Silent {
+    fn runs(&self, _: usize, _: usize) {}
+}
+
+fn model(edits: &[(&str, &str)]) -> SpatialModel {
+    let edited = edits.iter().fold(FOUR_BAR.to_owned(), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
+    SpatialModel::from_text("model.toml", &edited).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+}
+
+fn read(edits: &[(&str, &str)], rest: &str) -> Result<Study, Diagnostics> {
+    let text = format!("name = \"s\"\nmodel = \"model.toml\"\n{rest}");
+    Study::from_text("study.toml", &text, model(edits))
+}
+
+/// What reading a study of the four-bar says first.
+fn refused(rest: &str) -> Diagnostic {
+    let found = read(&[], rest).expect_err("refused");
+    found.sorted()[0].clone()
+}
+
+/// What preparing a study of an edited four-bar says, as `check` shows it.
+fn not_prepared(edits: &[(&str, &str)]) -> Diagnostic {
+    let study = read(edits, &format!("{INPUTS}{ASK}")).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    estimate_cost(&study).expect_err("no motion").diagnostic(&study)
+}
+
+/// Name of the file and text of the line of a place.
+fn place(found: &Diagnostic) -> (String, String) {
+    let place = found.place.as_ref().unwrap_or_else(|| panic!("{found}"));
+    let (line, _) = place.line_and_column();
+    let text = place.source.text().lines().nth(line - 1).unwrap_or_default().to_owned();
+    (place.source.name().to_owned(), text)
+}
+
+/// What `motion` says of the same model.
+fn of_motion(edits: &[(&str, &str)]) -> Diagnostic {
+    let model = model(edits);
+    model.motion_record(&model.quantities.nominal()).expect_err("no motion").sorted()[0].clone()
+}
+
+#[test]
+fn a_model_that_does_not_move_is_refused_in_the_words_of_motion_at_its_place() {
+    let open = [("rocker = [\"250 mm\"", "rocker = [\"25 mm\"")];
+    let (found, motion) = (not_prepared(&open), of_motion(&open));
+    assert_eq!((&found.message, &found.hint, &found.place), (&motion.message, &motion.hint, &motion.place));
+    assert_eq!(place(&found).0, "model.toml");
+    assert!(place(&found).1.starts_with("[joint."), "{found}");
+    let still = [("speed = \"60 rpm\"", "speed = \"0 rpm\"")];
+    let (found, motion) = (not_prepared(&still), of_motion(&still));
+    assert_eq!((&found.message, &found.hint, &found.place), (&motion.message, &motion.hint, &motion.place));
+    assert_eq!(place(&found), ("model.toml".to_owned(), "speed = \"0 rpm\"".to_owned()));
+    let without = [("[cycle]\ndrive = \"crank\"\nsamples_per_turn = 36\n", "")];
+    let (found, motion) = (not_prepared(&without), of_motion(&without));
+    assert_eq!((&found.message, &found.hint), (&motion.message, &motion.hint));
+    assert!(found.hint.as_deref().is_some_and(|hint| hint.contains("add [cycle] with drive = \"crank\"")), "{found}");
+    assert_eq!(place(&found).0, "model.toml");
+}
+
+#[test]
+fn an_unknown_value_that_opens_the_loops_is_named_and_the_model_is_not() {
+    // The middle of the interval is a coupler that is far too short; that of the model closes.
+    let rest =
+        format!("[epistemic]\n\"body.coupler.points.rocker.x\" = {{ interval = [\"10 mm\", \"250 mm\"] }}\n{ASK}");
+    let study = read(&[], &rest).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let found = estimate_cost(&study).expect_err("no motion").diagnostic(&study);
+    assert_eq!(place(&found).0, "study.toml");
+    let due = "that is 'body.coupler.points.rocker.x' at 130 mm, which the study says and not the model";
+    assert_eq!(found.hint.as_deref(), Some(due), "{found}");
+}
+
+#[test]
+fn readings_of_a_rig_are_refused_before_their_keys() {
+    let found = refused(&format!("{INPUTS}{ASK}[[measured]]\noutput = \"rocker\"\n"));
+    assert_eq!(found.message, "[[measured]] has readings of planar models, and the model of this study is in space");
+    assert_eq!(place(&found), ("study.toml".to_owned(), "[[measured]]".to_owned()));
+    let all = read(&[], &format!("{INPUTS}{ASK}[[measured]]\noutput = \"rocker\"\n")).expect_err("refused");
+    assert_eq!(all.sorted().len(), 1, "{all}");
+}
+
+#[test]
+fn hints_have_the_words_of_space() {
+    let path = ("[output.rocker]", "[output.pin]\npath_of = \"rocker.ball\"\n\n[output.rocker]");
+    let ask = "[[ask]]\noutput = \"pin\"\nof = \"total\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n";
+    let found = read(&[path], &format!("{INPUTS}{ask}")).expect_err("no component").sorted()[0].clone();
+    let hint = found.hint.clone().unwrap_or_default();
+    assert!(hint.contains("across the distance") && !hint.contains("normal") && !hint.contains("contour"), "{found}");
+    let hint = refused(ASK).hint.unwrap_or_default();
+    assert!(hint.ends_with("`loosepin motion` shows what play does to the nominal mechanism"), "{hint}");
+}
+
+#[test]
+fn the_input_that_a_study_adds_is_no_quantity_and_no_parameter() {
+    let play = format!("[epistemic]\n\"play\" = {{ interval = [\"0.1 mm\", \"0.2 mm\"] }}\n{ASK}");
+    let found = refused(&play);
+    assert!(
+        found.message.contains("a study adds the input 'play' by itself, for the places of the journals"),
+        "{found}"
+    );
+    // A parameter of this name has its own path, and both are inputs of the study.
+    let edit = [
+        ("[body.ground]", "[parameter]\nplay = \"0.2 mm\"\n\n[body.ground]"),
+        ("radial_clearance = \"0.2 mm\"", "radial_clearance = \"play\""),
+    ];
+    let found = read(&edit, &play).expect_err("no quantity").sorted()[0].clone();
+    assert_eq!(found.hint.as_deref(), Some("write 'parameter.play' for the parameter of that name"));
+    let study =
+        read(&edit, &play.replace("\"play\" =", "\"parameter.play\" =")).unwrap_or_else(|found| panic!("{found}"));
+    let paths: Vec<&str> = study.epistemic.iter().map(|input| input.path.as_str()).collect();
+    assert_eq!(paths, ["parameter.play", "play"]);
+}
+
+#[test]
+fn tilts_that_the_file_does_not_write_come_with_the_line_to_add() {
+    let of = |path: &str| {
+        let rest = format!("[random]\n\"{path}\" = {{ normal = {{ standard_deviation = \"0.1 mrad\" }} }}\n{ASK}");
+        refused(&rest).hint.unwrap_or_default()
+    };
+    let due = |joint: &str, error: &str, unit: &str| {
+        format!(
+            "tilts and shifts are quantities only where the model file has them: add {error} = [\"0 {unit}\", \"0 {unit}\", \"0 {unit}\"] to \
+             [joint.{joint}]; its numbers are then joint.{joint}.{error}.x, .y and .z"
+        )
+    };
+    assert_eq!(of("joint.main.bearing_tilt.x"), due("main", "bearing_tilt", "mrad"));
+    assert_eq!(of("joint.mian.bearing_tlt.x"), due("main", "bearing_tilt", "mrad"));
+    assert_eq!(of("joint.pivot.journal_shift.z"), due("pivot", "journal_shift", "mm"));
+    assert_eq!(of("joint.ball.bearing_tilt.x"), "joint 'ball' is spherical: it has shifts, and no tilts");
+    assert_eq!(of("joint.ball.radial_clearence"), "did you mean 'joint.ball.radial_clearance'?");
+    // Where it is written, its nearest number is meant.
+    let written =
+        [("journal = \"crank.o\"", "journal = \"crank.o\"\nbearing_tilt = [\"0 mrad\", \"0 mrad\", \"0 mrad\"]")];
+    let rest = format!(
+        "[random]\n\"joint.main.bearing_tilt.w\" = {{ normal = {{ standard_deviation = \"0.1 mrad\" }} }}\n{ASK}"
+    );
+    let found = read(&written, &rest).expect_err("no such number").sorted()[0].clone();
+    assert_eq!(found.hint.as_deref(), Some("did you mean 'joint.main.bearing_tilt.x'?"), "{found}");
+}
+
+#[test]
+fn a_model_that_does_not_say_that_it_is_in_space_has_one_error() {
+    let of = |text: &str| match StudyModel::from_source(Source::new("model.toml", text)) {
+        Ok(_) => panic!("a planar model"),
+        Err(found) => found,
+    };
+    let found = of(&FOUR_BAR.replace("geometry = \"space\"\n", ""));
+    assert_eq!(found.sorted().len(), 1, "{found}");
+    let first = found.sorted()[0];
+    assert_eq!(
+        first.message,
+        "body 'ground', point 'bearing' has three coordinates, which only models in space have, and the file does not say that it is one"
+    );
+    assert!(first.hint.as_deref().is_some_and(|hint| hint.starts_with("add the line geometry = \"space\" at its top")));
+    assert!(place(first).1.starts_with("points = { bearing"), "{found}");
+    // A planar file with another mistake has its own errors.
+    let planar = of("name = \"p\"\n[body.ground]\npoints = { o = [\"0 mm\", \"0 mm\"] }\n");
+    assert!(!planar.to_string().contains("geometry"), "{planar}");
+}
+
+fn run(study: &Study) -> StudyRun {
+    let run = run_study(study, "", &RunOptions::new(2, &Silent, &AtomicBool::new(false)));
+    run.unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn identity_what_lengths_do_does_not_depend_on_whether_play_is_asked_for() {
+    let inputs = "[sampling]\nouter = 6\ninner = 16\nreplicates = 4\n[cycle]\nsamples_per_turn = 6\n[random]\n\
+                  \"body.crank.points.pin.x\" = { normal = { standard_deviation = \"0.05 mm\" } }\n[epistemic]\n\
+                  \"joint.ball.radial_clearance\" = { interval = [\"0.15 mm\", \"0.25 mm\"] }\n";
+    let ask = |of: &str| {
+        format!(
+            "[[ask]]\noutput = \"rocker\"\nof = \"{of}\"\nreduce = \"maximum\"\nstatistics = [\"mean\", {{ quantile = 0.9 }}]\n"
+        )
+    };
+    let bounds = |questions: &str| {
+        let study = read(&[], &format!("{inputs}{questions}")).unwrap_or_else(|found| panic!("{found}"));
+        let all = run(&study).result.bounds;
+        all[..2].iter().map(|bound| [bound.lower.value_si, bound.upper.value_si]).collect::<Vec<_>>()
+    };
+    let alone = bounds(&ask("dimensional"));
+    assert!(alone.iter().flatten().all(|end| end.abs() > 1e-6), "{alone:?}");
+    assert_eq!(alone, bounds(&format!("{}{}", ask("dimensional"), ask("total"))));
+}
