@@ -14,6 +14,7 @@ mod further_turns;
 mod inner_bands;
 mod kept_runs;
 mod paths;
+mod planar_in_space;
 mod position_tolerance;
 mod promise;
 mod silent;
