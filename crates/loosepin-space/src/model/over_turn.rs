@@ -9,10 +9,12 @@ use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
+use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
 use crate::play::block::PlayPart;
+use crate::play::kind_of_play::KindOfPlay;
 use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_result::spatial_motion::{
     SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase,
@@ -86,7 +88,7 @@ impl SpatialModel {
             repeat: Repeat::new("motion", &[], [(InputRole::Model, &**self.source())]),
             drive_speed_rad_s: input.drive.as_ref().map(|_| input.rate),
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
-            has_play: mechanism.joints().iter().any(|joint| joint.play.is_some()),
+            has_play: mechanism.joints().iter().any(has_play),
             outputs,
             inputs_si,
             picture,
@@ -171,6 +173,11 @@ impl SpatialModel {
             ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
         }
     }
+}
+
+/// Whether play moves the journal of a joint; a clearance of zero moves nothing.
+fn has_play(joint: &Joint) -> bool {
+    joint.play.iter().flat_map(KindOfPlay::blocks).any(|block| block.radius_m > 0.0)
 }
 
 /// Whether an output is a displacement, which is no number.
