@@ -2,9 +2,10 @@
 
 use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
+use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::accuracy::random::random;
-use crate::accuracy::slice::{Near, Planes, dot, largest};
+use crate::accuracy::planes::Planes;
+use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::geometry::pose::Pose;
@@ -158,22 +159,31 @@ impl Climb<'_, '_> {
     fn linear(&self, at: &Feasible) -> Linear {
         let accuracy = self.accuracy;
         let variables_m = accuracy.set.in_metres(&at.scaled);
-        let columns = play_columns(&accuracy.loops, &at.closed.frames, &accuracy.set, &variables_m);
         let actual = OutputState { mechanism: accuracy.loops.mechanism, poses: &at.closed.poses };
         let (by_rows, _) = at.closed.system.solve_transposed(&accuracy.gradient(self.output, &actual));
-        let gains = columns.iter().map(|column| -self.sign * dot(&by_rows, column)).collect();
-        let redundant = self.conditions(&at.closed, &columns);
-        let planes = self.planes(&redundant, &columns);
+        let mut gains = Vec::with_capacity(variables_m.len());
+        accuracy.plays.gains(&accuracy.loops, &at.closed.frames, &by_rows, Some(&variables_m), &mut gains);
+        gains.iter_mut().for_each(|gain| *gain *= self.sign);
+        let redundant = self.conditions(&at.closed, &variables_m);
+        let planes = self.planes(&redundant, &at.closed, &variables_m);
         Linear { gains, redundant, planes }
     }
 
-    fn conditions(&self, closed: &Closed, columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        if self.accuracy.conditions() == 0 { Vec::new() } else { redundant(&closed.system, columns) }
+    fn conditions(&self, closed: &Closed, variables_m: &[f64]) -> Vec<Vec<f64>> {
+        let accuracy = self.accuracy;
+        if accuracy.conditions() == 0 {
+            return Vec::new();
+        }
+        redundant(&accuracy.loops, &closed.frames, &closed.system, &accuracy.plays, Some(variables_m))
     }
 
-    fn planes(&self, redundant: &[Vec<f64>], columns: &[Vec<f64>]) -> Planes {
-        let size = columns.iter().map(|column| largest_entry(column)).fold(0.0, f64::max);
-        Planes::new(redundant, self.accuracy.set.variables(), NEGLIGIBLE * size)
+    fn planes(&self, redundant: &[Vec<f64>], closed: &Closed, variables_m: &[f64]) -> Planes {
+        let accuracy = self.accuracy;
+        let size = match redundant {
+            [] => 0.0,
+            _ => accuracy.plays.largest_derivative(&accuracy.loops, &closed.frames, Some(variables_m)),
+        };
+        Planes::new(redundant, accuracy.set.variables(), NEGLIGIBLE * size)
     }
 
     /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
@@ -197,12 +207,11 @@ impl Climb<'_, '_> {
             if accuracy.conditions() == 0 {
                 return None;
             }
-            let columns = play_columns(&accuracy.loops, &closed.frames, &accuracy.set, &variables_m);
-            let redundant = self.conditions(&closed, &columns);
+            let redundant = self.conditions(&closed, &variables_m);
             let along = along_borders(&accuracy.set, &redundant, &scaled);
-            let mut planes = self.planes(&along, &columns);
+            let mut planes = self.planes(&along, &closed, &variables_m);
             if planes.count() < accuracy.conditions() {
-                planes = self.planes(&redundant, &columns);
+                planes = self.planes(&redundant, &closed, &variables_m);
             }
             let right: Vec<f64> = apart.iter().map(|apart| -apart).collect();
             let change = planes.shortest(&right, scaled.len());
@@ -231,9 +240,9 @@ impl PoseAccuracy<'_> {
     /// Gains of the combination of rows that the loops follow least, by variables in units of their radii.
     pub(crate) fn weakest_gains(&self) -> Vec<f64> {
         let weakest = self.system.weakest_row();
-        let middle = vec![0.0; self.set.variables()];
-        let columns = play_columns(&self.loops, &self.frames, &self.set, &middle);
-        columns.iter().map(|column| -dot(&weakest, column)).collect()
+        let mut gains = Vec::with_capacity(self.set.variables());
+        self.plays.gains(&self.loops, &self.frames, &weakest, None, &mut gains);
+        gains
     }
 }
 

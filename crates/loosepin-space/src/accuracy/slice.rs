@@ -7,10 +7,13 @@
 //! -g + τ(v - v0) + z_k v_k + Hᵀλ = 0,   H v = b,   z_k s_k = μ → 0
 //! ```
 //!
-//! A step costs as much as the blocks and one system of the order of H.
+//! A step costs as much as the blocks and one system of the order of H. A single plane has one multiplier, which is found directly
+//! ([`on_plane`]).
 
+use crate::accuracy::one_plane::on_plane;
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
-use loosepin_math::{RealLu, SingularValues};
+use loosepin_math::RealLu;
 
 /// Most steps; 20 are usual.
 const MAX_STEPS: usize = 100;
@@ -25,94 +28,6 @@ const SMALL_RESIDUAL: f64 = 1e-12;
 
 /// Distance of bound and value, or from the planes, with which a search ends without an answer, relative to the gains and to one.
 const WORST_MISS: f64 = 1e-6;
-
-/// Planes H v = b in orthonormal rows.
-#[derive(Debug, Clone)]
-pub(crate) struct Planes {
-    /// Orthonormal rows.
-    rows: Vec<Vec<f64>>,
-    /// Takes multipliers of these rows to those of H, and right-hand sides of H to those of these rows: U/σ.
-    back: Vec<Vec<f64>>,
-    /// U: what of right-hand sides of H is reached.
-    left: Vec<Vec<f64>>,
-}
-
-impl Planes {
-    /// From the rows of H. What is smaller than `negligible` is no plane.
-    pub(crate) fn new(rows: &[Vec<f64>], variables: usize, negligible: f64) -> Self {
-        let matrix: Vec<f64> = rows.iter().flatten().copied().collect();
-        let values = SingularValues::new(&matrix, rows.len(), variables);
-        let kept = values.values().iter().take_while(|value| **value > negligible).count();
-        let back = (0..kept).map(|k| values.left(k).iter().map(|entry| entry / values.values()[k]).collect());
-        Self {
-            back: back.collect(),
-            rows: (0..kept).map(|k| values.right(k).to_vec()).collect(),
-            left: (0..kept).map(|k| values.left(k).to_vec()).collect(),
-        }
-    }
-
-    /// Number of planes.
-    pub(crate) fn count(&self) -> usize {
-        self.rows.len()
-    }
-
-    /// The shortest v with H v = b.
-    pub(crate) fn shortest(&self, b: &[f64], variables: usize) -> Vec<f64> {
-        let mut shortest = vec![0.0; variables];
-        for (row, value) in self.rows.iter().zip(self.right_hand_side(b)) {
-            add(&mut shortest, row, value);
-        }
-        shortest
-    }
-
-    /// A vector without its parts across the planes.
-    pub(crate) fn along(&self, vector: &[f64]) -> Vec<f64> {
-        let mut along = vector.to_vec();
-        for row in &self.rows {
-            let share = dot(row, &along);
-            add(&mut along, row, -share);
-        }
-        along
-    }
-
-    /// The part of b that no v makes.
-    pub(crate) fn rest(&self, b: &[f64]) -> Vec<f64> {
-        let mut rest = b.to_vec();
-        for left in &self.left {
-            let share = dot(left, &rest);
-            add(&mut rest, left, -share);
-        }
-        rest
-    }
-
-    /// The largest entry of that part.
-    pub(crate) fn unreached(&self, b: &[f64]) -> f64 {
-        self.rest(b).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
-    }
-
-    /// b in the orthonormal rows.
-    fn right_hand_side(&self, b: &[f64]) -> Vec<f64> {
-        self.back.iter().map(|column| dot(column, b)).collect()
-    }
-
-    /// Multipliers of H.
-    fn multipliers(&self, own: &[f64], count: usize) -> Vec<f64> {
-        let mut multipliers = vec![0.0; count];
-        for (column, value) in self.back.iter().zip(own) {
-            multipliers.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * value);
-        }
-        multipliers
-    }
-
-    /// g - Hᵀλ for multipliers of H.
-    fn less(&self, gains: &[f64], own: &[f64]) -> Vec<f64> {
-        let mut rest = gains.to_vec();
-        for (row, value) in self.rows.iter().zip(own) {
-            rest.iter_mut().zip(row).for_each(|(entry, part)| *entry -= part * value);
-        }
-        rest
-    }
-}
 
 /// What keeps v near v0.
 #[derive(Debug, Clone, Copy)]
@@ -138,11 +53,13 @@ pub(crate) fn largest(set: &PlaySet, gains: &[f64], near: Option<Near>, planes: 
     let scale = if scale > 0.0 { scale } else { 1.0 };
     let gains: Vec<f64> = gains.iter().map(|gain| gain / scale).collect();
     let near = near.map(|near| Near { weight: near.weight / scale, ..near });
-    let found = if planes.count() == 0 {
-        Some((on_balls(set, &gains, near), Vec::new()))
-    } else {
-        inner_point(set, &gains, near, planes, &planes.right_hand_side(b))
+    let right = planes.right_hand_side(b);
+    let found = match (planes.rows.as_slice(), right.as_slice()) {
+        ([], _) => Some((on_balls(set, &gains, near), Vec::new())),
+        ([row], [b]) => on_plane(set, &gains, near, row, *b).map(|(place, multiplier)| (place, vec![multiplier])),
+        _ => None,
     };
+    let found = found.or_else(|| inner_point(set, &gains, near, planes, &right));
     let (place, own) = found?;
     let rest = planes.less(&gains, &own).iter().map(|gain| gain * scale).collect();
     let own: Vec<f64> = own.iter().map(|value| value * scale).collect();
@@ -334,7 +251,7 @@ fn step_inside(set: &PlaySet, at: &Iterate, step: &Iterate) -> f64 {
     share
 }
 
-fn add(sum: &mut [f64], part: &[f64], factor: f64) {
+pub(crate) fn add(sum: &mut [f64], part: &[f64], factor: f64) {
     sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += factor * part);
 }
 
@@ -344,7 +261,8 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Planes, largest};
+    use super::largest;
+    use crate::accuracy::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
     use crate::play::block::PlayPart;
 
