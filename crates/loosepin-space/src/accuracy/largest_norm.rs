@@ -3,12 +3,19 @@
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::{dot, largest};
+use crate::accuracy::slice::dot;
+use crate::accuracy::vector_reach::VectorReach;
 
 /// Directions from which a search starts, over half of the sphere.
 const STARTS: usize = 64;
 /// Most steps of a search.
 const MAX_STEPS: usize = 500;
+/// Growth of a length that ends a search, relative to it.
+const GROWTH: f64 = 1e-15;
+/// Turn of the direction that ends a search, rad.
+const LAST_TURN: f64 = 1e-12;
+/// Relative difference of lengths that is round-off: the first of several ends that are alike counts.
+const SAME: f64 = 1e-12;
 
 /// The largest length of a vector output to first order: the largest worst case of its component along n, over all directions n.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +33,7 @@ impl PoseAccuracy<'_> {
     /// binormal.
     ///
     /// The length is a convex function of the plays, so that its extremes are local; from 64 directions each step goes on in the direction of
-    /// the largest displacement so far, which never makes it shorter.
+    /// the largest displacement so far, which never makes it shorter. Where an end is proven to be the longest of all, no other is looked for.
     ///
     /// # Errors
     ///
@@ -35,32 +42,37 @@ impl PoseAccuracy<'_> {
         if self.is_open() {
             return Err(AccuracyError::PartsDoNotFit);
         }
-        let scaled: Vec<Vec<f64>> = components.iter().map(|gains| self.scaled_gains(gains)).collect();
-        let zero = vec![0.0; self.redundant.len()];
-        let mut best = LargestNorm { largest: 0.0, direction: vec![0.0; components.len()], variables_m: Vec::new() };
+        let mut reach = VectorReach::new(self, components);
+        let mut vector = Vec::with_capacity(components.len());
+        let mut starts = Vec::with_capacity(STARTS);
         for start in 0..STARTS {
-            let mut direction = spread_direction(start, components.len());
-            let mut length = 0.0;
+            reach.farthest(&spread_direction(start, components.len()), &mut vector)?;
+            starts.push((dot(&vector, &vector).sqrt(), vector.clone()));
+        }
+        // The best first: it may be proven to be enough.
+        starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut best = LargestNorm { largest: 0.0, direction: vec![0.0; components.len()], variables_m: Vec::new() };
+        for (length, start) in starts.iter().filter(|(length, _)| *length > 0.0) {
+            let (mut length, mut direction) = (*length, start.iter().map(|entry| entry / length).collect::<Vec<_>>());
+            let mut is_at_end = false;
             for _ in 0..MAX_STEPS {
-                let mut gains = vec![0.0; self.set.variables()];
-                for (own, share) in scaled.iter().zip(&direction) {
-                    gains.iter_mut().zip(own).for_each(|(sum, gain)| *sum += share * gain);
-                }
-                let found = largest(&self.set, &gains, None, &self.planes, &zero).ok_or(AccuracyError::NoPlace)?;
-                let vector: Vec<f64> = scaled.iter().map(|own| dot(own, &found.place)).collect();
+                reach.farthest(&direction, &mut vector)?;
                 let next = dot(&vector, &vector).sqrt();
-                let is_done = !(next > length * (1.0 + 1e-15));
-                if next > best.largest {
-                    best = LargestNorm {
-                        largest: next,
-                        direction: vector.iter().map(|entry| entry / next).collect(),
-                        variables_m: self.set.in_metres(&found.place),
-                    };
-                }
-                if is_done {
+                is_at_end = is_at_end || !(next > length * (1.0 + GROWTH));
+                let turned: Vec<f64> = vector.iter().map(|entry| entry / next).collect();
+                let turn = turned.iter().zip(&direction).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+                // The direction has half of the digits of the length: it is what goes on a little. With planes it has no more.
+                let has_turned = turn > LAST_TURN && self.planes.count() == 0;
+                if is_at_end && !(has_turned && length > best.largest * (1.0 + SAME)) {
                     break;
                 }
-                (length, direction) = (next, vector.iter().map(|entry| entry / next).collect());
+                (length, direction) = (next.max(length), turned);
+            }
+            if length > best.largest * (1.0 + SAME) {
+                best = LargestNorm { largest: length, direction, variables_m: self.set.in_metres(&reach.place) };
+                if reach.is_longest(length) {
+                    break;
+                }
             }
         }
         Ok(best)

@@ -24,6 +24,7 @@ mod scatter;
 pub(crate) mod search;
 pub(crate) mod slice;
 mod variance;
+mod vector_reach;
 mod worst_case;
 
 pub use displaced::DisplacedPosition;

@@ -1,7 +1,7 @@
 //! The largest multiple of some errors that plays make good.
 
-use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::planes::Planes;
+use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::slice::largest;
 use crate::play::block::PlayPart;
 

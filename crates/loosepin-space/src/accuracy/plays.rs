@@ -48,6 +48,17 @@ impl Plays {
     pub(crate) fn shifts(&self, loops: &Loops, scaled: &[f64], metres: &mut Vec<f64>, shifts: &mut Vec<MarkerShift>) {
         metres.clear();
         metres.extend(scaled.iter().zip(&self.radii_m).map(|(value, radius)| value * radius));
+        self.put_shifts(loops, metres, shifts);
+    }
+
+    /// The same of the variables themselves.
+    pub(crate) fn shifts_in_metres(&self, loops: &Loops, metres: &[f64]) -> Vec<MarkerShift> {
+        let mut shifts = Vec::new();
+        self.put_shifts(loops, metres, &mut shifts);
+        shifts
+    }
+
+    fn put_shifts(&self, loops: &Loops, metres: &[f64], shifts: &mut Vec<MarkerShift>) {
         shifts.clear();
         shifts.resize(loops.mechanism.joints().len(), MarkerShift::default());
         for own in &self.joints {

@@ -2,9 +2,9 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::plays::Plays;
-use crate::accuracy::planes::Planes;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, close, largest};

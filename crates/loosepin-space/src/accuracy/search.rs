@@ -1,10 +1,10 @@
 //! One search for an extreme deviation.
 
 use crate::accuracy::extreme::{Extreme, SearchOptions};
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::accuracy::random::random;
-use crate::accuracy::planes::Planes;
 use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
@@ -32,6 +32,10 @@ const LESS_PULL: f64 = 0.125;
 const MORE_PULL: f64 = 4.0;
 /// Share of the expected improvement from which a step is as good as expected.
 const GOOD_SHARE: f64 = 0.6;
+/// Share of the expected improvement up to which a step went too far: again and again from side to side, it comes to an end in many steps only.
+const POOR_SHARE: f64 = 0.25;
+/// An expected improvement below this is round-off of the poses, rad and relative to the characteristic length.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Pull below which there is none. Where many plays do nearly nothing, the best places are those of a small one.
 const MIN_PULL: f64 = 1e-8;
 /// Pull with which a search ends: its steps are nothing.
@@ -96,6 +100,7 @@ impl Climb<'_, '_> {
         let (ideal, closed_rows) = (&self.accuracy.position.poses, self.accuracy.closed_rows());
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
         let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
+        let round_off = ROUND_OFF * self.accuracy.loops.length_m.min(1.0);
         for step in 0..MAX_STEPS {
             let linear = self.linear(&at);
             let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
@@ -119,7 +124,8 @@ impl Climb<'_, '_> {
             let next = next.map(|found| found.place).and_then(|place| {
                 let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
                 let expected = dot(&linear.gains, &change);
-                let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
+                let least = (LAST_IMPROVEMENT * scale).max(round_off);
+                let is_over = largest_entry(&change) < LAST_STEP || expected <= least;
                 let found = self.feasible(place, &at.closed.poses, &at.closed.system)?;
                 Some((found, expected, is_over))
             });
@@ -130,8 +136,12 @@ impl Climb<'_, '_> {
                     if weight > 0.0 {
                         last_pull = weight;
                     }
-                    // As in methods of trust regions: a step that brought what was expected may be longer.
-                    weight *= if share > GOOD_SHARE { LESS_PULL } else { 1.0 };
+                    // As in methods of trust regions: a step that brought what was expected may be longer, one that brought little shorter.
+                    weight = match share {
+                        share if share > GOOD_SHARE => LESS_PULL * weight,
+                        share if share < POOR_SHARE => MORE_PULL * weight.max(MIN_PULL * scale),
+                        _ => weight,
+                    };
                     if weight < MIN_PULL * scale {
                         weight = 0.0;
                     }

@@ -9,7 +9,7 @@ use loosepin_math::SingularValues;
 const RANK_DEFECT: f64 = 1e-6;
 
 /// Bases of the left and right null spaces of a Jacobian of rank r: m - r vectors of m entries, n - r vectors of n entries.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Borders {
     pub left: Vec<Vec<f64>>,
     pub right: Vec<Vec<f64>>,

@@ -15,9 +15,13 @@ struct SparseRows {
 }
 
 impl SparseRows {
-    /// No rows.
-    fn clear(&mut self) {
+    /// No rows, and room for so many entries.
+    fn clear(&mut self, room: usize) {
         self.ends.clear();
+        // One beyond the last, which may be written though it is zero.
+        if self.entries.len() <= room {
+            self.entries.resize(room + 1, (0, 0.0));
+        }
     }
 
     /// Begins another row.
@@ -28,10 +32,6 @@ impl SparseRows {
     /// Adds entries to the last row, which begin at a column.
     fn push(&mut self, first: usize, entries: &[f64]) {
         let Some(last) = self.ends.last_mut() else { return };
-        // One beyond the last, which may be written though it is zero.
-        if self.entries.len() <= *last + entries.len() {
-            self.entries.resize(2 * (*last + entries.len()), (0, 0.0));
-        }
         for (k, value) in entries.iter().enumerate() {
             // Without a branch: half of the entries are zero, in no order.
             self.entries[*last] = (first + k, *value);
@@ -55,8 +55,9 @@ const BLOCK: usize = 6;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SparseLu {
     order: usize,
-    /// Columns of a block.
+    /// Columns of a block, and the block of each column.
     width: usize,
+    block_of: Vec<u8>,
     /// The matrix, row by row; then its factors.
     matrix: Vec<f64>,
     /// The blocks of each row that have entries.
@@ -89,8 +90,18 @@ fn put_runs(runs: &mut Vec<Range<usize>>, blocks: u64, width: usize, within: Ran
 impl SparseLu {
     /// A matrix of zeros, to be filled by [`Self::add`].
     pub(crate) fn clear(&mut self, order: usize) {
-        self.order = order;
-        self.width = order.div_ceil(MAX_BLOCKS).max(BLOCK);
+        if self.order != order {
+            self.order = order;
+            let width = order.div_ceil(MAX_BLOCKS).max(BLOCK);
+            self.width = width;
+            self.block_of.clear();
+            self.block_of.extend((0..order).map(|column| (column / width) as u8));
+            for room in [&mut self.exchanges, &mut self.below, &mut self.lower.ends, &mut self.upper.ends] {
+                room.reserve(order);
+            }
+            self.inverse_pivots.reserve(order);
+            self.runs.reserve(MAX_BLOCKS / 2);
+        }
         self.matrix.clear();
         self.matrix.resize(order * order, 0.0);
         self.blocks.clear();
@@ -101,8 +112,9 @@ impl SparseLu {
     pub(crate) fn add(&mut self, row: usize, first: usize, values: &[f64]) {
         let start = row * self.order + first;
         self.matrix[start..start + values.len()].iter_mut().zip(values).for_each(|(entry, value)| *entry += value);
-        for block in first / self.width..=(first + values.len()).saturating_sub(1) / self.width {
-            self.blocks[row] |= 1 << block;
+        let blocks = &self.block_of[first..first + values.len()];
+        if let (Some(from), Some(to)) = (blocks.first(), blocks.last()) {
+            self.blocks[row] |= (2_u64 << to).wrapping_sub(1 << from);
         }
     }
 
@@ -117,7 +129,7 @@ impl SparseLu {
         self.exchanges.clear();
         self.inverse_pivots.clear();
         for j in 0..n {
-            let block = j / width;
+            let block = self.block_of[j];
             let mut best = j;
             self.below.clear();
             for i in j..n {
@@ -153,8 +165,9 @@ impl SparseLu {
                 }
             }
         }
-        self.lower.clear();
-        self.upper.clear();
+        let filled: usize = self.blocks.iter().map(|blocks| blocks.count_ones() as usize * width).sum();
+        self.lower.clear(filled);
+        self.upper.clear(filled);
         for (i, row) in a.chunks_exact(n.max(1)).enumerate() {
             self.lower.begin();
             self.upper.begin();

@@ -126,8 +126,7 @@ impl Sample<'_> {
         let is_open = !(largest(&closing.apart) <= CLOSED);
         if is_open || (has_conditions && (side != PlaySide::None || self.drawn.is_some())) {
             let accuracy =
-                PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed())
-                    .map_err(fails)?;
+                PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed()).map_err(fails)?;
             let mut reach = self.conditioned(place, base, accuracy)?;
             let displaced = match &self.drawn {
                 Some(_) if reach.accuracy.conditions() > 0 => {
