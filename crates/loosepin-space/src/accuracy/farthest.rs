@@ -17,11 +17,7 @@ impl PoseAccuracy<'_> {
         if components.len() != 3 {
             return Err(AccuracyError::OutputDoesNotFit);
         }
-        let (mut reach, mut vector) = (VectorReach::new(self, components), Vec::with_capacity(3));
-        let mut along = |n: &Vec3| {
-            reach.farthest(&n.to_array(), &mut vector)?;
-            <[f64; 3]>::try_from(vector.as_slice()).map(Vec3::from).map_err(|_| AccuracyError::OutputDoesNotFit)
-        };
-        directions.iter().map(&mut along).collect()
+        let mut reach = VectorReach::new(self, components)?;
+        directions.iter().map(|n| reach.farthest(n.to_array()).map(Vec3::from)).collect()
     }
 }

@@ -111,15 +111,18 @@ impl Plays {
     /// The largest derivative of a row by a variable in units of its radius.
     pub(crate) fn largest_derivative(&self, loops: &Loops, frames: &[JointFrames], metres: Option<&[f64]>) -> f64 {
         let mut largest: f64 = 0.0;
+        let mut rows = Vec::new();
         for own in &self.joints {
-            for row in &loops.rows[own.rows.clone()] {
-                let (by_shift, by_slope) = row.row.by_play(&frames[own.joint]);
-                self.each_shift(loops, own, metres, |variable, shift| {
+            rows.clear();
+            let placed = loops.rows[own.rows.clone()].iter();
+            rows.extend(placed.map(|row| (row.row.by_play(&frames[own.joint]), loops.scale(row))));
+            self.each_shift(loops, own, metres, |variable, shift| {
+                for ((by_shift, by_slope), scale) in &rows {
                     let change =
                         by_shift.dot(shift.shift_m) + by_slope[0] * shift.slope[0] + by_slope[1] * shift.slope[1];
-                    largest = largest.max((change / loops.scale(row) * self.radii_m[variable]).abs());
-                });
-            }
+                    largest = largest.max((change / scale * self.radii_m[variable]).abs());
+                }
+            });
         }
         largest
     }

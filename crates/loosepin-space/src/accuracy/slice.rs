@@ -261,9 +261,10 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::largest;
+    use super::{Near, dot, inner_point, largest, on_plane};
     use crate::accuracy::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
+    use crate::accuracy::random::random;
     use crate::play::block::PlayPart;
 
     /// What an interior point method leaves.
@@ -329,11 +330,62 @@ mod tests {
     }
 
     #[test]
+    fn identity_one_plane_by_its_multiplier_and_by_inner_points() {
+        const PARTS: [PlayPart; 7] = [
+            PlayPart::Across,
+            PlayPart::Axial,
+            PlayPart::Ball,
+            PlayPart::FirstEnd,
+            PlayPart::SecondEnd,
+            PlayPart::Axial,
+            PlayPart::Axial,
+        ];
+        let set = set(&PARTS);
+        let mut state = 5;
+        let mut jumps = 0;
+        for case in 0..400 {
+            let mut numbers = || (0..set.variables()).map(|_| random(&mut state)).collect::<Vec<f64>>();
+            let (mut gains, mut row, place) = (numbers(), numbers(), numbers());
+            // Intervals that decide, blocks that are not in the plane, gains along it.
+            if case % 3 == 1 {
+                gains[2] *= 10.0;
+                row[2] *= 10.0;
+            }
+            if case % 5 == 2 {
+                row[0..2].fill(0.0);
+                (gains[6], gains[7]) = (0.3 * row[6], 0.3 * row[7]);
+            }
+            let planes = Planes::new(&[row], set.variables(), 1e-12);
+            let scale: f64 = set.support(&gains).iter().sum();
+            gains.iter_mut().for_each(|gain| *gain /= scale);
+            let reach: f64 = set.support(&planes.rows[0]).iter().sum();
+            let b = [0.8 * reach * random(&mut state)];
+            for near in [None, Some(Near { weight: 0.1, place: &place }), Some(Near { weight: 3.0, place: &place })] {
+                let (one, multiplier) = on_plane(&set, &gains, near, &planes.rows[0], b[0]).unwrap();
+                let (other, _) = inner_point(&set, &gains, near, &planes, &b).unwrap();
+                assert!((dot(&planes.rows[0], &one) - b[0]).abs() < 1e-13, "{case}");
+                assert!(set.support(&one).iter().all(|length| *length < 1.0 + 1e-14), "{case}");
+                for (a, b) in one.iter().zip(&other) {
+                    assert!((a - b).abs() < 1e-6, "{case} {near:?}: {one:?} {other:?}");
+                }
+                if near.is_none() {
+                    // What the multiplier bounds from above is reached.
+                    let rest = planes.less(&gains, &[multiplier]);
+                    let bound = set.support(&rest).iter().sum::<f64>() + multiplier * b[0];
+                    assert!((bound - dot(&gains, &one)).abs() < 1e-14, "{case}: {bound} {}", dot(&gains, &one));
+                    jumps += usize::from(set.support(&one).iter().any(|length| *length < 1.0 - 1e-9));
+                }
+            }
+        }
+        assert!(jumps > 50 && jumps < 350, "{jumps}");
+    }
+
+    #[test]
     fn analytic_near_a_place() {
         // Maximise x - τ|v - v0|²/2 in a ball: at v0 + g/τ where that is inside, else on the border in its direction.
         let set = set(&[PlayPart::Ball]);
         let none = Planes::new(&[], 3, 0.0);
-        let near = |weight| super::Near { weight, place: &[0.1, 0.2, 0.0] };
+        let near = |weight| Near { weight, place: &[0.1, 0.2, 0.0] };
         let inside = largest(&set, &[1.0, 0.0, 0.0], Some(near(2.0)), &none, &[]).unwrap().place;
         assert!((inside[0] - 0.6).abs() < TOLERANCE && (inside[1] - 0.2).abs() < TOLERANCE);
         let outside = largest(&set, &[1.0, 0.0, 0.0], Some(near(0.5)), &none, &[]).unwrap().place;

@@ -32,11 +32,14 @@ impl SparseRows {
     /// Adds entries to the last row, which begin at a column.
     fn push(&mut self, first: usize, entries: &[f64]) {
         let Some(last) = self.ends.last_mut() else { return };
+        let room = &mut self.entries[*last..=*last + entries.len()];
+        let mut count = 0;
         for (k, value) in entries.iter().enumerate() {
             // Without a branch: half of the entries are zero, in no order.
-            self.entries[*last] = (first + k, *value);
-            *last += usize::from(*value != 0.0);
+            room[count] = (first + k, *value);
+            count += usize::from(*value != 0.0);
         }
+        *last += count;
     }
 
     #[inline(always)]
