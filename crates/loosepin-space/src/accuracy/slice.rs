@@ -342,7 +342,7 @@ mod tests {
         ];
         let set = set(&PARTS);
         let mut state = 5;
-        let mut jumps = 0;
+        let (mut jumps, mut compared) = (0, 0);
         for case in 0..400 {
             let mut numbers = || (0..set.variables()).map(|_| random(&mut state)).collect::<Vec<f64>>();
             let (mut gains, mut row, place) = (numbers(), numbers(), numbers());
@@ -362,12 +362,8 @@ mod tests {
             let b = [0.8 * reach * random(&mut state)];
             for near in [None, Some(Near { weight: 0.1, place: &place }), Some(Near { weight: 3.0, place: &place })] {
                 let (one, multiplier) = on_plane(&set, &gains, near, &planes.rows[0], b[0]).unwrap();
-                let (other, _) = inner_point(&set, &gains, near, &planes, &b).unwrap();
                 assert!((dot(&planes.rows[0], &one) - b[0]).abs() < 1e-13, "{case}");
                 assert!(set.support(&one).iter().all(|length| *length < 1.0 + 1e-14), "{case}");
-                for (a, b) in one.iter().zip(&other) {
-                    assert!((a - b).abs() < 1e-6, "{case} {near:?}: {one:?} {other:?}");
-                }
                 if near.is_none() {
                     // What the multiplier bounds from above is reached.
                     let rest = planes.less(&gains, &[multiplier]);
@@ -375,8 +371,20 @@ mod tests {
                     assert!((bound - dot(&gains, &one)).abs() < 1e-14, "{case}: {bound} {}", dot(&gains, &one));
                     jumps += usize::from(set.support(&one).iter().any(|length| *length < 1.0 - 1e-9));
                 }
+                // Inner points do not come to an end everywhere.
+                let Some((other, _)) = inner_point(&set, &gains, near, &planes, &b) else { continue };
+                compared += 1;
+                // A disc whose gains are all along the plane's may lie anywhere across them.
+                let is_unique = case % 5 != 2 || near.is_some();
+                for (a, b) in one.iter().zip(&other).filter(|_| is_unique) {
+                    assert!((a - b).abs() < 1e-6, "{case} {near:?}: {one:?} {other:?}");
+                }
+                if near.is_none() {
+                    assert!((dot(&gains, &one) - dot(&gains, &other)).abs() < 1e-9, "{case}: {one:?} {other:?}");
+                }
             }
         }
+        assert!(compared > 1000, "{compared}");
         assert!(jumps > 50 && jumps < 350, "{jumps}");
     }
 

@@ -53,6 +53,8 @@ impl SparseRows {
 const MAX_BLOCKS: usize = 64;
 /// Columns of a block, those of a body; more where there are more columns than bits.
 const BLOCK: usize = 6;
+/// Order up to which there is one block: most of its columns have entries.
+const ONE_BLOCK: usize = 24;
 
 /// Factors P A = L U with row exchanges, L with ones on its diagonal. Blocks of columns in which rows have no entries are passed over.
 #[derive(Debug, Clone, Default)]
@@ -95,13 +97,14 @@ impl SparseLu {
     pub(crate) fn clear(&mut self, order: usize) {
         if self.order != order {
             self.order = order;
-            let width = order.div_ceil(MAX_BLOCKS).max(BLOCK);
+            let width = if order <= ONE_BLOCK { order } else { order.div_ceil(MAX_BLOCKS).max(BLOCK) };
             self.width = width;
             self.block_of.clear();
             self.block_of.extend((0..order).map(|column| (column / width) as u8));
-            for room in [&mut self.exchanges, &mut self.below, &mut self.lower.ends, &mut self.upper.ends] {
+            for room in [&mut self.exchanges, &mut self.lower.ends, &mut self.upper.ends] {
                 room.reserve(order);
             }
+            self.below.resize(order, 0);
             self.inverse_pivots.reserve(order);
             self.runs.reserve(MAX_BLOCKS / 2);
         }
@@ -133,14 +136,16 @@ impl SparseLu {
         self.inverse_pivots.clear();
         for j in 0..n {
             let block = self.block_of[j];
-            let mut best = j;
-            self.below.clear();
-            for i in j..n {
-                if self.blocks[i] >> block & 1 == 1 && a[i * n + j] != 0.0 {
-                    self.below.push(i);
+            let (mut best, mut most, mut count) = (j, a[j * n + j].abs(), 0);
+            for (i, blocks) in self.blocks.iter().enumerate().skip(j) {
+                if blocks >> block & 1 == 1 {
+                    let entry = a[i * n + j];
+                    // Without a branch, as below.
+                    self.below[count] = i;
+                    count += usize::from(entry != 0.0);
                     // What is not a number is no pivot, and stays in the matrix.
-                    if a[i * n + j].abs() > a[best * n + j].abs() {
-                        best = i;
+                    if entry.abs() > most {
+                        (best, most) = (i, entry.abs());
                     }
                 }
             }
@@ -155,7 +160,7 @@ impl SparseLu {
             self.inverse_pivots.push(inverse);
             let of_pivot = self.blocks[j];
             put_runs(&mut self.runs, of_pivot, width, j + 1..n);
-            for &i in self.below.iter().filter(|i| **i != best) {
+            for &i in self.below[..count].iter().filter(|i| **i != best) {
                 // The row that was at j has gone to where the pivot was.
                 let i = if i == j { best } else { i };
                 let row = &mut below[(i - j - 1) * n..(i - j) * n];
@@ -279,8 +284,8 @@ mod tests {
 
     #[test]
     fn identity_blocks_without_entries_are_those_of_a_matrix_with_zeros() {
-        // Up to 64 blocks of six columns, and more columns than those.
-        for order in [5_usize, 29, 63, 131, 400] {
+        // One block, up to 64 blocks of six columns, and more columns than those.
+        for order in [5_usize, 24, 25, 63, 131, 400] {
             let number = |k: usize| libm::sin(1.7 + 3.1 * k as f64 + 0.37 * (k * k % 1013) as f64);
             let mut own = SparseLu::default();
             own.clear(order);
