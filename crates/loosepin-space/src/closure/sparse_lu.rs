@@ -132,20 +132,29 @@ impl SparseLu {
     /// Factors what was filled in.
     pub(crate) fn factor(&mut self) {
         let (n, width, a) = (self.order, self.width, &mut self.matrix);
+        let is_one_block = width == n;
         self.exchanges.clear();
         self.inverse_pivots.clear();
         for j in 0..n {
             let block = self.block_of[j];
             let (mut best, mut most, mut count) = (j, a[j * n + j].abs(), 0);
-            for (i, blocks) in self.blocks.iter().enumerate().skip(j) {
-                if blocks >> block & 1 == 1 {
-                    let entry = a[i * n + j];
-                    // Without a branch, as below.
-                    self.below[count] = i;
-                    count += usize::from(entry != 0.0);
+            if is_one_block {
+                for i in j + 1..n {
                     // What is not a number is no pivot, and stays in the matrix.
-                    if entry.abs() > most {
-                        (best, most) = (i, entry.abs());
+                    if a[i * n + j].abs() > most {
+                        (best, most) = (i, a[i * n + j].abs());
+                    }
+                }
+            } else {
+                for (i, blocks) in self.blocks.iter().enumerate().skip(j) {
+                    if blocks >> block & 1 == 1 {
+                        let entry = a[i * n + j];
+                        // Without a branch, as below.
+                        self.below[count] = i;
+                        count += usize::from(entry != 0.0);
+                        if entry.abs() > most {
+                            (best, most) = (i, entry.abs());
+                        }
                     }
                 }
             }
@@ -158,6 +167,15 @@ impl SparseLu {
             }
             let inverse = 1.0 / pivot_row[j];
             self.inverse_pivots.push(inverse);
+            if is_one_block {
+                for row in below.chunks_exact_mut(n).filter(|row| row[j] != 0.0) {
+                    let factor = row[j] * inverse;
+                    row[j] = factor;
+                    let pairs = row[j + 1..].iter_mut().zip(&pivot_row[j + 1..]);
+                    pairs.for_each(|(entry, pivot)| *entry -= factor * pivot);
+                }
+                continue;
+            }
             let of_pivot = self.blocks[j];
             put_runs(&mut self.runs, of_pivot, width, j + 1..n);
             for &i in self.below[..count].iter().filter(|i| **i != best) {
