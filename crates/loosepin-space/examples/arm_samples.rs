@@ -1,4 +1,5 @@
-//! Time of an exact pose of an arm with six axes and play in all of them: `cargo run --release -p loosepin-space --example arm_samples`.
+//! Time of an exact pose of an arm with six axes and play in all of them: `cargo run --release -p loosepin-space --example arm_samples`; behind
+//! `--` how many samples, and on how many threads: `-- 100000 2`.
 
 use loosepin_space::{
     Body, Drive, Joint, JointCoordinate, Marker, OpenChain, Pose, Revolute, RevolutePlay, SpatialMechanism, Vec3,
@@ -9,6 +10,8 @@ const SAMPLES: usize = 20_000;
 const POSES: usize = 180;
 
 fn main() {
+    let mut numbers = std::env::args().skip(1).map(|word| word.parse().expect("a whole number"));
+    let (samples, threads) = (numbers.next().unwrap_or(SAMPLES), numbers.next().unwrap_or(1));
     let arm = arm().expect("the arm is a mechanism");
     let chain = OpenChain::new(&arm, 6).expect("the arm is a chain");
     let poses: Vec<_> = (0..POSES)
@@ -18,18 +21,28 @@ fn main() {
         })
         .collect();
     let variables = chain.play_set().variables();
-    let started = Instant::now();
-    let mut sum = Vec3::ZERO;
-    for sample in 0..SAMPLES {
-        let at = |k: usize| 1e-5 * ((sample * variables + k) as f64).sin();
-        let sample = chain.sample(&(0..variables).map(at).collect::<Vec<_>>(), None);
-        for pose in &poses {
-            sum += sample.end(pose).point_m(Vec3::new(0.0, 0.0, 0.1));
+    let of_thread = &|thread: usize| {
+        let mut sum = Vec3::ZERO;
+        for sample in (thread..samples).step_by(threads) {
+            let at = |k: usize| 1e-5 * ((sample * variables + k) as f64).sin();
+            let sample = chain.sample(&(0..variables).map(at).collect::<Vec<_>>(), None);
+            for pose in &poses {
+                sum += sample.end(pose).point_m(Vec3::new(0.0, 0.0, 0.1));
+            }
         }
-    }
+        sum
+    };
+    let started = Instant::now();
+    let sum = std::thread::scope(|scope| {
+        let running: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();
+        running.into_iter().fold(Vec3::ZERO, |sum, thread| sum + thread.join().expect("a thread that ends"))
+    });
     let seconds = started.elapsed().as_secs_f64();
-    let nanoseconds = seconds * 1e9 / (SAMPLES * POSES) as f64;
-    println!("{SAMPLES} samples x {POSES} poses: {seconds:.3} s, {nanoseconds:.0} ns a pose (mean end {sum:?})");
+    let nanoseconds = seconds * 1e9 * threads as f64 / (samples * POSES) as f64;
+    let mean = sum / (samples * POSES) as f64;
+    println!(
+        "{samples} samples x {POSES} poses, {threads} threads: {seconds:.3} s, {nanoseconds:.0} ns a pose (mean {mean:?})"
+    );
 }
 
 /// An arm with six axes, its bearings with play.

@@ -1,10 +1,11 @@
 //! Samples a second of the spatial slider-crank and the four-bar with two balls, 36 places of a turn, dimensions and clearances drawn at random:
-//! `cargo run --release -p loosepin-space --example turn_samples`; a word after `--` takes only measurements whose names have it, as `exact`.
+//! `cargo run --release -p loosepin-space --example turn_samples`; a word after `--` takes only measurements whose names have it, as `exact`, and
+//! files after it are measured in place of both mechanisms, each output of a number: `-- exact model.toml`.
 
 use loosepin_space::{PartOfOutput, PlaySide, SampledPart, SpatialModel, TurnSampler};
 use loosepin_text::numbers::{QuantityId, Values};
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 const PLACES: usize = 36;
@@ -18,8 +19,11 @@ type Result<T> = std::result::Result<T, Box<dyn Error>>;
 fn main() -> Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples");
     let turns: Vec<f64> = (0..PLACES).map(|place| place as f64 / PLACES as f64).collect();
-    for name in ["spatial-slider-crank", "rssr-four-bar"] {
-        let model = SpatialModel::from_path(&folder.join(format!("{name}.toml")))?;
+    let files: Vec<PathBuf> = std::env::args().skip(2).map(PathBuf::from).collect();
+    let own = ["spatial-slider-crank", "rssr-four-bar"].map(|name| folder.join(format!("{name}.toml")));
+    for file in if files.is_empty() { own.to_vec() } else { files } {
+        let model = SpatialModel::from_path(&file)?;
+        let name = model.name.clone();
         let values = drawn(&model)?;
         let parts = [SampledPart { output: 0, part: PartOfOutput::Number }];
         let sampler = TurnSampler::new(&model, &model.quantities.nominal(), &turns, &parts)?;

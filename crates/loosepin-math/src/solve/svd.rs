@@ -19,6 +19,14 @@ pub struct SingularValues {
 impl SingularValues {
     /// Decomposes `matrix`, row by row. Entries that are not finite give values that are not.
     pub fn new(matrix: &[f64], rows: usize, columns: usize) -> Self {
+        let mut found = Self::thin(matrix, rows, columns);
+        let (side, size) = if columns > rows { (&mut found.right, columns) } else { (&mut found.left, rows) };
+        *side = completed(std::mem::take(side), size);
+        found
+    }
+
+    /// The same without vectors of null spaces that no rotation makes: of the longer side there are only those of singular values above round-off.
+    pub fn thin(matrix: &[f64], rows: usize, columns: usize) -> Self {
         let is_wide = columns > rows;
         let (height, width) = if is_wide { (columns, rows) } else { (rows, columns) };
         let entry = |i: usize, j: usize| if is_wide { matrix[j * columns + i] } else { matrix[i * columns + j] };
@@ -42,8 +50,7 @@ impl SingularValues {
         // A column at round-off has no direction of its own: its place is filled with those of the null space.
         let smallest = values.first().map_or(0.0, |largest| largest * f64::EPSILON);
         let long = order.iter().filter(|&&k| lengths[k] > smallest);
-        let known = long.map(|&k| images[k].iter().map(|entry| entry / lengths[k]).collect()).collect();
-        let image_side = completed(known, height);
+        let image_side = long.map(|&k| images[k].iter().map(|entry| entry / lengths[k]).collect()).collect();
         let turned_side: Vec<Vec<f64>> = order.iter().map(|&k| turned[k].clone()).collect();
         let (left, right) = if is_wide { (turned_side, image_side) } else { (image_side, turned_side) };
         Self { rows, columns, values, left, right }

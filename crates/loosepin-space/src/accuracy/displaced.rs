@@ -65,7 +65,7 @@ impl PoseAccuracy<'_> {
         let known = Some(system.unwrap_or(&self.system));
         let attempt = |from: &[Pose], share: f64| {
             let variables: Vec<f64> = variables_m.iter().map(|value| value * share).collect();
-            let shifts = self.set.shifts(self.loops.mechanism, &variables);
+            let shifts = self.plays.shifts_in_metres(&self.loops, &variables);
             close(&self.loops, from, &shifts, &drives, &self.position.borders, known).ok().filter(|closed| {
                 // A long way from a place close by is a way to another branch.
                 closed.way < 1.0

@@ -3,7 +3,7 @@
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::{dot, largest};
+use crate::accuracy::vector_reach::VectorReach;
 use crate::geometry::vector::Vec3;
 
 impl PoseAccuracy<'_> {
@@ -14,14 +14,10 @@ impl PoseAccuracy<'_> {
     ///
     /// [`AccuracyError::NoPlace`], as for [`Self::first_order`]; [`AccuracyError::OutputDoesNotFit`] without three components.
     pub fn farthest(&self, components: &[Gains], directions: &[Vec3]) -> Result<Vec<Vec3>, AccuracyError> {
-        let [x, y, z] = components else { return Err(AccuracyError::OutputDoesNotFit) };
-        let [x, y, z] = [x, y, z].map(|gains| self.scaled_gains(gains));
-        let zero = vec![0.0; self.redundant.len()];
-        let along = |n: &Vec3| {
-            let gains: Vec<f64> = x.iter().zip(&y).zip(&z).map(|((x, y), z)| n.x * x + n.y * y + n.z * z).collect();
-            let found = largest(&self.set, &gains, None, &self.planes, &zero).ok_or(AccuracyError::NoPlace)?;
-            Ok(Vec3::from([&x, &y, &z].map(|own| dot(own, &found.place))))
-        };
-        directions.iter().map(along).collect()
+        if components.len() != 3 {
+            return Err(AccuracyError::OutputDoesNotFit);
+        }
+        let mut reach = VectorReach::new(self, components)?;
+        directions.iter().map(|n| reach.farthest(n.to_array()).map(Vec3::from)).collect()
     }
 }

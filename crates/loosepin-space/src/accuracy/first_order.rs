@@ -65,6 +65,6 @@ impl PoseAccuracy<'_> {
 
     /// Gains by the variables in units of their radii.
     pub(crate) fn scaled_gains(&self, gains: &Gains) -> Vec<f64> {
-        gains.by_play.iter().zip(self.set.radii_m()).map(|(gain, radius)| gain * radius).collect()
+        gains.by_play.iter().zip(&self.plays.radii_m).map(|(gain, radius)| gain * radius).collect()
     }
 }

@@ -3,12 +3,21 @@
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::{dot, largest};
+use crate::accuracy::slice::dot;
+use crate::accuracy::vector_reach::VectorReach;
 
 /// Directions from which a search starts, over half of the sphere.
 const STARTS: usize = 64;
 /// Most steps of a search.
 const MAX_STEPS: usize = 500;
+/// Growth of a length that ends a search, relative to it.
+const GROWTH: f64 = 1e-15;
+/// Turn of the direction that ends a search, rad.
+const LAST_TURN: f64 = 1e-12;
+/// Relative difference of components that are alike but for round-off.
+const ALIKE: f64 = 1e-6;
+/// Relative difference of lengths that is round-off: the first of several ends that are alike counts.
+const SAME: f64 = 1e-12;
 
 /// The largest length of a vector output to first order: the largest worst case of its component along n, over all directions n.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,60 +35,78 @@ impl PoseAccuracy<'_> {
     /// binormal.
     ///
     /// The length is a convex function of the plays, so that its extremes are local; from 64 directions each step goes on in the direction of
-    /// the largest displacement so far, which never makes it shorter.
+    /// the largest displacement so far, which never makes it shorter. Where an end is proven to be the longest of all, no other is looked for.
     ///
     /// # Errors
     ///
-    /// As for [`Self::first_order`].
+    /// As for [`Self::first_order`]; [`AccuracyError::OutputDoesNotFit`] with more than three components.
     pub fn largest_norm(&self, components: &[Gains]) -> Result<LargestNorm, AccuracyError> {
         if self.is_open() {
             return Err(AccuracyError::PartsDoNotFit);
         }
-        let scaled: Vec<Vec<f64>> = components.iter().map(|gains| self.scaled_gains(gains)).collect();
-        let zero = vec![0.0; self.redundant.len()];
-        let mut best = LargestNorm { largest: 0.0, direction: vec![0.0; components.len()], variables_m: Vec::new() };
+        let size = components.len();
+        let mut reach = VectorReach::new(self, components)?;
+        let mut starts = Vec::with_capacity(STARTS);
         for start in 0..STARTS {
-            let mut direction = spread_direction(start, components.len());
-            let mut length = 0.0;
+            starts.push(length_and_direction(reach.farthest(spread_direction(start, size))?));
+        }
+        // The best first: it may be proven to be enough.
+        starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut best = LargestNorm { largest: 0.0, direction: vec![0.0; size], variables_m: Vec::new() };
+        for (mut length, mut direction) in starts.into_iter().filter(|(length, _)| *length > 0.0) {
+            let mut is_at_end = false;
             for _ in 0..MAX_STEPS {
-                let mut gains = vec![0.0; self.set.variables()];
-                for (own, share) in scaled.iter().zip(&direction) {
-                    gains.iter_mut().zip(own).for_each(|(sum, gain)| *sum += share * gain);
-                }
-                let found = largest(&self.set, &gains, None, &self.planes, &zero).ok_or(AccuracyError::NoPlace)?;
-                let vector: Vec<f64> = scaled.iter().map(|own| dot(own, &found.place)).collect();
-                let next = dot(&vector, &vector).sqrt();
-                let is_done = !(next > length * (1.0 + 1e-15));
-                if next > best.largest {
-                    best = LargestNorm {
-                        largest: next,
-                        direction: vector.iter().map(|entry| entry / next).collect(),
-                        variables_m: self.set.in_metres(&found.place),
-                    };
-                }
-                if is_done {
+                let (next, turned) = length_and_direction(reach.farthest(direction)?);
+                is_at_end = is_at_end || !(next > length * (1.0 + GROWTH));
+                let turn = turned.iter().zip(direction).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+                // The direction has half of the digits of the length: it is what goes on a little. With planes it has no more.
+                let has_turned = turn > LAST_TURN && self.planes.count() == 0;
+                if is_at_end && !(has_turned && length > best.largest * (1.0 + SAME)) {
                     break;
                 }
-                (length, direction) = (next, vector.iter().map(|entry| entry / next).collect());
+                (length, direction) = (next.max(length), turned);
             }
+            if length > best.largest * (1.0 + SAME) {
+                let (along, place) = reach.gains_and_place(direction);
+                best = LargestNorm {
+                    largest: length,
+                    direction: direction[..size].to_vec(),
+                    variables_m: self.set.in_metres(&place),
+                };
+                if reach.is_longest(length, &along) {
+                    break;
+                }
+            }
+        }
+        // Of both senses, which are alike, that in which the largest component is positive.
+        let size = best.direction.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let first = best.direction.iter().find(|own| own.abs() > size * (1.0 - ALIKE));
+        if first.is_some_and(|own| *own < 0.0) {
+            best.direction.iter_mut().chain(&mut best.variables_m).for_each(|value| *value = -*value);
         }
         Ok(best)
     }
 }
 
+/// Length of a vector, and the unit vector along it; the first axis where there is no length.
+fn length_and_direction(vector: [f64; 3]) -> (f64, [f64; 3]) {
+    let length = dot(&vector, &vector).sqrt();
+    (length, if length > 0.0 { vector.map(|entry| entry / length) } else { [1.0, 0.0, 0.0] })
+}
+
 /// Directions spread over half of the sphere (a spiral with the golden angle), the half circle, or the line.
-fn spread_direction(number: usize, size: usize) -> Vec<f64> {
+fn spread_direction(number: usize, size: usize) -> [f64; 3] {
     let share = (number as f64 + 0.5) / STARTS as f64;
     match size {
         3 => {
             let (sine, cosine) = loosepin_math::sin_cos(2.399_963_229_728_653 * number as f64);
             let across = (1.0 - share * share).sqrt();
-            vec![across * cosine, across * sine, share]
+            [across * cosine, across * sine, share]
         }
         2 => {
             let (sine, cosine) = loosepin_math::sin_cos(std::f64::consts::PI * share);
-            vec![cosine, sine]
+            [cosine, sine, 0.0]
         }
-        _ => (0..size).map(|k| f64::from(u8::from(k == number % size.max(1)))).collect(),
+        _ => [1.0, 0.0, 0.0],
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::multiple::{MAX_MULTIPLE, Multiple, largest_multiple};
-use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
+use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::closure::step::CLOSED;
@@ -151,6 +151,6 @@ impl PoseAccuracy<'_> {
     /// h in units of the radii at places of the journals.
     fn rows_at(&self, closed: &Closed, scaled: &[f64]) -> Vec<Vec<f64>> {
         let variables_m = self.set.in_metres(scaled);
-        redundant(&closed.system, &play_columns(&self.loops, &closed.frames, &self.set, &variables_m))
+        redundant(&self.loops, &closed.frames, &closed.system, &self.plays, Some(&variables_m))
     }
 }

@@ -12,7 +12,10 @@ mod gains;
 mod largest_norm;
 mod least_play;
 mod multiple;
+mod one_plane;
+mod planes;
 pub(crate) mod play_set;
+pub(crate) mod plays;
 mod pose_accuracy;
 mod random;
 mod reserve;
@@ -21,6 +24,7 @@ mod scatter;
 pub(crate) mod search;
 pub(crate) mod slice;
 mod variance;
+mod vector_reach;
 mod worst_case;
 
 pub use displaced::DisplacedPosition;

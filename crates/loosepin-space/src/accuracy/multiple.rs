@@ -1,7 +1,8 @@
 //! The largest multiple of some errors that plays make good.
 
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::slice::{Planes, largest};
+use crate::accuracy::slice::largest;
 use crate::play::block::PlayPart;
 
 /// Largest multiple of the errors that is looked at: beyond it they do not matter.

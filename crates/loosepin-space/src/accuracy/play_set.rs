@@ -108,7 +108,11 @@ impl PlaySet {
 
     /// Variables scaled so that each block lies in a unit ball, in m again.
     pub(crate) fn in_metres(&self, scaled: &[f64]) -> Vec<f64> {
-        scaled.iter().zip(self.radii_m()).map(|(value, radius)| value * radius).collect()
+        let mut metres = scaled.to_vec();
+        for block in &self.blocks {
+            metres[block.range()].iter_mut().for_each(|value| *value *= block.radius_m);
+        }
+        metres
     }
 
     /// Puts blocks that are outside their unit balls back onto the border.

@@ -2,21 +2,24 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::slice::{Planes, dot};
+use crate::accuracy::plays::Plays;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, close, largest};
 use crate::closure::position::Position;
 use crate::closure::singular::RANK_THRESHOLD;
 use crate::closure::step::CLOSED;
-use crate::kind::frames::{JointFrames, MarkerShift};
+use crate::kind::frames::JointFrames;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 
 /// Part of a gradient along free motions, relative to all of it, that is round-off.
 const FREE_SHARE: f64 = 1e-7;
+/// Singular values and pivots above this, relative to the largest, are far from zero.
+const FAR_FROM_SINGULAR: f64 = 1e-4;
 /// Part of a redundant row that plays do not reach, relative to the largest derivative by play.
 const NEGLIGIBLE: f64 = 1e-9;
 
@@ -33,6 +36,7 @@ pub struct PoseAccuracy<'a> {
     /// ν of the ideal position: how far redundant rows of parts with few digits are from closing.
     pub(crate) apart: Vec<f64>,
     pub(crate) set: PlaySet,
+    pub(crate) plays: Plays,
     /// h of each redundant row, of variables in units of their radii.
     pub(crate) redundant: Vec<Vec<f64>>,
     pub(crate) planes: Planes,
@@ -59,16 +63,16 @@ impl<'a> PoseAccuracy<'a> {
     pub(crate) fn of_closed(loops: Loops<'a>, position: &Position, closed: Closed) -> Result<Self, AccuracyError> {
         let position = Position { poses: closed.poses, ..position.clone() };
         let (frames, system, apart) = (closed.frames, closed.system, closed.apart);
-        if !(system.singular_ratio() > RANK_THRESHOLD) {
+        // Pivots that are far from zero, and a position that was, need no closer look.
+        let is_regular = position.singular_ratio > FAR_FROM_SINGULAR && system.pivot_ratio() > FAR_FROM_SINGULAR;
+        if !is_regular && !(system.singular_ratio(&loops, &frames, &position.borders) > RANK_THRESHOLD) {
             return Err(AccuracyError::Singular);
         }
-        let set = PlaySet::new(loops.mechanism);
-        let middle = vec![0.0; set.variables()];
-        let play_columns = play_columns(&loops, &frames, &set, &middle);
-        let redundant = redundant(&system, &play_columns);
-        let size = play_columns.iter().map(|column| largest(column)).fold(0.0, f64::max);
-        let planes = Planes::new(&redundant, set.variables(), NEGLIGIBLE * size);
-        Ok(Self { loops, position, frames, system, apart, set, redundant, planes })
+        let plays = Plays::new(&loops);
+        let redundant = redundant(&loops, &frames, &system, &plays, None);
+        let size = if redundant.is_empty() { 0.0 } else { plays.largest_derivative(&loops, &frames, None) };
+        let planes = Planes::new(&redundant, plays.set.variables(), NEGLIGIBLE * size);
+        Ok(Self { set: plays.set.clone(), loops, position, frames, system, apart, plays, redundant, planes })
     }
 
     /// The mechanism.
@@ -122,20 +126,20 @@ impl<'a> PoseAccuracy<'a> {
         if largest(&free) > FREE_SHARE * largest(&gradient) {
             return Err(AccuracyError::OutputIsFree);
         }
-        let by_play = self.unscaled_play_columns().map(|column| -dot(&by_rows, &column)).collect();
+        let mut by_play = Vec::with_capacity(self.set.variables());
+        self.plays.gains_in_metres(&self.loops, &self.frames, &by_rows, None, &mut by_play);
         Ok(Gains { output: *output, blocks: self.set.blocks().to_vec(), by_play, by_rows })
     }
 
     /// h of each redundant row by the variables of play: to first order the loops close where h·p = 0. In the order of
     /// [`crate::FirstOrder::multipliers`], in units of the characteristic length; rows that no play reaches are zero.
     pub fn conditions_by_play(&self) -> Vec<Vec<f64>> {
-        redundant(&self.system, &self.unscaled_play_columns().collect::<Vec<_>>())
-    }
-
-    /// Derivatives of the rows by each variable of play, journals in the middle.
-    fn unscaled_play_columns(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
-        let derivatives = self.set.derivatives(self.mechanism(), &vec![0.0; self.set.variables()]);
-        derivatives.into_iter().map(|(joint, shift)| play_column(&self.loops, &self.frames, joint, &shift))
+        let gains = |row: Vec<f64>| {
+            let mut gains = Vec::new();
+            self.plays.gains_in_metres(&self.loops, &self.frames, &row, None, &mut gains);
+            gains
+        };
+        self.system.redundant_rows().into_iter().map(gains).collect()
     }
 
     pub(crate) fn ideal_state(&self) -> OutputState<'_> {
@@ -152,37 +156,19 @@ impl<'a> PoseAccuracy<'a> {
     }
 }
 
-/// Derivatives of all rows by a variable of play of one joint.
-fn play_column(loops: &Loops, frames: &[JointFrames], joint: usize, shift: &MarkerShift) -> Vec<f64> {
-    let rows = loops.rows.iter();
-    rows.map(|row| {
-        // Drives count from the markers themselves: play does not move them but along their own axis, which is no play.
-        if row.joint != joint || row.drive.is_some() {
-            return 0.0;
-        }
-        let (by_shift, by_slope) = row.row.by_play(&frames[joint]);
-        let change = by_shift.dot(shift.shift_m) + by_slope[0] * shift.slope[0] + by_slope[1] * shift.slope[1];
-        change / loops.scale(row)
-    })
-    .collect()
-}
-
-/// Derivatives of all rows by each variable of play in units of its radius.
-pub(crate) fn play_columns(loops: &Loops, frames: &[JointFrames], set: &PlaySet, variables: &[f64]) -> Vec<Vec<f64>> {
-    let derivatives = set.derivatives(loops.mechanism, variables);
-    derivatives
-        .iter()
-        .zip(set.radii_m())
-        .map(|((joint, shift), radius)| {
-            let mut column = play_column(loops, frames, *joint, shift);
-            column.iter_mut().for_each(|entry| *entry *= radius);
-            column
-        })
-        .collect()
-}
-
-/// h of each redundant row: derivatives of ν by the variables of play.
-pub(crate) fn redundant(system: &Bordered, play_columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let rows = system.redundant_rows();
-    rows.iter().map(|row| play_columns.iter().map(|column| -dot(row, column)).collect()).collect()
+/// h of each redundant row at some frames: derivatives of ν by the variables of play in units of their radii. `metres` are the places of the
+/// journals; `None` in the middle.
+pub(crate) fn redundant(
+    loops: &Loops,
+    frames: &[JointFrames],
+    system: &Bordered,
+    plays: &Plays,
+    metres: Option<&[f64]>,
+) -> Vec<Vec<f64>> {
+    let gains = |row: Vec<f64>| {
+        let mut gains = Vec::with_capacity(plays.set.variables());
+        plays.gains(loops, frames, &row, metres, &mut gains);
+        gains
+    };
+    system.redundant_rows().into_iter().map(gains).collect()
 }

@@ -1,10 +1,11 @@
 //! One search for an extreme deviation.
 
 use crate::accuracy::extreme::{Extreme, SearchOptions};
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::pose_accuracy::{PoseAccuracy, play_columns, redundant};
+use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::accuracy::random::random;
-use crate::accuracy::slice::{Near, Planes, dot, largest};
+use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::geometry::pose::Pose;
@@ -31,6 +32,10 @@ const LESS_PULL: f64 = 0.125;
 const MORE_PULL: f64 = 4.0;
 /// Share of the expected improvement from which a step is as good as expected.
 const GOOD_SHARE: f64 = 0.6;
+/// Share of the expected improvement up to which a step went too far: again and again from side to side, it comes to an end in many steps only.
+const POOR_SHARE: f64 = 0.25;
+/// An expected improvement below this is round-off of the poses, rad and relative to the characteristic length.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Pull below which there is none. Where many plays do nearly nothing, the best places are those of a small one.
 const MIN_PULL: f64 = 1e-8;
 /// Pull with which a search ends: its steps are nothing.
@@ -95,6 +100,7 @@ impl Climb<'_, '_> {
         let (ideal, closed_rows) = (&self.accuracy.position.poses, self.accuracy.closed_rows());
         let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
         let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
+        let round_off = ROUND_OFF * self.accuracy.loops.length_m.min(1.0);
         for step in 0..MAX_STEPS {
             let linear = self.linear(&at);
             let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
@@ -118,7 +124,8 @@ impl Climb<'_, '_> {
             let next = next.map(|found| found.place).and_then(|place| {
                 let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
                 let expected = dot(&linear.gains, &change);
-                let is_over = largest_entry(&change) < LAST_STEP || expected <= LAST_IMPROVEMENT * scale;
+                let least = (LAST_IMPROVEMENT * scale).max(round_off);
+                let is_over = largest_entry(&change) < LAST_STEP || expected <= least;
                 let found = self.feasible(place, &at.closed.poses, &at.closed.system)?;
                 Some((found, expected, is_over))
             });
@@ -129,8 +136,12 @@ impl Climb<'_, '_> {
                     if weight > 0.0 {
                         last_pull = weight;
                     }
-                    // As in methods of trust regions: a step that brought what was expected may be longer.
-                    weight *= if share > GOOD_SHARE { LESS_PULL } else { 1.0 };
+                    // As in methods of trust regions: a step that brought what was expected may be longer, one that brought little shorter.
+                    weight = match share {
+                        share if share > GOOD_SHARE => LESS_PULL * weight,
+                        share if share < POOR_SHARE => MORE_PULL * weight.max(MIN_PULL * scale),
+                        _ => weight,
+                    };
                     if weight < MIN_PULL * scale {
                         weight = 0.0;
                     }
@@ -158,22 +169,31 @@ impl Climb<'_, '_> {
     fn linear(&self, at: &Feasible) -> Linear {
         let accuracy = self.accuracy;
         let variables_m = accuracy.set.in_metres(&at.scaled);
-        let columns = play_columns(&accuracy.loops, &at.closed.frames, &accuracy.set, &variables_m);
         let actual = OutputState { mechanism: accuracy.loops.mechanism, poses: &at.closed.poses };
         let (by_rows, _) = at.closed.system.solve_transposed(&accuracy.gradient(self.output, &actual));
-        let gains = columns.iter().map(|column| -self.sign * dot(&by_rows, column)).collect();
-        let redundant = self.conditions(&at.closed, &columns);
-        let planes = self.planes(&redundant, &columns);
+        let mut gains = Vec::with_capacity(variables_m.len());
+        accuracy.plays.gains(&accuracy.loops, &at.closed.frames, &by_rows, Some(&variables_m), &mut gains);
+        gains.iter_mut().for_each(|gain| *gain *= self.sign);
+        let redundant = self.conditions(&at.closed, &variables_m);
+        let planes = self.planes(&redundant, &at.closed, &variables_m);
         Linear { gains, redundant, planes }
     }
 
-    fn conditions(&self, closed: &Closed, columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        if self.accuracy.conditions() == 0 { Vec::new() } else { redundant(&closed.system, columns) }
+    fn conditions(&self, closed: &Closed, variables_m: &[f64]) -> Vec<Vec<f64>> {
+        let accuracy = self.accuracy;
+        if accuracy.conditions() == 0 {
+            return Vec::new();
+        }
+        redundant(&accuracy.loops, &closed.frames, &closed.system, &accuracy.plays, Some(variables_m))
     }
 
-    fn planes(&self, redundant: &[Vec<f64>], columns: &[Vec<f64>]) -> Planes {
-        let size = columns.iter().map(|column| largest_entry(column)).fold(0.0, f64::max);
-        Planes::new(redundant, self.accuracy.set.variables(), NEGLIGIBLE * size)
+    fn planes(&self, redundant: &[Vec<f64>], closed: &Closed, variables_m: &[f64]) -> Planes {
+        let accuracy = self.accuracy;
+        let size = match redundant {
+            [] => 0.0,
+            _ => accuracy.plays.largest_derivative(&accuracy.loops, &closed.frames, Some(variables_m)),
+        };
+        Planes::new(redundant, accuracy.set.variables(), NEGLIGIBLE * size)
     }
 
     /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
@@ -197,12 +217,11 @@ impl Climb<'_, '_> {
             if accuracy.conditions() == 0 {
                 return None;
             }
-            let columns = play_columns(&accuracy.loops, &closed.frames, &accuracy.set, &variables_m);
-            let redundant = self.conditions(&closed, &columns);
+            let redundant = self.conditions(&closed, &variables_m);
             let along = along_borders(&accuracy.set, &redundant, &scaled);
-            let mut planes = self.planes(&along, &columns);
+            let mut planes = self.planes(&along, &closed, &variables_m);
             if planes.count() < accuracy.conditions() {
-                planes = self.planes(&redundant, &columns);
+                planes = self.planes(&redundant, &closed, &variables_m);
             }
             let right: Vec<f64> = apart.iter().map(|apart| -apart).collect();
             let change = planes.shortest(&right, scaled.len());
@@ -231,9 +250,9 @@ impl PoseAccuracy<'_> {
     /// Gains of the combination of rows that the loops follow least, by variables in units of their radii.
     pub(crate) fn weakest_gains(&self) -> Vec<f64> {
         let weakest = self.system.weakest_row();
-        let middle = vec![0.0; self.set.variables()];
-        let columns = play_columns(&self.loops, &self.frames, &self.set, &middle);
-        columns.iter().map(|column| -dot(&weakest, column)).collect()
+        let mut gains = Vec::with_capacity(self.set.variables());
+        self.plays.gains(&self.loops, &self.frames, &weakest, None, &mut gains);
+        gains
     }
 }
 

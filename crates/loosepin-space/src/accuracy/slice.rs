@@ -7,10 +7,13 @@
 //! -g + τ(v - v0) + z_k v_k + Hᵀλ = 0,   H v = b,   z_k s_k = μ → 0
 //! ```
 //!
-//! A step costs as much as the blocks and one system of the order of H.
+//! A step costs as much as the blocks and one system of the order of H. A single plane has one multiplier, which is found directly
+//! ([`on_plane`]).
 
+use crate::accuracy::one_plane::on_plane;
+use crate::accuracy::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
-use loosepin_math::{RealLu, SingularValues};
+use loosepin_math::RealLu;
 
 /// Most steps; 20 are usual.
 const MAX_STEPS: usize = 100;
@@ -25,94 +28,6 @@ const SMALL_RESIDUAL: f64 = 1e-12;
 
 /// Distance of bound and value, or from the planes, with which a search ends without an answer, relative to the gains and to one.
 const WORST_MISS: f64 = 1e-6;
-
-/// Planes H v = b in orthonormal rows.
-#[derive(Debug, Clone)]
-pub(crate) struct Planes {
-    /// Orthonormal rows.
-    rows: Vec<Vec<f64>>,
-    /// Takes multipliers of these rows to those of H, and right-hand sides of H to those of these rows: U/σ.
-    back: Vec<Vec<f64>>,
-    /// U: what of right-hand sides of H is reached.
-    left: Vec<Vec<f64>>,
-}
-
-impl Planes {
-    /// From the rows of H. What is smaller than `negligible` is no plane.
-    pub(crate) fn new(rows: &[Vec<f64>], variables: usize, negligible: f64) -> Self {
-        let matrix: Vec<f64> = rows.iter().flatten().copied().collect();
-        let values = SingularValues::new(&matrix, rows.len(), variables);
-        let kept = values.values().iter().take_while(|value| **value > negligible).count();
-        let back = (0..kept).map(|k| values.left(k).iter().map(|entry| entry / values.values()[k]).collect());
-        Self {
-            back: back.collect(),
-            rows: (0..kept).map(|k| values.right(k).to_vec()).collect(),
-            left: (0..kept).map(|k| values.left(k).to_vec()).collect(),
-        }
-    }
-
-    /// Number of planes.
-    pub(crate) fn count(&self) -> usize {
-        self.rows.len()
-    }
-
-    /// The shortest v with H v = b.
-    pub(crate) fn shortest(&self, b: &[f64], variables: usize) -> Vec<f64> {
-        let mut shortest = vec![0.0; variables];
-        for (row, value) in self.rows.iter().zip(self.right_hand_side(b)) {
-            add(&mut shortest, row, value);
-        }
-        shortest
-    }
-
-    /// A vector without its parts across the planes.
-    pub(crate) fn along(&self, vector: &[f64]) -> Vec<f64> {
-        let mut along = vector.to_vec();
-        for row in &self.rows {
-            let share = dot(row, &along);
-            add(&mut along, row, -share);
-        }
-        along
-    }
-
-    /// The part of b that no v makes.
-    pub(crate) fn rest(&self, b: &[f64]) -> Vec<f64> {
-        let mut rest = b.to_vec();
-        for left in &self.left {
-            let share = dot(left, &rest);
-            add(&mut rest, left, -share);
-        }
-        rest
-    }
-
-    /// The largest entry of that part.
-    pub(crate) fn unreached(&self, b: &[f64]) -> f64 {
-        self.rest(b).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
-    }
-
-    /// b in the orthonormal rows.
-    fn right_hand_side(&self, b: &[f64]) -> Vec<f64> {
-        self.back.iter().map(|column| dot(column, b)).collect()
-    }
-
-    /// Multipliers of H.
-    fn multipliers(&self, own: &[f64], count: usize) -> Vec<f64> {
-        let mut multipliers = vec![0.0; count];
-        for (column, value) in self.back.iter().zip(own) {
-            multipliers.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * value);
-        }
-        multipliers
-    }
-
-    /// g - Hᵀλ for multipliers of H.
-    fn less(&self, gains: &[f64], own: &[f64]) -> Vec<f64> {
-        let mut rest = gains.to_vec();
-        for (row, value) in self.rows.iter().zip(own) {
-            rest.iter_mut().zip(row).for_each(|(entry, part)| *entry -= part * value);
-        }
-        rest
-    }
-}
 
 /// What keeps v near v0.
 #[derive(Debug, Clone, Copy)]
@@ -138,11 +53,13 @@ pub(crate) fn largest(set: &PlaySet, gains: &[f64], near: Option<Near>, planes: 
     let scale = if scale > 0.0 { scale } else { 1.0 };
     let gains: Vec<f64> = gains.iter().map(|gain| gain / scale).collect();
     let near = near.map(|near| Near { weight: near.weight / scale, ..near });
-    let found = if planes.count() == 0 {
-        Some((on_balls(set, &gains, near), Vec::new()))
-    } else {
-        inner_point(set, &gains, near, planes, &planes.right_hand_side(b))
+    let right = planes.right_hand_side(b);
+    let found = match (planes.rows.as_slice(), right.as_slice()) {
+        ([], _) => Some((on_balls(set, &gains, near), Vec::new())),
+        ([row], [b]) => on_plane(set, &gains, near, row, *b).map(|(place, multiplier)| (place, vec![multiplier])),
+        _ => None,
     };
+    let found = found.or_else(|| inner_point(set, &gains, near, planes, &right));
     let (place, own) = found?;
     let rest = planes.less(&gains, &own).iter().map(|gain| gain * scale).collect();
     let own: Vec<f64> = own.iter().map(|value| value * scale).collect();
@@ -334,7 +251,7 @@ fn step_inside(set: &PlaySet, at: &Iterate, step: &Iterate) -> f64 {
     share
 }
 
-fn add(sum: &mut [f64], part: &[f64], factor: f64) {
+pub(crate) fn add(sum: &mut [f64], part: &[f64], factor: f64) {
     sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += factor * part);
 }
 
@@ -344,8 +261,10 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Planes, largest};
+    use super::{Near, dot, inner_point, largest, on_plane};
+    use crate::accuracy::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
+    use crate::accuracy::random::random;
     use crate::play::block::PlayPart;
 
     /// What an interior point method leaves.
@@ -411,11 +330,70 @@ mod tests {
     }
 
     #[test]
+    fn identity_one_plane_by_its_multiplier_and_by_inner_points() {
+        const PARTS: [PlayPart; 7] = [
+            PlayPart::Across,
+            PlayPart::Axial,
+            PlayPart::Ball,
+            PlayPart::FirstEnd,
+            PlayPart::SecondEnd,
+            PlayPart::Axial,
+            PlayPart::Axial,
+        ];
+        let set = set(&PARTS);
+        let mut state = 5;
+        let (mut jumps, mut compared) = (0, 0);
+        for case in 0..400 {
+            let mut numbers = || (0..set.variables()).map(|_| random(&mut state)).collect::<Vec<f64>>();
+            let (mut gains, mut row, place) = (numbers(), numbers(), numbers());
+            // Intervals that decide, blocks that are not in the plane, gains along it.
+            if case % 3 == 1 {
+                gains[2] *= 10.0;
+                row[2] *= 10.0;
+            }
+            if case % 5 == 2 {
+                row[0..2].fill(0.0);
+                (gains[6], gains[7]) = (0.3 * row[6], 0.3 * row[7]);
+            }
+            let planes = Planes::new(&[row], set.variables(), 1e-12);
+            let scale: f64 = set.support(&gains).iter().sum();
+            gains.iter_mut().for_each(|gain| *gain /= scale);
+            let reach: f64 = set.support(&planes.rows[0]).iter().sum();
+            let b = [0.8 * reach * random(&mut state)];
+            for near in [None, Some(Near { weight: 0.1, place: &place }), Some(Near { weight: 3.0, place: &place })] {
+                let (one, multiplier) = on_plane(&set, &gains, near, &planes.rows[0], b[0]).unwrap();
+                assert!((dot(&planes.rows[0], &one) - b[0]).abs() < 1e-13, "{case}");
+                assert!(set.support(&one).iter().all(|length| *length < 1.0 + 1e-14), "{case}");
+                if near.is_none() {
+                    // What the multiplier bounds from above is reached.
+                    let rest = planes.less(&gains, &[multiplier]);
+                    let bound = set.support(&rest).iter().sum::<f64>() + multiplier * b[0];
+                    assert!((bound - dot(&gains, &one)).abs() < 1e-14, "{case}: {bound} {}", dot(&gains, &one));
+                    jumps += usize::from(set.support(&one).iter().any(|length| *length < 1.0 - 1e-9));
+                }
+                // Inner points do not come to an end everywhere.
+                let Some((other, _)) = inner_point(&set, &gains, near, &planes, &b) else { continue };
+                compared += 1;
+                // A disc whose gains are all along the plane's may lie anywhere across them.
+                let is_unique = case % 5 != 2 || near.is_some();
+                for (a, b) in one.iter().zip(&other).filter(|_| is_unique) {
+                    assert!((a - b).abs() < 1e-6, "{case} {near:?}: {one:?} {other:?}");
+                }
+                if near.is_none() {
+                    assert!((dot(&gains, &one) - dot(&gains, &other)).abs() < 1e-9, "{case}: {one:?} {other:?}");
+                }
+            }
+        }
+        assert!(compared > 1000, "{compared}");
+        assert!(jumps > 50 && jumps < 350, "{jumps}");
+    }
+
+    #[test]
     fn analytic_near_a_place() {
         // Maximise x - τ|v - v0|²/2 in a ball: at v0 + g/τ where that is inside, else on the border in its direction.
         let set = set(&[PlayPart::Ball]);
         let none = Planes::new(&[], 3, 0.0);
-        let near = |weight| super::Near { weight, place: &[0.1, 0.2, 0.0] };
+        let near = |weight| Near { weight, place: &[0.1, 0.2, 0.0] };
         let inside = largest(&set, &[1.0, 0.0, 0.0], Some(near(2.0)), &none, &[]).unwrap().place;
         assert!((inside[0] - 0.6).abs() < TOLERANCE && (inside[1] - 0.2).abs() < TOLERANCE);
         let outside = largest(&set, &[1.0, 0.0, 0.0], Some(near(0.5)), &none, &[]).unwrap().place;

@@ -1,6 +1,6 @@
 //! The first position.
 
-use crate::closure::bordered::Borders;
+use crate::closure::bordered::{Bordered, Borders};
 use crate::closure::error::{ClosureError, OpenJoint};
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
@@ -8,6 +8,7 @@ use crate::closure::position::Position;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::{CLOSED, Place, follow, nearest_values};
 use crate::geometry::pose::Pose;
+use crate::kind::frames::JointFrames;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::is_reversed;
 use crate::mechanism::drive::DriveValue;
@@ -23,6 +24,8 @@ const LAST_STEP: f64 = 1e-12;
 const OPEN_SHARE: f64 = 10.0;
 /// No singular value above this counts as zero, however open the loops are.
 const LARGEST_THRESHOLD: f64 = 1e-3;
+/// Smallest singular value over the largest, to about 1 %, that is above every threshold.
+const REGULAR: f64 = 2.0 * LARGEST_THRESHOLD;
 
 /// Closes the loops from the start poses at the values of the drives.
 ///
@@ -52,8 +55,14 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue]) -> Result<Place, C
     }
     let values: Vec<f64> = drives.iter().map(|drive| drive.value).collect();
     let target = nearest_values(loops, &measured, &values);
-    let singular = singular_values(loops, &loops.frames(&poses, &[]));
-    let borders = Borders::new(&singular, singular.rank(RANK_THRESHOLD));
+    let frames = loops.frames(&poses, &[]);
+    let borders = match regular(loops, &frames) {
+        Some(_) => Borders::default(),
+        None => {
+            let singular = singular_values(loops, &frames);
+            Borders::new(&singular, singular.rank(RANK_THRESHOLD))
+        }
+    };
     let place = Place::new(loops, 0.0, poses, borders);
     let between = |share: f64| -> Vec<f64> {
         // Both ends exactly.
@@ -82,9 +91,14 @@ fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Resul
         let frames = loops.frames(&poses, &[]);
         let residual: Vec<f64> = loops.residual(&frames, drives).iter().map(|value| -value).collect();
         let size = largest(&residual);
-        let values = singular_values(loops, &frames);
-        let threshold = (OPEN_SHARE * size).clamp(RANK_THRESHOLD, LARGEST_THRESHOLD);
-        let mut step = values.solve(&residual, values.rank(threshold));
+        let mut step = match regular(loops, &frames) {
+            Some(system) => system.solve(&residual).0,
+            None => {
+                let values = singular_values(loops, &frames);
+                let threshold = (OPEN_SHARE * size).clamp(RANK_THRESHOLD, LARGEST_THRESHOLD);
+                values.solve(&residual, values.rank(threshold))
+            }
+        };
         let length = largest(&step);
         left = residual;
         if !length.is_finite() {
@@ -101,6 +115,15 @@ fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Resul
         is_last = length < LAST_STEP;
     }
     Err(ClosureError::DoesNotClose(open_joint(loops, &left)))
+}
+
+/// The loop equations themselves, where they are as many as the unknowns and all singular values count, whatever the threshold.
+fn regular(loops: &Loops, frames: &[JointFrames]) -> Option<Bordered> {
+    if loops.rows.len() != loops.unknowns() {
+        return None;
+    }
+    let system = Bordered::new(loops, frames, &Borders::default());
+    (system.singular_ratio(loops, frames, &Borders::default()) > REGULAR).then_some(system)
 }
 
 /// The joint of the row that is farthest from closing.

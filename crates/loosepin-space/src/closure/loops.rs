@@ -147,16 +147,17 @@ impl<'a> Loops<'a> {
 
     /// Poses moved by a vector of scaled unknowns.
     pub(crate) fn moved(&self, poses: &[Pose], unknowns: &[f64]) -> Vec<Pose> {
-        let bodies = poses.iter().enumerate();
-        bodies
-            .map(|(body, pose)| {
-                if body == 0 {
-                    return *pose;
-                }
-                let (displacement_m, rotation_rad) = self.velocities(unknowns, body);
-                pose.moved(displacement_m, rotation_rad)
-            })
-            .collect()
+        let mut poses = poses.to_vec();
+        self.move_poses(&mut poses, unknowns);
+        poses
+    }
+
+    /// Moves poses by a vector of scaled unknowns.
+    pub(crate) fn move_poses(&self, poses: &mut [Pose], unknowns: &[f64]) {
+        for (body, pose) in poses.iter_mut().enumerate().skip(1) {
+            let (displacement_m, rotation_rad) = self.velocities(unknowns, body);
+            *pose = pose.moved(displacement_m, rotation_rad);
+        }
     }
 
     /// The coordinates of all drives as they are in these frames.

@@ -11,6 +11,7 @@ pub(crate) mod loops;
 pub(crate) mod newton;
 pub(crate) mod position;
 pub(crate) mod singular;
+mod sparse_lu;
 pub(crate) mod step;
 
 pub use assembly::assemble;

@@ -17,6 +17,8 @@ const LONGEST_STEP: f64 = 1.0;
 const LARGE_STEP: f64 = 0.03;
 /// A step that is a larger share of the one before asks for a new system.
 const CONTRACTION: f64 = 0.1;
+/// Poses that are nearer to each other, lengths over L and rad, have one system.
+const SAME_PLACE: f64 = 1e-13;
 
 /// Poses that close the loops as far as they can.
 #[derive(Debug, Clone)]
@@ -45,36 +47,46 @@ pub(crate) fn close(
     borders: &Borders,
     known: Option<&Bordered>,
 ) -> Result<Closed, NotClosed> {
-    let system_at =
-        |frames: &[JointFrames]| Bordered::new(&loops.jacobian(frames), loops.rows.len(), loops.unknowns(), borders);
     let mut poses = poses.to_vec();
-    let mut own: Option<Bordered> = None;
+    let (mut bodies, mut frames, mut step) = (Vec::new(), Vec::new(), Vec::new());
+    loops.frames_into(&poses, shifts, &mut bodies, &mut frames);
+    // The system of a pose on the way, if there is one, and how far from there the poses are now.
+    let (mut own, mut has_own, mut since) = (Bordered::default(), false, 0.0);
+    if known.is_none() {
+        own.factor(loops, &frames, borders);
+        has_own = true;
+    }
     let (mut way, mut before) = (0.0, f64::INFINITY);
     for _ in 0..MAX_STEPS {
-        let frames = loops.frames(&poses, shifts);
-        if own.is_none() && known.is_none() {
-            own = Some(system_at(&frames));
+        step.clear();
+        step.extend(loops.residuals(&frames, drives).map(|value| -value));
+        match known.filter(|_| !has_own) {
+            Some(known) => known.solve_in_place(&mut step),
+            None => own.solve_in_place(&mut step),
         }
-        let Some(system) = own.as_ref().or(known) else { return Err(NotClosed) };
-        let residual: Vec<f64> = loops.residual(&frames, drives).iter().map(|value| -value).collect();
-        let (step, apart) = system.solve(&residual);
-        let size = largest(&step);
-        let is_known = own.is_none();
+        let size = largest(&step[..loops.unknowns()]);
         if !(size <= LONGEST_STEP) {
-            if !is_known {
+            if has_own {
                 return Err(NotClosed);
             }
-            own = Some(system_at(&frames));
+            own.factor(loops, &frames, borders);
+            (has_own, since) = (true, 0.0);
             continue;
         }
         way += size;
-        poses = loops.moved(&poses, &step);
+        since += size;
+        loops.move_poses(&mut poses, &step);
+        loops.frames_into(&poses, shifts, &mut bodies, &mut frames);
         if size < LAST_STEP || (size < SMALL_STEP && size > 0.5 * before) {
-            let frames = loops.frames(&poses, shifts);
-            return Ok(Closed { system: system_at(&frames), frames, poses, apart, way });
+            if !has_own || since > SAME_PLACE {
+                own.factor(loops, &frames, borders);
+            }
+            let apart = step.split_off(loops.unknowns());
+            return Ok(Closed { system: own, frames, poses, apart, way });
         }
         if size > CONTRACTION * before || size > LARGE_STEP {
-            own = Some(system_at(&loops.frames(&poses, shifts)));
+            own.factor(loops, &frames, borders);
+            (has_own, since) = (true, 0.0);
         }
         before = size;
     }

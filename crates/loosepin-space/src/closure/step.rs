@@ -38,9 +38,10 @@ pub(crate) struct Place {
 
 impl Place {
     pub(crate) fn new(loops: &Loops, input: f64, poses: Vec<Pose>, borders: Borders) -> Self {
-        let jacobian = loops.jacobian(&loops.frames(&poses, &[]));
-        let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &borders);
-        Self { input, poses, borders, sign: system.sign(), singular_ratio: system.singular_ratio() }
+        let frames = loops.frames(&poses, &[]);
+        let system = Bordered::new(loops, &frames, &borders);
+        let singular_ratio = system.singular_ratio(loops, &frames, &borders);
+        Self { input, poses, borders, sign: system.sign(), singular_ratio }
     }
 }
 
@@ -76,7 +77,7 @@ pub(crate) fn follow(loops: &Loops, from: &Place, target: f64, drives: DriveFunc
 /// One step: along the tangent, then Newton's method. `None` if it may have left the branch.
 fn attempt(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Option<Place> {
     let frames = loops.frames(&at.poses, &[]);
-    let system = Bordered::new(&loops.jacobian(&frames), loops.rows.len(), loops.unknowns(), &at.borders);
+    let system = Bordered::new(loops, &frames, &at.borders);
     let (before, after) = (drives(at.input), drives(next));
     let (prediction, _) = system.solve(&drive_changes(loops, &before, &after));
     let length = largest(&prediction);
@@ -89,7 +90,7 @@ fn attempt(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Optio
     if !is_near || !is_closed || closed.system.sign() != at.sign {
         return None;
     }
-    let singular_ratio = closed.system.singular_ratio();
+    let singular_ratio = closed.system.singular_ratio(loops, &closed.frames, &at.borders);
     let borders = closed.system.null_spaces()?;
     (singular_ratio > SINGULAR).then_some(Place {
         input: next,

@@ -1,29 +1,48 @@
 //! The picture of a model.
 
 use super::parts::{ModelOutputKind, SpatialModel};
-use crate::closure::position::Position;
 use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use crate::picture::{PictureSource, TracedPoint, traces};
-use loosepin_result::spatial_picture::SpatialPicture;
+use crate::picture::{PictureSource, TracedPoint};
+use loosepin_result::spatial_picture::{PictureTrace, PictureZone, SpatialPicture};
 use loosepin_text::numbers::Values;
 
+/// A point whose path is drawn, with what play makes of it.
+pub(super) struct Trace {
+    pub point: TracedPoint,
+    /// In the order of the positions.
+    pub zones: Vec<PictureZone>,
+}
+
 impl SpatialModel {
-    /// The mechanism as it is drawn, with the paths of these points.
+    /// The mechanism as it is drawn, with the paths of these points; `worst` is the position with the largest worst case of each output.
     pub(super) fn picture(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,
-        positions: &[Position],
         poses: &[Vec<Pose>],
-        traced: &[TracedPoint],
+        traces: Vec<Trace>,
+        worst: &[usize],
     ) -> SpatialPicture {
         let points: Vec<Vec<(String, Vec3)>> =
             (0..self.bodies.len()).map(|body| self.points_of(body, values)).collect();
         let speeds: Vec<f64> = self.drives.iter().map(|drive| values[drive.speed]).collect();
         let source = PictureSource { mechanism, poses, points: &points, speeds: &speeds };
-        SpatialPicture { traces: traces(mechanism, positions, poses, traced), ..source.picture() }
+        let picture_trace = |Trace { point, zones }: Trace| {
+            let at = poses.iter().filter_map(|poses| poses.get(point.body)).map(|pose| pose.point_m(point.point_m));
+            let worst = point.output.and_then(|output| worst.get(output));
+            PictureTrace {
+                at_m: at.map(Vec3::to_array).collect(),
+                worst_zone: zones.iter().position(|zone| Some(&zone.sample) == worst),
+                output: point.output.and_then(|output| self.outputs.get(output)).map(|output| output.name.clone()),
+                point: point.name,
+                body: point.body,
+                point_m: point.point_m.to_array(),
+                zones,
+            }
+        };
+        SpatialPicture { traces: traces.into_iter().map(picture_trace).collect(), ..source.picture() }
     }
 
     fn points_of(&self, body: usize, values: &Values) -> Vec<(String, Vec3)> {
@@ -32,24 +51,17 @@ impl SpatialModel {
         points.map(|(number, point)| (point.name.clone(), position(number))).collect()
     }
 
-    /// The points of outputs, each with the position in which the worst case of its output is largest; where there is none, the middles of joints
-    /// between moving bodies.
-    pub(super) fn traced_points(
-        &self,
-        mechanism: &SpatialMechanism,
-        values: &Values,
-        worst: &[usize],
-    ) -> Vec<TracedPoint> {
-        let of_outputs = self.outputs.iter().zip(worst).filter_map(|(output, worst)| {
+    /// The points of outputs; where there is none, the middles of joints between moving bodies.
+    pub(super) fn traced_points(&self, mechanism: &SpatialMechanism, values: &Values) -> Vec<TracedPoint> {
+        let of_outputs = self.outputs.iter().enumerate().filter_map(|(number, output)| {
             let (ModelOutputKind::Position { point, .. } | ModelOutputKind::Path { point }) = output.kind else {
                 return None;
             };
             Some(TracedPoint {
                 name: self.point_name(point),
-                output: Some(output.name.clone()),
+                output: Some(number),
                 body: point.body,
                 point_m: self.position(point, values),
-                worst: Some(*worst),
             })
         });
         let mut traced: Vec<TracedPoint> = Vec::new();
@@ -69,7 +81,6 @@ impl SpatialModel {
                 output: None,
                 body: joint.bearing.body,
                 point_m: joint.bearing.point_m,
-                worst: None,
             })
             .collect()
     }

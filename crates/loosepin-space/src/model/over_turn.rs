@@ -1,6 +1,7 @@
 //! A model over its turn: ideal motion, worst cases, and who contributes, as a record.
 
 use super::compile::CycleInput;
+use super::drawn::Trace;
 use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
@@ -13,6 +14,7 @@ use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
+use crate::picture::Zones;
 use crate::play::block::PlayPart;
 use crate::play::kind_of_play::KindOfPlay;
 use loosepin_result::repeat::{InputRole, Repeat};
@@ -24,6 +26,7 @@ use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::numbers::Values;
 use loosepin_text::units::{Dimension, SiUnit, format_value};
 use std::f64::consts::FRAC_PI_2;
+use std::rc::Rc;
 
 impl SpatialModel {
     /// Moves the mechanism over its turn.
@@ -38,23 +41,36 @@ impl SpatialModel {
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
         let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
         let mut courses: Vec<Course> = courses.collect::<Result<_, _>>().map_err(|error| self.diagnostic(&error))?;
+        let has_play = mechanism.joints().iter().any(has_play);
+        let zones = Zones::new(positions.len());
+        let points = self.traced_points(&mechanism, values).into_iter();
+        let mut traces: Vec<Trace> = points.map(|point| Trace { point, zones: Vec::new() }).collect();
         let mut poses = Vec::with_capacity(positions.len());
         // One after the other: the loop equations of all positions at once may be gigabytes.
         for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
+            let accuracy = Rc::new(accuracy);
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
                 course.add(sample, &accuracy).map_err(|error| self.no_answer(&output.name, *at, error))?;
             }
             poses.push(accuracy.position().poses.clone());
+            for trace in traces.iter_mut().filter(|own| has_play && own.point.output.is_some() && zones.has(sample)) {
+                trace.zones.extend(zones.zone(&accuracy, &trace.point, sample));
+            }
         }
-        let traced =
-            self.traced_points(&mechanism, values, &courses.iter().map(|course| course.sample).collect::<Vec<_>>());
-        let picture = self.picture(&mechanism, values, &positions, &poses, &traced);
+        for Trace { point, zones: own } in traces.iter_mut().filter(|_| has_play) {
+            let Some(course) = point.output.and_then(|output| courses.get(output)) else { continue };
+            let place = own.partition_point(|zone| zone.sample < course.sample);
+            if let Some(worst) = course.worst.as_ref().filter(|_| !zones.has(course.sample)) {
+                zones.zone(&worst.accuracy, point, course.sample).into_iter().for_each(|zone| own.insert(place, zone));
+            }
+        }
+        let worst: Vec<usize> = courses.iter().map(|course| course.sample).collect();
+        let picture = self.picture(&mechanism, values, &poses, traces, &worst);
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
-            let worst =
-                course.worst_case(&mechanism, &positions).map_err(|error| self.no_answer(&output.name, at, error))?;
+            let worst = course.worst_case().map_err(|error| self.no_answer(&output.name, at, error))?;
             self.output_record(output, course, worst, &states)
         });
         let outputs = outputs.collect::<Result<_, _>>()?;
@@ -70,7 +86,7 @@ impl SpatialModel {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
         let positions = self.positions(&mechanism, values)?;
         let poses: Vec<Vec<Pose>> = positions.iter().map(|position| position.poses.clone()).collect();
-        let picture = self.picture(&mechanism, values, &positions, &poses, &[]);
+        let picture = self.picture(&mechanism, values, &poses, Vec::new(), &[]);
         let inputs_si = positions.iter().map(|position| input.at(position.input)).collect();
         Ok(self.record(&mechanism, &input, inputs_si, (Vec::new(), picture)))
     }
@@ -121,7 +137,7 @@ impl SpatialModel {
     fn output_record(
         &self,
         output: &ModelOutput,
-        course: Course,
+        course: Course<'_>,
         worst: SpatialWorstCase,
         states: &[OutputState<'_>],
     ) -> Result<SpatialOutputRecord, Diagnostics> {
@@ -191,41 +207,43 @@ const MIN_STEPS_OF_TURN: usize = 8;
 const SAME: f64 = 1e-9;
 
 /// What is known of an output after some positions.
-struct Course {
+struct Course<'a> {
     components: Vec<SpatialOutput>,
     first_order_si: Vec<f64>,
     /// Where there is a closed form.
     variances: Vec<f64>,
-    /// The position with the largest worst case of first order, and what that is of.
+    /// The position with the largest worst case of first order.
     sample: usize,
-    largest: f64,
-    along: Option<SpatialOutput>,
+    worst: Option<Worst<'a>>,
 }
 
-impl Course {
+/// The largest worst case of first order so far.
+struct Worst<'a> {
+    size: f64,
+    /// What it is of.
+    along: SpatialOutput,
+    accuracy: Rc<PoseAccuracy<'a>>,
+}
+
+impl<'a> Course<'a> {
     fn new(components: Vec<SpatialOutput>) -> Self {
-        Self { components, first_order_si: Vec::new(), variances: Vec::new(), sample: 0, largest: 0.0, along: None }
+        Self { components, first_order_si: Vec::new(), variances: Vec::new(), sample: 0, worst: None }
     }
 
-    fn add(&mut self, sample: usize, accuracy: &PoseAccuracy<'_>) -> Result<(), AccuracyError> {
-        let (first_order, variance, along) = at_position(accuracy, &self.components)?;
-        self.first_order_si.push(first_order);
+    fn add(&mut self, sample: usize, accuracy: &Rc<PoseAccuracy<'a>>) -> Result<(), AccuracyError> {
+        let (size, variance, along) = at_position(accuracy, &self.components)?;
+        self.first_order_si.push(size);
         self.variances.extend(variance);
         // Round-off decides nothing: the first of several alike.
-        if self.along.is_none() || first_order > self.largest * (1.0 + SAME) {
-            (self.sample, self.largest, self.along) = (sample, first_order, Some(along));
+        if self.worst.as_ref().is_none_or(|worst| size > worst.size * (1.0 + SAME)) {
+            (self.sample, self.worst) = (sample, Some(Worst { size, along, accuracy: Rc::clone(accuracy) }));
         }
         Ok(())
     }
 
-    fn worst_case(
-        &self,
-        mechanism: &SpatialMechanism,
-        positions: &[Position],
-    ) -> Result<SpatialWorstCase, AccuracyError> {
-        let position = positions.get(self.sample).ok_or(AccuracyError::NotAPosition)?;
-        let along = self.along.as_ref().ok_or(AccuracyError::NotAPosition)?;
-        worst_case(&PoseAccuracy::new(mechanism, position)?, along, self.sample)
+    fn worst_case(&self) -> Result<SpatialWorstCase, AccuracyError> {
+        let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
+        worst_case(&worst.accuracy, &worst.along, self.sample)
     }
 }
 

@@ -51,7 +51,7 @@ pub fn motion(mechanism: &SpatialMechanism, position: &Position) -> Motion {
     let loops = Loops::new(mechanism);
     let frames = loops.frames(&position.poses, &[]);
     let jacobian = loops.jacobian(&frames);
-    let system = Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &position.borders);
+    let system = Bordered::new(&loops, &frames, &position.borders);
     let idle = idle_motions(&loops, &jacobian, &position.poses);
     let drive = |number: Option<usize>| number.and_then(|number| position.drives.get(number)).copied();
 

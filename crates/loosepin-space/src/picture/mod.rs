@@ -8,7 +8,7 @@
 //! | a body between its points; the faces of a body with many | `bodies.rs`; `hull.rs` |
 //! | a joint by the sign of its kind | `joints.rs`, of simple shapes in `shapes.rs` |
 //! | feet on the ground; arrows of drives | `ground.rs`; `drives.rs` |
-//! | paths of points, and zones of play about them | `traces.rs` |
+//! | points whose paths are drawn, and zones of play about them | `traces.rs` |
 
 mod bodies;
 mod drives;
@@ -22,4 +22,4 @@ mod traces;
 mod whole;
 
 pub use source::PictureSource;
-pub(crate) use traces::{TracedPoint, traces};
+pub(crate) use traces::{TracedPoint, Zones};

@@ -1,13 +1,10 @@
-//! Paths of points over the turn, and where play takes them.
+//! Points whose paths are drawn, and where play takes them.
 
 use crate::accuracy::PoseAccuracy;
-use crate::closure::position::Position;
-use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
-use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use loosepin_math::sin_cos;
-use loosepin_result::spatial_picture::{PictureTrace, PictureZone};
+use loosepin_result::spatial_picture::PictureZone;
 use std::f64::consts::{PI, TAU};
 
 /// Zones along a path, besides that of its worst position.
@@ -22,63 +19,42 @@ const SPHERE_DIRECTIONS: usize = 66;
 pub(crate) struct TracedPoint {
     /// Its name.
     pub name: String,
-    /// The output that it belongs to.
-    pub output: Option<String>,
+    /// The number of the output that it belongs to.
+    pub output: Option<usize>,
     /// Its body.
     pub body: usize,
     /// In the frame of the body, m.
     pub point_m: Vec3,
-    /// The position with the largest worst case of its output.
-    pub worst: Option<usize>,
 }
 
-/// The paths of points, with zones where joints have play.
-pub(crate) fn traces(
-    mechanism: &SpatialMechanism,
-    positions: &[Position],
-    poses: &[Vec<Pose>],
-    points: &[TracedPoint],
-) -> Vec<PictureTrace> {
-    let has_play = mechanism.joints().iter().any(|joint| joint.play.is_some());
-    points
-        .iter()
-        .map(|point| {
-            let at = poses.iter().filter_map(|poses| poses.get(point.body)).map(|pose| pose.point_m(point.point_m));
-            let zones = match point.worst.filter(|_| has_play) {
-                Some(worst) => zones(mechanism, positions, point, worst),
-                None => Vec::new(),
-            };
-            PictureTrace {
-                point: point.name.clone(),
-                output: point.output.clone(),
-                body: point.body,
-                point_m: point.point_m.to_array(),
-                at_m: at.map(Vec3::to_array).collect(),
-                worst_zone: zones.iter().position(|zone| Some(zone.sample) == point.worst),
-                zones,
-            }
-        })
-        .collect()
+/// Zones of points, while a mechanism moves over its turn.
+pub(crate) struct Zones {
+    /// From position to position with zones.
+    step: usize,
+    count: usize,
+    directions: Vec<Vec3>,
 }
 
-/// Zones at the worst position and at some others. A point that an idle freedom carries has none.
-fn zones(mechanism: &SpatialMechanism, positions: &[Position], point: &TracedPoint, worst: usize) -> Vec<PictureZone> {
-    // The last position is the first again.
-    let step = positions.len().saturating_sub(1).div_ceil(ZONES).max(1);
-    let count = positions.len().saturating_sub(1).max(1);
-    let mut samples: Vec<usize> = (0..count).step_by(step).chain([worst]).collect();
-    samples.sort_unstable();
-    samples.dedup();
-    let directions = directions();
-    let zone = |sample: usize| {
-        let accuracy = PoseAccuracy::new(mechanism, positions.get(sample)?).ok()?;
+impl Zones {
+    /// For a number of positions, of which the last is the first again.
+    pub(crate) fn new(positions: usize) -> Self {
+        let step = positions.saturating_sub(1).div_ceil(ZONES).max(1);
+        Self { step, count: positions.saturating_sub(1).max(1), directions: directions() }
+    }
+
+    /// Whether there is a zone in a position, whatever the worst one is.
+    pub(crate) fn has(&self, sample: usize) -> bool {
+        sample.is_multiple_of(self.step) && sample < self.count
+    }
+
+    /// The zone of a point in a position. A point that an idle freedom carries has none.
+    pub(crate) fn zone(&self, accuracy: &PoseAccuracy<'_>, point: &TracedPoint, sample: usize) -> Option<PictureZone> {
         let components = SpatialOutput::displacement(point.body, point.point_m);
         let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<_>, _>>().ok()?;
-        let half = accuracy.farthest(&gains, &directions).ok()?;
+        let half = accuracy.farthest(&gains, &self.directions).ok()?;
         let boundary_m = half.iter().copied().chain(half.iter().map(|own| -*own)).map(Vec3::to_array).collect();
         Some(PictureZone { sample, boundary_m })
-    };
-    samples.into_iter().filter_map(zone).collect()
+    }
 }
 
 /// Directions over half of the sphere; the zone is symmetric.

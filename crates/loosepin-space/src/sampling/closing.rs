@@ -8,7 +8,6 @@
 //! the sample's own.
 
 use super::nominal::Base;
-use super::place_system::PlaceSystem;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, largest};
@@ -36,7 +35,7 @@ pub(super) struct Closing {
     pub poses: Vec<Pose>,
     pub frames: Vec<JointFrames>,
     /// Of the ideal position.
-    pub system: PlaceSystem,
+    pub system: Bordered,
     /// How far redundant rows are from closing.
     pub apart: Vec<f64>,
     bodies: Vec<Frame>,
@@ -75,25 +74,23 @@ impl Closing {
     }
 
     /// The same for searches of other kinds.
-    pub(super) fn closed(&self, loops: &Loops, base: &Base) -> Closed {
-        let jacobian = loops.jacobian(&self.frames);
+    pub(super) fn closed(&self) -> Closed {
         Closed {
             poses: self.poses.clone(),
             frames: self.frames.clone(),
-            system: Bordered::new(&jacobian, loops.rows.len(), loops.unknowns(), &base.position.borders),
+            system: self.system.clone(),
             apart: self.apart.clone(),
             way: 0.0,
         }
     }
 
     /// One step with the given system or that of these poses; its size.
-    fn newton_step(&mut self, loops: &Loops, drives: &[f64], known: Option<&PlaceSystem>) -> f64 {
+    fn newton_step(&mut self, loops: &Loops, drives: &[f64], known: Option<&Bordered>) -> f64 {
         let unknowns = loops.unknowns();
         let system = known.unwrap_or(&self.system);
         self.step.clear();
         self.step.extend(loops.residuals(&self.frames, drives).map(|value| -value));
-        self.step.resize(system.order(), 0.0);
-        system.solve(&mut self.step);
+        system.solve_in_place(&mut self.step);
         move_little(loops, &mut self.poses, &self.step);
         largest(&self.step[..unknowns])
     }

@@ -2,7 +2,7 @@
 
 use super::closing::{CONTRACTION, move_little};
 use super::nominal::Base;
-use super::place_system::PlaceSystem;
+use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
 use crate::geometry::pose::{Frame, Pose};
@@ -31,7 +31,7 @@ pub(super) struct Displaced {
 /// The system that displaced positions are closed with: that of the ideal position, or one of a displaced position.
 #[derive(Debug, Clone, Default)]
 pub(super) struct DisplacedSystem {
-    own: PlaceSystem,
+    own: Bordered,
     has_own: bool,
     bodies: Vec<Frame>,
     step: Vec<f64>,
@@ -44,7 +44,7 @@ impl DisplacedSystem {
     }
 
     /// The system that is used now.
-    pub(super) fn system<'a>(&'a self, ideal: &'a PlaceSystem) -> &'a PlaceSystem {
+    pub(super) fn system<'a>(&'a self, ideal: &'a Bordered) -> &'a Bordered {
         if self.has_own { &self.own } else { ideal }
     }
 
@@ -53,7 +53,7 @@ impl DisplacedSystem {
         &mut self,
         loops: &Loops,
         base: &Base,
-        ideal: &PlaceSystem,
+        ideal: &Bordered,
         shifts: &[MarkerShift],
         at: &mut Displaced,
     ) -> bool {
@@ -69,8 +69,7 @@ impl DisplacedSystem {
             self.step.clear();
             self.step.extend(loops.residuals(&at.frames, &base.drives).map(|value| -value));
             let system = if self.has_own { &self.own } else { ideal };
-            self.step.resize(system.order(), 0.0);
-            system.solve(&mut self.step);
+            system.solve_in_place(&mut self.step);
             let size = largest(&self.step[..unknowns]);
             way += size;
             if !(way <= LONGEST_WAY) {

@@ -6,9 +6,9 @@ use super::displaced::{Displaced, DisplacedSystem};
 use super::goal::Goal;
 use super::nominal::Base;
 use super::part::PlaySide;
-use super::plays::Plays;
 use super::reach::Reach;
 use crate::accuracy::play_set::PlaySet;
+use crate::accuracy::plays::Plays;
 use crate::accuracy::slice::dot;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
 use crate::closure::loops::{Loops, RowEntries};
@@ -82,7 +82,7 @@ impl Free<'_, '_> {
 
     /// The same position for searches of other kinds.
     fn accuracy(&self) -> Result<PoseAccuracy<'_>, AccuracyError> {
-        PoseAccuracy::of_closed(self.loops.clone(), &self.base.position, self.closing.closed(self.loops, self.base))
+        PoseAccuracy::of_closed(self.loops.clone(), &self.base.position, self.closing.closed())
     }
 
     /// The gradient of an output over the scaled unknowns, into `room.gradient`.
@@ -108,7 +108,7 @@ impl Free<'_, '_> {
         room.entries.clear();
         room.entries.extend(loops.rows.iter().map(|row| loops.row_entries(row, &room.best.frames)));
         room.by_rows.clone_from(&room.gradient);
-        system.solve_gradient(&mut room.by_rows);
+        system.solve_transposed_in_place(&mut room.by_rows);
         let rows = loops.rows.len();
         let mut is_good = false;
         for _ in 0..MAX_REFINEMENTS {
@@ -121,7 +121,7 @@ impl Free<'_, '_> {
             for (null, along) in self.base.position.borders.right.iter().zip(&room.by_rows[rows..]) {
                 room.rest.iter_mut().zip(null).for_each(|(rest, entry)| *rest -= entry * along);
             }
-            system.solve_gradient(&mut room.rest);
+            system.solve_transposed_in_place(&mut room.rest);
             room.by_rows.iter_mut().zip(&room.rest).for_each(|(y, change)| *y += change);
             if largest(&room.rest[..rows]) <= GRADIENT_ERROR * largest(&room.by_rows[..rows]) {
                 is_good = true;
@@ -191,7 +191,7 @@ impl Reach for Free<'_, '_> {
     fn gains(&mut self, output: &SpatialOutput) -> Result<Vec<f64>, AccuracyError> {
         self.gradient(output, false);
         let size = largest(&self.room.gradient);
-        self.closing.system.solve_gradient(&mut self.room.gradient);
+        self.closing.system.solve_transposed_in_place(&mut self.room.gradient);
         let (by_rows, free) = self.room.gradient.split_at(self.loops.rows.len());
         if !(largest(free) <= FREE_SHARE * size) {
             return Err(AccuracyError::OutputIsFree);

@@ -8,8 +8,8 @@
 //! | what is read off, and what play may do; its numbers | `part.rs`; `turn_sample.rs` |
 //! | the nominal motion, with directions along its paths | `nominal.rs` |
 //! | what is fixed for all samples; one of them, from values to numbers | `turn_sampler.rs`; `one_sample.rs` |
-//! | closed loops at a place, ideal and with play; their equations | `closing.rs`, `displaced.rs`; `place_system.rs`, `sparse_lu.rs` |
-//! | what play reaches there: without conditions, and with those of redundant rows | `reach.rs`: `free.rs` with `plays.rs`, `conditioned.rs` |
+//! | closed loops at a place, ideal and with play | `closing.rs`, `displaced.rs` |
+//! | what play reaches there: without conditions, and with those of redundant rows | `reach.rs`: `free.rs`, `conditioned.rs` |
 //! | numbers at a place; the largest and the smallest length of a displacement | `reading.rs`; `goal.rs`, `longest.rs`, `shortest.rs` |
 //! | places of the journals from uniform numbers | `journals.rs` |
 //! | what a sample cannot do | `error.rs` |
@@ -25,12 +25,9 @@ mod longest;
 mod nominal;
 mod one_sample;
 mod part;
-mod place_system;
-mod plays;
 mod reach;
 mod reading;
 mod shortest;
-mod sparse_lu;
 mod turn_sample;
 mod turn_sampler;
 

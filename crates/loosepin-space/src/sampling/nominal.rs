@@ -2,7 +2,7 @@
 
 use super::error::SamplingError;
 use super::part::{PartOfOutput, SampledPart};
-use super::place_system::PlaceSystem;
+use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
 use crate::closure::{Cycle, cycle};
@@ -49,7 +49,7 @@ pub(super) struct Base {
     /// Values of all drives.
     pub drives: Vec<f64>,
     /// The bordered loop equations.
-    pub system: PlaceSystem,
+    pub system: Bordered,
     /// Sign of their determinant.
     pub sign: f64,
     /// Size of their smallest pivot over that of the largest.
@@ -58,7 +58,7 @@ pub(super) struct Base {
 
 impl Base {
     pub(super) fn new(loops: &Loops, position: Position) -> Self {
-        let mut system = PlaceSystem::default();
+        let mut system = Bordered::default();
         system.factor(loops, &loops.frames(&position.poses, &[]), &position.borders);
         let (sign, pivot_ratio) = (system.sign(), system.pivot_ratio());
         Self { drives: position.drive_values(), position, system, sign, pivot_ratio }

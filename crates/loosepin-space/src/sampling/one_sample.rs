@@ -7,11 +7,11 @@ use super::free::{Free, Room};
 use super::journals::variables_m;
 use super::nominal::{Base, NominalPlace, components_of, drives_at, followed};
 use super::part::PlaySide;
-use super::plays::Plays;
 use super::reach::Reach;
 use super::reading::{PlaceReader, PlacedPart};
 use super::turn_sample::TurnSample;
 use super::turn_sampler::TurnSampler;
+use crate::accuracy::plays::Plays;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
 use crate::closure::error::OpenJoint;
 use crate::closure::loops::Loops;
@@ -128,8 +128,7 @@ impl Sample<'_> {
         let is_open = !(largest(&closing.apart) <= CLOSED);
         if is_open || (has_conditions && (side != PlaySide::None || self.drawn.is_some())) {
             let accuracy =
-                PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed(&self.loops, base))
-                    .map_err(fails)?;
+                PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed()).map_err(fails)?;
             let mut reach = self.conditioned(place, base, accuracy)?;
             let displaced = match &self.drawn {
                 Some(_) if reach.accuracy.conditions() > 0 => {

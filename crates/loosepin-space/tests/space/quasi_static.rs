@@ -243,6 +243,43 @@ fn peer_spherical_platform_of_three_legs() {
     }
 }
 
+/// The longest displacement is the farthest one over all directions: none of a fine grid goes farther, and its own goes as far.
+#[test]
+fn identity_no_direction_goes_farther_than_the_longest_displacement() {
+    const DIRECTIONS: usize = 4000;
+    let pin = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 2e-4, axial_clearance_m: 4e-4 };
+    let ball = SphericalPlay { radial_clearance_m: 3e-4 };
+    let free = known::rssp(Some(pin.into()), Some(ball.into()));
+    let under_condition = known::leaning_slider_crank(Some(pin.into()));
+    let platform = known::platform();
+    let held = assemble(&platform, &[DriveValue::default(); 3]).unwrap();
+    for (mechanism, body) in [(&free, 1), (&under_condition, 2), (&platform, 7)] {
+        for degrees in [20.0, 60.0] {
+            let position = if body == 7 { held.clone() } else { at_input(mechanism, degrees) };
+            let accuracy = PoseAccuracy::new(mechanism, &position).unwrap();
+            for point in [v(0.11, 0.0, 0.05), v(-0.02, 0.13, 0.01)] {
+                let components = SpatialOutput::displacement(body, point);
+                let gains: Vec<Gains> = components.iter().map(|output| accuracy.gains(output).unwrap()).collect();
+                let longest = accuracy.largest_norm(&gains).unwrap();
+                let directions: Vec<Vec3> = (0..DIRECTIONS)
+                    .map(|k| {
+                        let z = (k as f64 + 0.5) / DIRECTIONS as f64;
+                        let (sine, cosine) = (2.399_963_229_728_653 * k as f64).sin_cos();
+                        let across = (1.0 - z * z).sqrt();
+                        v(across * cosine, across * sine, z)
+                    })
+                    .collect();
+                let farthest = accuracy.farthest(&gains, &directions).unwrap();
+                let most = farthest.iter().map(|own| own.length()).fold(0.0, f64::max);
+                assert!(most <= longest.largest * (1.0 + 1e-12), "{most} {}", longest.largest);
+                let own = Vec3::from(<[f64; 3]>::try_from(longest.direction.as_slice()).unwrap());
+                let reached = accuracy.farthest(&gains, &[own]).unwrap()[0];
+                assert!(close_to(reached.dot(own), longest.largest, 1e-12), "{reached:?} {longest:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn peer_standard_deviation_of_the_gudgeon_under_its_condition() {
     // Quadrature of an independent program: 95.44616 and 28.82626 µm.

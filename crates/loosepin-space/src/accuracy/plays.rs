@@ -1,4 +1,4 @@
-//! The plays of a sample, prepared for many places.
+//! The plays of a mechanism, prepared for many places.
 
 use crate::accuracy::play_set::PlaySet;
 use crate::closure::loops::Loops;
@@ -15,9 +15,9 @@ struct PlayJoint {
     variables: Range<usize>,
 }
 
-/// All plays of a sample.
+/// All plays of a mechanism.
 #[derive(Debug, Clone)]
-pub(super) struct Plays {
+pub(crate) struct Plays {
     pub set: PlaySet,
     pub radii_m: Vec<f64>,
     joints: Vec<PlayJoint>,
@@ -26,7 +26,7 @@ pub(super) struct Plays {
 }
 
 impl Plays {
-    pub(super) fn new(loops: &Loops) -> Self {
+    pub(crate) fn new(loops: &Loops) -> Self {
         let set = PlaySet::new(loops.mechanism);
         let radii_m = set.radii_m();
         let of_joint = |joint: usize| {
@@ -45,9 +45,20 @@ impl Plays {
     }
 
     /// What variables, in units of their radii, do to all joints.
-    pub(super) fn shifts(&self, loops: &Loops, scaled: &[f64], metres: &mut Vec<f64>, shifts: &mut Vec<MarkerShift>) {
+    pub(crate) fn shifts(&self, loops: &Loops, scaled: &[f64], metres: &mut Vec<f64>, shifts: &mut Vec<MarkerShift>) {
         metres.clear();
         metres.extend(scaled.iter().zip(&self.radii_m).map(|(value, radius)| value * radius));
+        self.put_shifts(loops, metres, shifts);
+    }
+
+    /// The same of the variables themselves.
+    pub(crate) fn shifts_in_metres(&self, loops: &Loops, metres: &[f64]) -> Vec<MarkerShift> {
+        let mut shifts = Vec::new();
+        self.put_shifts(loops, metres, &mut shifts);
+        shifts
+    }
+
+    fn put_shifts(&self, loops: &Loops, metres: &[f64], shifts: &mut Vec<MarkerShift>) {
         shifts.clear();
         shifts.resize(loops.mechanism.joints().len(), MarkerShift::default());
         for own in &self.joints {
@@ -59,7 +70,20 @@ impl Plays {
 
     /// Gains by the variables in units of their radii: -yᵀK, for changes y of an output by changes of the rows. `metres` are the places of the
     /// journals; `None` in the middle.
-    pub(super) fn gains(
+    pub(crate) fn gains(
+        &self,
+        loops: &Loops,
+        frames: &[JointFrames],
+        by_rows: &[f64],
+        metres: Option<&[f64]>,
+        gains: &mut Vec<f64>,
+    ) {
+        self.gains_in_metres(loops, frames, by_rows, metres, gains);
+        gains.iter_mut().zip(&self.radii_m).for_each(|(gain, radius)| *gain *= radius);
+    }
+
+    /// The same by the variables themselves.
+    pub(crate) fn gains_in_metres(
         &self,
         loops: &Loops,
         frames: &[JointFrames],
@@ -77,18 +101,47 @@ impl Plays {
                 by_shift += shift * share;
                 (by_slope[0], by_slope[1]) = (by_slope[0] + slope[0] * share, by_slope[1] + slope[1] * share);
             }
-            let gain = |(variable, shift): (usize, &MarkerShift)| {
+            self.each_shift(loops, own, metres, |_, shift| {
                 let change = by_shift.dot(shift.shift_m) + by_slope[0] * shift.slope[0] + by_slope[1] * shift.slope[1];
-                -change * self.radii_m[variable]
-            };
-            let play = metres.and_then(|metres| Some((loops.mechanism.joints()[own.joint].play.as_ref()?, metres)));
-            match play {
-                Some((play, metres)) => {
-                    let shifts = play.derivatives(&metres[own.variables.clone()]);
-                    gains.extend(own.variables.clone().zip(&shifts).map(gain));
+                gains.push(-change);
+            });
+        }
+    }
+
+    /// The largest derivative of a row by a variable in units of its radius.
+    pub(crate) fn largest_derivative(&self, loops: &Loops, frames: &[JointFrames], metres: Option<&[f64]>) -> f64 {
+        let mut largest: f64 = 0.0;
+        let mut rows = Vec::new();
+        for own in &self.joints {
+            rows.clear();
+            let placed = loops.rows[own.rows.clone()].iter();
+            rows.extend(placed.map(|row| (row.row.by_play(&frames[own.joint]), loops.scale(row))));
+            self.each_shift(loops, own, metres, |variable, shift| {
+                for ((by_shift, by_slope), scale) in &rows {
+                    let change =
+                        by_shift.dot(shift.shift_m) + by_slope[0] * shift.slope[0] + by_slope[1] * shift.slope[1];
+                    largest = largest.max((change / scale * self.radii_m[variable]).abs());
                 }
-                None => gains.extend(own.variables.clone().zip(&self.middle[own.variables.clone()]).map(gain)),
+            });
+        }
+        largest
+    }
+
+    /// What each variable of a joint does to it.
+    fn each_shift(
+        &self,
+        loops: &Loops,
+        own: &PlayJoint,
+        metres: Option<&[f64]>,
+        mut take: impl FnMut(usize, &MarkerShift),
+    ) {
+        let variables = own.variables.clone();
+        match metres.and_then(|metres| Some((loops.mechanism.joints()[own.joint].play.as_ref()?, metres))) {
+            Some((play, metres)) => {
+                let shifts = play.derivatives(&metres[variables.clone()]);
+                variables.zip(&shifts).for_each(|(variable, shift)| take(variable, shift));
             }
+            None => variables.clone().zip(&self.middle[variables]).for_each(|(variable, shift)| take(variable, shift)),
         }
     }
 }
