@@ -331,7 +331,7 @@ fn peer_poses_and_masses_of_all_forms() {
 
 #[test]
 fn sites_without_a_name_are_left_out_with_a_note() {
-    let text = PUMA.replacen("<joint", "<site pos='0 0 0.1'/><site pos='0 0 0.2'/><joint", 1);
+    let text = PUMA.replace("<site name=", "<site pos='0 0 0.1'/><site pos='0 0 0.2'/><site name=");
     let note = |text: &str| imported("r.xml", text).notes.iter().find(|note| note.contains("site")).cloned();
     assert_eq!(note(&text).as_deref(), Some("2 sites without a name left out: points of a model have names"));
     assert_eq!(note(PUMA), None);

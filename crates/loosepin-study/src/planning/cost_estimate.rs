@@ -7,7 +7,7 @@ use loosepin_bounds::PromisePlan;
 pub struct CostEstimate {
     /// As [`crate::plan_runs`].
     pub most_runs: usize,
-    /// Processor time of a run on the lanes of one thread, s; `None` if the first steps do not show it.
+    /// Mean processor time of a run on the lanes of one thread, s; `None` if the first steps do not show it.
     pub run_s: Option<f64>,
     /// Cost of the runs of a promise, if there is one.
     pub promise: Option<PromiseCost>,

@@ -1,14 +1,14 @@
 //! Estimated cost of a study: the number of its runs, and the duration of one.
 
 use crate::error::StudyError;
-use crate::file::Study;
+use crate::file::{EpistemicSubject, Study};
 use crate::planning::cost_estimate::CostEstimate;
-use crate::planning::plans::{default_threads, planned};
+use crate::planning::plans::{Plans, default_threads, planned};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::planar_response::PlanarResponse;
 use crate::response::study_response::StudyResponse;
-use loosepin_bounds::{DoubleLoop, RunInputs};
+use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
 use std::time::{Duration, Instant};
@@ -43,7 +43,8 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut estimate));
     let Some(planar) = response.planar_mut() else {
-        estimate.run_s = time_positions_s(study, &response)?;
+        let share = closed_share(study, &response, &plans);
+        estimate.run_s = time_positions_s(study, &response)?.map(|closing_s| share * closing_s);
         return Ok(estimate);
     };
     let variants = planar.mechanisms.len().min(MAX_VARIANTS);
@@ -60,13 +61,30 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     Ok(estimate)
 }
 
-/// Processor time of a run in space, s: the mean of the first runs of the plan.
+/// Share of the runs in space for which the loops are closed: the first round repeats its samples at each place of the journals, apart from those
+/// of the probability-only treatment, and a sample is closed once.
+fn closed_share(study: &Study, response: &StudyResponse, plans: &Plans) -> f64 {
+    let play = study.epistemic.iter().find(|input| matches!(input.subject, EpistemicSubject::Play));
+    let Some(places) = play.map(|input| input.variable.choices()).filter(|_| !plans.is_surrogate_alone) else {
+        return 1.0;
+    };
+    let direct = plans.refinement.plan(&SampleTable::new(response.row_length()));
+    let mixture = if direct.problem().compared_columns.is_empty() { 0 } else { direct.problem().sampling.mixture };
+    let repeated = direct.first_round_runs().saturating_sub(mixture) as f64 * (1.0 - 1.0 / places as f64);
+    1.0 - (repeated / plans.limits.most_runs() as f64).min(1.0)
+}
+
+/// Processor time of a run in space whose loops are closed, s: the mean of the first runs of the plan.
 ///
 /// # Errors
 /// All of them failed.
 fn time_positions_s(study: &Study, response: &StudyResponse) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
-    let inputs = plan.first_runs(TIMED_POSITIONS, 1, |_| true);
+    // Each sample once: at other places of its journals it is not closed again.
+    let play = study.epistemic.iter().position(|input| matches!(input.subject, EpistemicSubject::Play));
+    let is_in_the_middle = |epistemic: &[f64]| play.is_none_or(|place| epistemic[place] == 0.0);
+    let points = plan.first_runs(TIMED_POSITIONS, 1, is_in_the_middle).len().max(1);
+    let inputs = plan.first_runs(points, TIMED_POSITIONS / points, is_in_the_middle);
     let mut row = vec![f64::NAN; response.row_length()];
     let mut finished: Vec<f64> = Vec::new();
     let mut reason = None;

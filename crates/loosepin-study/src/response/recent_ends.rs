@@ -62,6 +62,12 @@ impl RecentEnds {
         }
         found
     }
+
+    /// How many samples are held.
+    #[cfg(test)]
+    pub fn len(&self) -> usize {
+        self.held.lock().unwrap_or_else(PoisonError::into_inner).order.len()
+    }
 }
 
 #[cfg(test)]

@@ -118,7 +118,7 @@ impl SpatialResponse {
         let targets = InputTargets::new(study);
         let inputs = study.random.len() + study.epistemic.len();
         Ok(Self {
-            recent: targets.has_play().then(|| RecentEnds::new(inputs, plan.columns.len())),
+            recent: (targets.has_play()).then(|| RecentEnds::new(inputs, plan.columns.len())),
             nominal_at_pose: reads.iter().map(at_pose).collect(),
             places: turns.len(),
             grid,
@@ -275,4 +275,59 @@ fn failure(error: SamplingError) -> RunFailure {
         _ => "the values differ too much from those of the model, or they do not fit together",
     };
     RunFailure::NoPosition { why: error.to_string(), hint }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SpatialResponse, failure};
+    use crate::file::Study;
+    use loosepin_space::{SamplingError, SpatialModel};
+    use loosepin_text::diagnostics::Problem;
+    use std::f64::consts::FRAC_PI_2;
+
+    const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
+    const STUDY: &str = "name = \"s\"\nmodel = \"model.toml\"\n[cycle]\nsamples_per_turn = 4\n[epistemic]\n\
+        \"joint.ball.radial_clearance\" = { interval = [\"0.15 mm\", \"0.25 mm\"] }\n[[ask]]\noutput = \"rocker\"\n\
+        of = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
+
+    #[test]
+    fn identity_all_places_of_the_journals_are_read_off_one_closing() {
+        let model = SpatialModel::from_text("model.toml", FOUR_BAR).unwrap();
+        let study = Study::from_text("study.toml", STUDY, model.clone()).unwrap();
+        let own = SpatialResponse::new(&study, &model).unwrap();
+        let anew = SpatialResponse { recent: None, ..SpatialResponse::new(&study, &model).unwrap() };
+        let bits = |of: &SpatialResponse, clearance_m: f64, play: f64| {
+            let row = of.row(&[], &[clearance_m, play]).unwrap();
+            row.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+        };
+        for clearance_m in [2e-4, 2.4e-4] {
+            let rows =
+                [0.0, -1.0, 1.0, 0.3].map(|play| (bits(&own, clearance_m, play), bits(&anew, clearance_m, play)));
+            assert!(rows.iter().all(|(own, anew)| own == anew));
+            assert_ne!(rows[1], rows[2]);
+        }
+        assert_eq!(own.recent.as_ref().map(|recent| recent.len()), Some(2));
+    }
+
+    #[test]
+    fn each_failure_has_a_hint_of_its_own_and_units() {
+        let turn = 0.25;
+        let (nominal_si, found_si) = (FRAC_PI_2, 91_f64.to_radians());
+        let elsewhere =
+            SamplingError::DriveElsewhere { drive: "crank".to_owned(), turn, nominal_si, found_si, is_length: false };
+        let all = [
+            elsewhere,
+            SamplingError::AtRest { output: "tip".to_owned(), turn },
+            SamplingError::CoarseTurn { output: "rocker".to_owned() },
+            SamplingError::BadTurns,
+        ];
+        let all = all.map(failure);
+        assert!(
+            all[0].to_string().starts_with("drive 'crank' at 0.25 turns: it is at 91 deg and nominally at 90 deg;"),
+            "{}",
+            all[0]
+        );
+        let hints: std::collections::HashSet<_> = all.iter().map(Problem::hint).collect();
+        assert_eq!(hints.len(), all.len(), "{hints:?}");
+    }
 }

@@ -164,7 +164,7 @@ fn a_model_that_does_not_say_that_it_is_in_space_has_one_error() {
     let first = found.sorted()[0];
     assert_eq!(
         first.message,
-        "body 'ground', point 'bearing' has three coordinates, which only models in space have, and the file does not say that it is one"
+        "body 'ground': point 'bearing' has three coordinates, which only models in space have, and the file does not say that it is one"
     );
     assert!(first.hint.as_deref().is_some_and(|hint| hint.starts_with("add the line geometry = \"space\" at its top")));
     assert!(place(first).1.starts_with("points = { bearing"), "{found}");
@@ -180,7 +180,7 @@ fn run(study: &Study) -> StudyRun {
 
 #[test]
 fn identity_what_lengths_do_does_not_depend_on_whether_play_is_asked_for() {
-    let inputs = "[sampling]\nouter = 6\ninner = 16\nreplicates = 4\n[cycle]\nsamples_per_turn = 6\n[random]\n\
+    let inputs = "[sampling]\nouter = 9\ninner = 16\nreplicates = 4\n[cycle]\nsamples_per_turn = 6\n[random]\n\
                   \"body.crank.points.pin.x\" = { normal = { standard_deviation = \"0.05 mm\" } }\n[epistemic]\n\
                   \"joint.ball.radial_clearance\" = { interval = [\"0.15 mm\", \"0.25 mm\"] }\n";
     let ask = |of: &str| {
