@@ -61,8 +61,8 @@ pub use motion::{
     spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
-pub use spatial::figure::SpaceDrawing;
 pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
+pub use spatial::figure::SpaceDrawing;
 pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};
 pub use study::text::study_text;

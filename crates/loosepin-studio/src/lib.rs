@@ -11,6 +11,7 @@
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `listed.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
+//! | a mechanism in space as the page shows it | `space_view.rs` |
 //! | texts to diagnostics, drawing, bands, quantities | `texts.rs`, `look.rs`, `diagnostics.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs`, `centres.rs`, `forces.rs` |
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |

@@ -191,8 +191,7 @@ impl BandSource<'_> {
             if self.is_length { "" } else { "±" },
             writer.rounded(largest_si, self.unit, PLAIN_DIGITS, Rounding::Up),
         );
-        chart.alternative =
-            format!("Chart of the band of {} over one cycle, without dynamics: {largest}.", self.words);
+        chart.alternative = format!("Chart of the band of {} over one cycle, without dynamics: {largest}.", self.words);
         chart.caption = html! {};
         Some(LiveBand {
             output: self.name.to_owned(),

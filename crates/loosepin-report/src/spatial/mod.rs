@@ -6,7 +6,7 @@
 //! | what is drawn, cut into parts that can be sorted by depth | `parts.rs` |
 //! | parts in a position and a view, the farthest first | `placed.rs` |
 //! | the same as shapes of a picture | `drawing.rs`; axes and ground `signs.rs`, names of joints `names.rs` |
-//! | the picture of a page with its controls, and its data for `scripts/space.ts` | `figure.rs` |
+//! | the picture of a page with its controls, and its data for `scripts/space-scene.ts`; turned by `scripts/space.ts` | `figure.rs` |
 //! | front, side and top on one sheet | `views.rs` |
 
 mod drawing;

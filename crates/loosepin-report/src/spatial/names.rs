@@ -196,7 +196,7 @@ fn in_ground(poses: &[PicturePose], body: usize, at_mm: [f64; 3]) -> [f64; 3] {
     PicturePose { at_m: pose.at_m.map(|own| own * MM_PER_M), ..pose }.point_m(at_mm)
 }
 
-/// Names beside their joints. `scripts/space.ts` does the same.
+/// Names beside their joints. `scripts/space-scene.ts` does the same.
 pub(crate) fn drawn_names(names: &[Name], poses: &[PicturePose], projection: &Projection, font_mm: f64) -> Markup {
     let digits = places(font_mm) + 1;
     html! {

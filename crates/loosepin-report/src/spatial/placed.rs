@@ -1,4 +1,4 @@
-//! Parts in a position and a view, the farthest first. `scripts/space.ts` does the same.
+//! Parts in a position and a view, the farthest first. `scripts/space-scene.ts` does the same.
 
 use super::parts::{Part, PartKind, RIM_POINTS, round};
 use super::projection::Projection;

@@ -2,8 +2,9 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
+use crate::accuracy::linear::slice::{Largest, largest};
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::{Largest, dot, largest};
 
 /// The largest g·p over all plays that close the loops to first order; by symmetry -g·p is as large.
 ///

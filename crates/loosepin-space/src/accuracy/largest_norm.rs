@@ -2,8 +2,8 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::dot;
 use crate::accuracy::vector_reach::VectorReach;
 
 /// Directions from which a search starts, over half of the sphere.

@@ -1,9 +1,11 @@
 //! Least play with which a mechanism whose parts do not fit can be put together.
 
 use crate::accuracy::error::AccuracyError;
+use crate::accuracy::linear::near::Near;
+use crate::accuracy::linear::slice::largest;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::multiple::{MAX_MULTIPLE, Multiple, largest_multiple};
 use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
-use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::closure::step::CLOSED;
 use crate::geometry::pose::Pose;

@@ -1,8 +1,8 @@
 //! The largest multiple of some errors that plays make good.
 
-use crate::accuracy::planes::Planes;
+use crate::accuracy::linear::planes::Planes;
+use crate::accuracy::linear::slice::largest;
 use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::slice::largest;
 use crate::play::block::PlayPart;
 
 /// Largest multiple of the errors that is looked at: beyond it they do not matter.

@@ -2,7 +2,7 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
-use crate::accuracy::planes::Planes;
+use crate::accuracy::linear::planes::Planes;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::plays::Plays;
 use crate::closure::bordered::Bordered;

@@ -1,10 +1,10 @@
 //! Whether plays are large enough for errors of manufacture.
 
 use crate::accuracy::error::AccuracyError;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::multiple::largest_multiple;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::scatter::MarkerSide;
-use crate::accuracy::slice::dot;
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
 

@@ -1,10 +1,10 @@
 //! Scatter of plays that must meet conditions together.
 
 use crate::accuracy::gains::Gains;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::random::random;
-use crate::accuracy::slice::dot;
 
 /// Batches whose means tell the error.
 const BATCHES: usize = 50;

@@ -1,11 +1,13 @@
 //! One search for an extreme deviation.
 
 use crate::accuracy::extreme::{Extreme, SearchOptions};
-use crate::accuracy::planes::Planes;
+use crate::accuracy::linear::near::Near;
+use crate::accuracy::linear::planes::Planes;
+use crate::accuracy::linear::slice::largest;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::accuracy::random::random;
-use crate::accuracy::slice::{Near, dot, largest};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::geometry::pose::Pose;

@@ -2,9 +2,10 @@
 
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
+use crate::accuracy::linear::slice::{Largest, largest};
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::slice::{Largest, dot, largest};
 use loosepin_math::RealLu;
 
 /// Part of a length that a proof may leave open, relative to it.

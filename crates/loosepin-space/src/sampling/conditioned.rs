@@ -3,8 +3,9 @@
 use super::goal::Goal;
 use super::part::PlaySide;
 use super::reach::Reach;
+use crate::accuracy::linear::slice::largest;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::search::Climb;
-use crate::accuracy::slice::{dot, largest};
 use crate::accuracy::{AccuracyError, PoseAccuracy};
 use crate::geometry::pose::Pose;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;

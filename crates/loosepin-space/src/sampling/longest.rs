@@ -2,7 +2,7 @@
 
 use super::reach::Reach;
 use crate::accuracy::AccuracyError;
-use crate::accuracy::slice::dot;
+use crate::accuracy::linear::vectors::dot;
 
 /// Directions that are looked at, over the half sphere or half circle, and their opposites.
 const DIRECTIONS: usize = 32;

@@ -2,7 +2,7 @@
 
 use super::longest::{Displacements, sum};
 use crate::accuracy::AccuracyError;
-use crate::accuracy::slice::dot;
+use crate::accuracy::linear::vectors::dot;
 
 /// Most steps; ten are usual.
 const MAX_STEPS: usize = 100;

@@ -210,7 +210,12 @@ fn missing(path: &str) -> Refusal {
 /// An entry of a study: the table, and the text behind the equals sign.
 type StudyEntry = (&'static str, String);
 
-fn entry(known: &UncertaintySpec, number: &Number, model: &StudyModel, path: &str) -> Result<Option<StudyEntry>, Refusal> {
+fn entry(
+    known: &UncertaintySpec,
+    number: &Number,
+    model: &StudyModel,
+    path: &str,
+) -> Result<Option<StudyEntry>, Refusal> {
     let nominal = || number.nominal.as_ref().ok_or_else(|| missing(path));
     Ok(match known {
         UncertaintySpec::Exact(_) => None,

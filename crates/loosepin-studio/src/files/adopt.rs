@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use loosepin::report::known_values;
-use loosepin::study::{StudyModel, number_and_unit};
 use loosepin::study::result::WitnessValue;
+use loosepin::study::{StudyModel, number_and_unit};
 use loosepin::units::{ReadableUnit, format_value};
 use serde::Serialize;
 

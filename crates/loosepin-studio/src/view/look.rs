@@ -5,9 +5,7 @@ use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
-use loosepin::report::{
-    CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing,
-};
+use loosepin::report::{CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
@@ -18,14 +16,13 @@ use crate::drawing::forces::forces;
 use crate::drawing::still::{NamedPoses, placed, still_drawing};
 use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
-use crate::messages::{
-    BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View,
-};
+use crate::messages::{BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View};
 use crate::view::diagnostics::diagnostic_views;
 use crate::view::limits::banded_limits;
 use crate::view::quantities::quantities;
 use crate::view::space_view::space_view;
 use crate::view::texts::Texts;
+use crate::view::title::title;
 
 const MM_PER_M: f64 = 1e3;
 /// Largest number of instants shown of a run that is followed for a drawing.
@@ -193,14 +190,6 @@ fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: Strin
 
 fn named_outputs(model: &Model) -> Vec<OutputView> {
     model.outputs.iter().map(|output| OutputView { name: output.name.clone(), words: output.name.clone() }).collect()
-}
-
-/// Its name, or that of the study.
-pub(super) fn title(file: &InputFile) -> String {
-    match file {
-        InputFile::Model(model) => model.name().to_owned(),
-        InputFile::Study(study) => study.name.clone(),
-    }
 }
 
 fn outputs(record: &MotionRecord) -> Vec<OutputView> {

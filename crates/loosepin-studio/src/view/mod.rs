@@ -9,3 +9,4 @@ pub(crate) mod places;
 pub(crate) mod quantities;
 pub(crate) mod space_view;
 pub(crate) mod texts;
+mod title;

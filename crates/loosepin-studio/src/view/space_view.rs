@@ -9,9 +9,9 @@ use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
 use super::limits::banded_limits;
-use super::look::title;
 use super::quantities::quantities;
 use super::texts::Texts;
+use super::title::title;
 use crate::messages::{BodyView, JointView, Outline, OutputView, View};
 
 /// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer.

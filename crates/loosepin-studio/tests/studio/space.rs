@@ -61,7 +61,8 @@ fn every_template_in_space_is_drawn_with_its_bands() {
         assert!(!view["bands"].as_array().unwrap().is_empty(), "{}", template.name);
         assert!(view["mobility"].as_str().unwrap().contains("degree"), "{}: {}", template.name, view["mobility"]);
         for band in view["bands"].as_array().unwrap() {
-            let shares: f64 = band["parts"].as_array().unwrap().iter().map(|part| part["share"].as_f64().unwrap()).sum();
+            let shares: f64 =
+                band["parts"].as_array().unwrap().iter().map(|part| part["share"].as_f64().unwrap()).sum();
             assert!((shares - 1.0).abs() < 1e-9, "{}: {shares}", template.name);
         }
     }
@@ -125,7 +126,10 @@ fn an_ideal_joint_gets_play_with_the_length_of_its_bearing() {
     let path = "joint.pivot.radial_clearance";
     let new = known(&server, [&first[0], &first[1]], path, "0.05 mm").unwrap();
     let table = new[0].split("[joint.pivot]").nth(1).unwrap().split('[').next().unwrap();
-    assert!(table.contains("radial_clearance = \"0.05 mm\"") && table.contains("bearing_length = \"20 mm\""), "{table}");
+    assert!(
+        table.contains("radial_clearance = \"0.05 mm\"") && table.contains("bearing_length = \"20 mm\""),
+        "{table}"
+    );
     let after = largest(&mut live, 2, &new);
     assert!(after > before, "{before} {after}");
     let refused = known(&server, [&first[0], &first[1]], "joint.nothing.radial_clearance", "0.05 mm").unwrap_err();

@@ -5,8 +5,8 @@
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnJoint, DrawnJointKind, PointReference};
 use loosepin::space::{
-    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Pose, PoseAccuracy, Quaternion,
-    RevolutePlay, RotationOutput, SpatialKind, SpatialMechanism, SpatialOutput, SpatialPlay, UprightPlay, Vec3, cycle,
+    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Pose, PoseAccuracy, Quaternion, RevolutePlay,
+    RotationOutput, SpatialKind, SpatialMechanism, SpatialOutput, SpatialPlay, UprightPlay, Vec3, cycle,
 };
 use loosepin::study::InputFile;
 use loosepin::templates::{TEMPLATES, Template};
@@ -25,7 +25,10 @@ fn in_space(drawing: &Drawing, play: fn(f64) -> SpatialPlay) -> Option<(SpatialM
             return Body::ground();
         }
         let (x, y, angle) = (poses.x_m[number][0], poses.y_m[number][0], poses.angle_rad[number][0]);
-        Body::new(name, Pose { position_m: Vec3::new(x, y, 0.0), orientation: Quaternion::from_rotation_vector(Vec3::Z * angle) })
+        Body::new(
+            name,
+            Pose { position_m: Vec3::new(x, y, 0.0), orientation: Quaternion::from_rotation_vector(Vec3::Z * angle) },
+        )
     };
     let point = |end: PointReference| {
         let point = &drawing.bodies[end.body].points[end.point];
@@ -85,13 +88,19 @@ fn planar(template: &Template) -> Option<MotionRecord> {
     InputFile::Model(model.into()).ideal_motion(POSITIONS, &[]).ok()
 }
 
-/// Largest distance of a point of a body from where it is in the plane, m, and largest relative difference of a worst case.
+/// Largest distance of a point of a body from where it is in the plane, m, and largest difference of a worst case over the larger of its largest
+/// value and the clearance.
 fn compared(record: &MotionRecord, play: fn(f64) -> SpatialPlay) -> Option<(f64, f64, usize)> {
     let drawing = &record.drawing;
     let (mechanism, start_rad) = in_space(drawing, play)?;
-    let turned: Vec<f64> = drawing.poses.drive_angle_rad.iter().map(|own| own - drawing.poses.drive_angle_rad[0]).collect();
+    let turned: Vec<f64> =
+        drawing.poses.drive_angle_rad.iter().map(|own| own - drawing.poses.drive_angle_rad[0]).collect();
     let found = cycle(&mechanism, &turned, &|angle| vec![DriveValue::at_rate(start_rad + angle, 1.0)]);
     assert_eq!(found.stopped, None);
+    let clearance_m = drawing.joints.iter().map(|joint| joint.radial_clearance_m).fold(0.0, f64::max);
+    if clearance_m == 0.0 {
+        return None;
+    }
     let (mut farthest_m, mut worst, mut outputs) = (0.0_f64, 0.0_f64, 0);
     for (position, closed) in found.positions.iter().enumerate() {
         let poses = &drawing.poses;
@@ -114,7 +123,8 @@ fn compared(record: &MotionRecord, play: fn(f64) -> SpatialPlay) -> Option<(f64,
             let largest = own.clearance.first_order_si.iter().copied().fold(0.0, f64::max);
             let gains = accuracy.gains(&output).unwrap();
             let found = accuracy.first_order(&gains).unwrap().worst;
-            worst = worst.max((found - due).abs() / largest.max(1e-12));
+            // What play does not move has round-off of the size of the clearance.
+            worst = worst.max((found - due).abs() / largest.max(clearance_m));
             outputs += usize::from(position == 0);
         }
     }

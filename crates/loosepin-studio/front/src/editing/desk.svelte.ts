@@ -14,7 +14,7 @@ import { Head } from '../drawing/head.svelte.ts';
 import { Viewport } from '../drawing/viewport.svelte.ts';
 import { Looker } from '../network/looker.ts';
 import { posesAt } from '../drawing/player.ts';
-import { parsedSpace, type Space } from '../drawing/space.ts';
+import { parsedSpace, type Space } from '../space/space.ts';
 import { movedRange } from './ranges.ts';
 import { session } from '../network/session.svelte.ts';
 import { ask } from '../network/wire.ts';

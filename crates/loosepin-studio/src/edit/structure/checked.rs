@@ -266,8 +266,6 @@ pub fn why_not(file: &InputFile, found: &Diagnostics) -> String {
             let missing = counted(drives.saturating_sub(mobility), "degree");
             format!("{missing} of freedom too few for {}. Remove a joint or a drive.", counted(drives, "drive"))
         }
-        _ => {
-            first_of(found).in_words()
-        }
+        _ => first_of(found).in_words(),
     }
 }

@@ -22,7 +22,6 @@ mod remove;
 mod rename;
 mod watch;
 
-
 use loosepin::document::describe_path;
 use loosepin::model::{Model, Origin};
 use serde::Serialize;

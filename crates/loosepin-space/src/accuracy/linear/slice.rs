@@ -10,8 +10,10 @@
 //! A step costs as much as the blocks and one system of the order of H. A single plane has one multiplier, which is found directly
 //! ([`on_plane`]).
 
-use crate::accuracy::one_plane::on_plane;
-use crate::accuracy::planes::Planes;
+use crate::accuracy::linear::near::Near;
+use crate::accuracy::linear::one_plane::on_plane;
+use crate::accuracy::linear::planes::Planes;
+use crate::accuracy::linear::vectors::{add, dot};
 use crate::accuracy::play_set::PlaySet;
 use loosepin_math::RealLu;
 
@@ -28,13 +30,6 @@ const SMALL_RESIDUAL: f64 = 1e-12;
 
 /// Distance of bound and value, or from the planes, with which a search ends without an answer, relative to the gains and to one.
 const WORST_MISS: f64 = 1e-6;
-
-/// What keeps v near v0.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Near<'a> {
-    pub weight: f64,
-    pub place: &'a [f64],
-}
 
 /// The largest value.
 #[derive(Debug, Clone)]
@@ -251,18 +246,10 @@ fn step_inside(set: &PlaySet, at: &Iterate, step: &Iterate) -> f64 {
     share
 }
 
-pub(crate) fn add(sum: &mut [f64], part: &[f64], factor: f64) {
-    sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += factor * part);
-}
-
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Near, dot, inner_point, largest, on_plane};
-    use crate::accuracy::planes::Planes;
+    use crate::accuracy::linear::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
     use crate::accuracy::random::random;
     use crate::play::block::PlayPart;

@@ -9,8 +9,9 @@
 //!
 //! The slope grows with λ: it has a jump of 2 |h_k| at λ_k where p_k = 0, as of intervals, and is smooth elsewhere. With τ > 0 it has none.
 
+use crate::accuracy::linear::near::Near;
+use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::{PlacedBlock, PlaySet};
-use crate::accuracy::slice::{Near, dot};
 
 /// Parts of gains below this, relative to all of them, have no direction of their own: where they decide, the place is not unique.
 const NO_DIRECTION: f64 = 1e-12;

@@ -1,7 +1,7 @@
 // Pictures of mechanisms in space: drawn by the script of the report, `window.spaceScene`.
 import '../../../../loosepin-report/scripts/space-scene.ts';
 import type { SpaceDrawing } from '../messages.ts';
-import { figureOf } from './figure.ts';
+import { figureOf } from '../drawing/figure.ts';
 
 /** A picture with what it is drawn from. */
 export interface Space {

@@ -1,6 +1,6 @@
 //! Planes that variables of play lie on.
 
-use crate::accuracy::slice::{add, dot};
+use crate::accuracy::linear::vectors::{add, dot};
 use loosepin_math::SingularValues;
 
 /// Planes H v = b in orthonormal rows.
