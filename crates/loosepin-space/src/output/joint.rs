@@ -1,10 +1,15 @@
 //! Coordinate of a joint.
 
+use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
+use crate::enclosure::jet::Jet;
+use crate::enclosure::joint::EnclosedJoint;
+use crate::enclosure::position_box::PositionBox;
 use crate::geometry::pose::Frame;
 use crate::kind::frames::{JointFrames, MarkerShift, within_half_a_turn};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
+use loosepin_math::{Interval, Real};
 
 /// Deviation of φ = atan2(y_i·x_j, x_i·x_j), rad, or of z_i·(P_j - P_i), m, between the two markers of a joint, whatever its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,4 +57,37 @@ impl KindOfOutput for JointOutput {
     fn fits(&self, mechanism: &SpatialMechanism) -> bool {
         self.joint < mechanism.joints().len()
     }
+}
+
+impl EnclosedOutput for JointOutput {
+    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
+        let joint = &at.centre.loops.mechanism.joints()[self.joint];
+        let moved = at.joint::<C>(self.joint, None);
+        let at_rest = PositionBox { centre: at.centre, numbers: &vec![Interval::ZERO; at.numbers.len()] };
+        let ideal: EnclosedJoint<0> = at_rest.joint(self.joint, None);
+        let jet = match self.coordinate {
+            JointCoordinate::Slide => moved.slide_m() - Jet::constant(ideal.slide_m().value),
+            JointCoordinate::Angle => {
+                let [[cosine, sine], [from_cosine, from_sine]] =
+                    [moved.turn(), ideal.turn().map(|own| Jet::constant(own.value))];
+                arctangent(&(sine * from_cosine - cosine * from_sine), &(cosine * from_cosine + sine * from_sine))
+            }
+        };
+        PlacedJet { bodies: [joint.bearing.body, joint.journal.body], jet }
+    }
+}
+
+/// The angle with this sine and cosine, whatever the radius; every number where the cosine may not be above zero.
+fn arctangent<const C: usize>(sine: &Jet<C>, cosine: &Jet<C>) -> Jet<C> {
+    if !(cosine.value.low() > 0.0) {
+        return Jet::constant(Interval::WHOLE);
+    }
+    let one = Interval::from_f64(1.0);
+    let inverse = one / cosine.value;
+    let square = inverse * inverse;
+    let tangent = *sine * cosine.function([inverse, -square, (square + square) * inverse]);
+    let x = tangent.value;
+    let first = one / (one + x.squared());
+    // Between zero and its tangent.
+    tangent.function([x.hull(Interval::ZERO), first, -((x + x) * first * first)])
 }

@@ -1,5 +1,9 @@
 //! Displacement of a point.
 
+use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
+use crate::enclosure::jet::Jet;
+use crate::enclosure::position_box::PositionBox;
+use crate::enclosure::vector::{along, exact, plus, turned};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
@@ -31,5 +35,15 @@ impl KindOfOutput for PointOutput {
     }
     fn fits(&self, mechanism: &SpatialMechanism) -> bool {
         self.body < mechanism.bodies().len() && self.point_m.is_finite() && is_unit(self.direction)
+    }
+}
+
+impl EnclosedOutput for PointOutput {
+    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
+        let body = at.body::<C>(self.body, 0);
+        let (arm, direction) = (turned(&at.centre.pose(self.body).axes, exact(self.point_m)), exact(self.direction));
+        let moved = along(&direction, &plus(&body.apply(&arm), &body.displacement));
+        let ideal = along(&direction, &arm.map(Jet::constant));
+        PlacedJet { bodies: [self.body, 0], jet: moved - ideal }
     }
 }

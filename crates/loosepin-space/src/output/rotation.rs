@@ -1,9 +1,13 @@
 //! Rotation error of a body.
 
+use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
+use crate::enclosure::position_box::PositionBox;
+use crate::enclosure::vector::{along, dot, exact, turned};
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
+use loosepin_math::{Interval, Real};
 
 /// u·θ, rad: θ is the rotation vector of R_idealᵀR, in the axes of the ideal body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,4 +43,35 @@ impl KindOfOutput for RotationOutput {
 pub(crate) fn relative_turn(body: usize, ideal: &OutputState, actual: &OutputState) -> (Rotation, Rotation) {
     let axes = ideal.poses[body].orientation.rotation();
     (axes, axes.transposed_times(&actual.poses[body].orientation.rotation()))
+}
+
+impl EnclosedOutput for RotationOutput {
+    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
+        // In ground axes R_idealᵀR is E(t), and θ = t asin(h)/h with h = |t|/2.
+        let axis = turned(&at.centre.pose(self.body).axes, exact(self.axis));
+        let t = at.body::<C>(self.body, 0).vector;
+        let square = dot(&t, &t).times(Interval::from_f64(0.25));
+        let jet = along(&axis, &t) * square.function(arcsine_over_sine(square.value.high()));
+        PlacedJet { bodies: [self.body, 0], jet }
+    }
+}
+
+/// asin(h)/h and its two derivatives by m = h², for 0 <= m <= `most`; every number where that is not small.
+///
+/// The series is 1 + m/6 + 3m²/40 + ..., its coefficients positive and decreasing: from m² on it is between 3m²/40 and 3m²/40/(1 - m), and so are its
+/// derivatives.
+fn arcsine_over_sine(most: f64) -> [Interval; 3] {
+    if !(most < 0.25) {
+        return [Interval::WHOLE; 3];
+    }
+    let number = Interval::from_f64;
+    let (m, third) = (Interval::new(0.0, most.max(0.0)), number(3.0) / number(40.0));
+    let rest = number(1.0) / (number(1.0) - number(m.high()));
+    let up_to = |end: Interval| Interval::new(0.0, end.high());
+    let sixth = number(1.0) / number(6.0);
+    [
+        number(1.0) + m * sixth + m * m * up_to(third * rest),
+        sixth + m * up_to(number(2.0) * third * rest * rest),
+        up_to(number(2.0) * third * rest * rest * rest),
+    ]
 }

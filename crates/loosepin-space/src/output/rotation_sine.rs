@@ -1,5 +1,8 @@
 //! Rotation error of a body by the axial vector of its turn.
 
+use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
+use crate::enclosure::position_box::PositionBox;
+use crate::enclosure::vector::{along, exact, turned};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
@@ -30,5 +33,13 @@ impl KindOfOutput for RotationSineOutput {
     }
     fn fits(&self, mechanism: &SpatialMechanism) -> bool {
         self.body < mechanism.bodies().len() && is_unit(self.axis)
+    }
+}
+
+impl EnclosedOutput for RotationSineOutput {
+    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
+        // In ground axes R_idealᵀR is E, and u R_ideal u.
+        let axis = turned(&at.centre.pose(self.body).axes, exact(self.axis));
+        PlacedJet { bodies: [self.body, 0], jet: along(&axis, &at.body::<C>(self.body, 0).axial) }
     }
 }
