@@ -3,34 +3,46 @@
 use core::ops::{Add, Mul, Neg, Sub};
 use loosepin_math::Interval;
 
-/// Numbers that derivatives are by: displacement and turn of bearing's and journal's body, and at most five of their play.
-pub(crate) const NUMBERS: usize = 17;
-/// The first of the journal's body.
-pub(crate) const JOURNAL: usize = 6;
-/// The first of the play.
-pub(crate) const PLAY: usize = 12;
-/// Pairs of numbers: second derivatives.
-pub(crate) const PAIRS: usize = NUMBERS * (NUMBERS + 1) / 2;
-
-/// A number with its derivatives; `C` is [`PAIRS`], or 0 without second derivatives.
+/// The numbers that derivatives are by.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Jet<const C: usize> {
-    pub value: Interval,
-    pub slopes: [Interval; NUMBERS],
-    /// Row by row of the lower triangle.
-    pub curves: [Interval; C],
+pub(crate) struct Variables {
+    pub count: usize,
+    /// Whether second derivatives are wanted.
+    pub is_second_order: bool,
 }
 
-impl<const C: usize> Jet<C> {
+/// A number with its derivatives by all variables. One that does not move has none.
+#[derive(Debug, Clone)]
+pub(crate) struct Jet {
+    pub value: Interval,
+    pub slopes: Vec<Interval>,
+    /// Row by row of the lower triangle; empty without second derivatives.
+    pub curves: Vec<Interval>,
+}
+
+impl Variables {
+    /// The number of this place.
+    pub(crate) fn number(self, place: usize, value: Interval) -> Jet {
+        let mut slopes = vec![Interval::ZERO; self.count];
+        slopes[place] = Interval::new(1.0, 1.0);
+        let pairs = if self.is_second_order { pair(self.count, 0) } else { 0 };
+        Jet { value, slopes, curves: vec![Interval::ZERO; pairs] }
+    }
+}
+
+/// The place of a pair of numbers among second derivatives.
+pub(crate) fn pair(i: usize, j: usize) -> usize {
+    let (larger, smaller) = if i > j { (i, j) } else { (j, i) };
+    larger * (larger + 1) / 2 + smaller
+}
+
+impl Jet {
     pub(crate) fn constant(value: Interval) -> Self {
-        Self { value, slopes: [Interval::ZERO; NUMBERS], curves: [Interval::ZERO; C] }
+        Self { value, slopes: Vec::new(), curves: Vec::new() }
     }
 
-    /// The number by which one differentiates.
-    pub(crate) fn variable(number: usize, value: Interval) -> Self {
-        let mut own = Self::constant(value);
-        own.slopes[number] = Interval::new(1.0, 1.0);
-        own
+    fn is_constant(&self) -> bool {
+        self.slopes.is_empty()
     }
 
     pub(crate) fn times(mut self, factor: Interval) -> Self {
@@ -41,43 +53,40 @@ impl<const C: usize> Jet<C> {
 
     /// f of it, from f, f' and f'' over its value.
     pub(crate) fn function(&self, [value, first, second]: [Interval; 3]) -> Self {
-        let mut own = self.times(first);
+        let mut own = self.clone().times(first);
         own.value = value;
-        for_pairs::<C>(|place, i, j| own.curves[place] += second * self.slopes[i] * self.slopes[j]);
+        own.add_outer(&self.slopes, &self.slopes, |a, b| second * a * b);
         own
     }
-}
 
-/// Each pair of numbers with its place; none without second derivatives.
-fn for_pairs<const C: usize>(mut each: impl FnMut(usize, usize, usize)) {
-    if C == 0 {
-        return;
-    }
-    let mut place = 0;
-    for i in 0..NUMBERS {
-        for j in 0..=i {
-            each(place, i, j);
-            place += 1;
+    fn add_outer(&mut self, a: &[Interval], b: &[Interval], of: impl Fn(Interval, Interval) -> Interval) {
+        if self.curves.is_empty() {
+            return;
+        }
+        for (i, a) in a.iter().enumerate().filter(|(_, a)| **a != Interval::ZERO) {
+            let row = i * (i + 1) / 2;
+            for (entry, b) in self.curves[row..=row + i].iter_mut().zip(b) {
+                *entry += of(*a, *b);
+            }
         }
     }
 }
 
-/// The place of a pair of numbers.
-pub(crate) fn pair(i: usize, j: usize) -> usize {
-    let (larger, smaller) = if i > j { (i, j) } else { (j, i) };
-    larger * (larger + 1) / 2 + smaller
-}
-
-impl<const C: usize> Add for Jet<C> {
+impl Add<&Jet> for Jet {
     type Output = Self;
-    fn add(mut self, other: Self) -> Self {
-        self.value += other.value;
-        self.slopes.iter_mut().zip(&other.slopes).for_each(|(own, other)| *own += *other);
-        self.curves.iter_mut().zip(&other.curves).for_each(|(own, other)| *own += *other);
+    fn add(mut self, other: &Self) -> Self {
+        let value = self.value + other.value;
+        if self.is_constant() {
+            self = other.clone();
+        } else {
+            self.slopes.iter_mut().zip(&other.slopes).for_each(|(own, other)| *own += *other);
+            self.curves.iter_mut().zip(&other.curves).for_each(|(own, other)| *own += *other);
+        }
+        self.value = value;
         self
     }
 }
-impl<const C: usize> Neg for Jet<C> {
+impl Neg for Jet {
     type Output = Self;
     fn neg(mut self) -> Self {
         self.value = -self.value;
@@ -85,21 +94,25 @@ impl<const C: usize> Neg for Jet<C> {
         self
     }
 }
-impl<const C: usize> Sub for Jet<C> {
+impl Sub<&Jet> for Jet {
     type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
+    fn sub(self, other: &Self) -> Self {
+        self + &-other.clone()
     }
 }
-impl<const C: usize> Mul for Jet<C> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let mut product = self.times(other.value) + other.times(self.value);
+impl Mul for &Jet {
+    type Output = Jet;
+    fn mul(self, other: Self) -> Jet {
+        if self.is_constant() {
+            return other.clone().times(self.value);
+        }
+        let mut product = self.clone().times(other.value);
+        if !other.is_constant() {
+            product = product + &other.clone().times(self.value);
+            product.add_outer(&self.slopes, &other.slopes, |a, b| a * b);
+            product.add_outer(&other.slopes, &self.slopes, |a, b| a * b);
+        }
         product.value = self.value * other.value;
-        for_pairs::<C>(|place, i, j| {
-            product.curves[place] += self.slopes[i] * other.slopes[j];
-            product.curves[place] += self.slopes[j] * other.slopes[i];
-        });
         product
     }
 }

@@ -1,25 +1,26 @@
-//! The two markers of a joint in ground axes.
+//! The two markers of a joint.
 
 use crate::enclosure::jet::Jet;
-use crate::enclosure::moved_body::MovedBody;
 use crate::enclosure::shift::EnclosedShift;
+use crate::enclosure::step::Step;
 use crate::enclosure::vector::{
-    FixedAxes, FixedVector, JetVector, dot, exact, minus, plus, scaled, turned, turned_axes,
+    FixedAxes, FixedVector, JetVector, constant, dot, exact, minus, plus, scaled, turned, turned_axes,
 };
 use crate::kind::frames::Axis;
 use crate::mechanism::joint::Joint;
+use crate::mechanism::marker::Marker;
 use core::array::from_fn;
 
-/// As [`crate::kind::frames::JointFrames`].
-pub(crate) struct EnclosedJoint<const C: usize> {
+/// As [`crate::kind::frames::JointFrames`], seen from the body from which the branches of both bodies come.
+pub(crate) struct EnclosedJoint {
     /// d = P_j - P_i, from the displaced marker.
-    pub separation: JetVector<C>,
+    pub separation: JetVector,
     /// x - w1 z, y - w2 z and z of marker i.
-    pub constrained: [JetVector<C>; 3],
+    pub constrained: [JetVector; 3],
     /// Axes of marker i.
-    pub bearing: [JetVector<C>; 3],
+    pub bearing: [JetVector; 3],
     /// Axes of marker j.
-    pub journal: [JetVector<C>; 3],
+    pub journal: [JetVector; 3],
 }
 
 /// A pose that does not move, known to round-off.
@@ -28,40 +29,43 @@ pub(crate) struct FixedPose {
     pub axes: FixedAxes,
 }
 
-impl<const C: usize> EnclosedJoint<C> {
-    pub(crate) fn new(
-        joint: &Joint,
-        poses: [&FixedPose; 2],
-        bodies: &[MovedBody<C>; 2],
-        shift: &EnclosedShift<C>,
-    ) -> Self {
+impl FixedPose {
+    /// A point of the body.
+    pub(crate) fn point(&self, marker: &Marker) -> FixedVector {
+        let arm = turned(&self.axes, exact(marker.point_m));
+        from_fn(|k| self.origin[k] + arm[k])
+    }
+}
+
+impl EnclosedJoint {
+    pub(crate) fn new(joint: &Joint, poses: [&FixedPose; 2], steps: &[Vec<Step>; 2], shift: &EnclosedShift) -> Self {
         let markers = [&joint.bearing, &joint.journal];
-        let axes = |k: usize| turned_axes(&poses[k].axes, &markers[k].axes).map(|axis| bodies[k].apply(&axis));
-        let (bearing, journal) = (axes(0), axes(1));
-        // In this order what is fixed stays exact.
-        let point = |k: usize| {
-            let arm = bodies[k].apply(&turned(&poses[k].axes, exact(markers[k].point_m)));
-            plus(&arm, &bodies[k].displacement)
+        let fixed = [0, 1].map(|k: usize| turned_axes(&poses[k].axes, &markers[k].axes).map(|axis| constant(&axis)));
+        let moved = |k: usize| {
+            fixed[k].each_ref().map(|axis| steps[k].iter().rev().fold(axis.clone(), |axis, step| step.axis(&axis)))
         };
-        let origins: FixedVector = from_fn(|k| poses[1].origin[k] - poses[0].origin[k]);
-        let mut separation = minus(&point(1), &point(0));
-        for (own, apart) in separation.iter_mut().zip(origins) {
-            *own = *own + Jet::constant(apart);
-        }
-        for (axis, shift) in bearing.iter().zip(&shift.shift_m) {
-            separation = minus(&separation, &scaled(axis, shift));
-        }
-        let across = |k: usize| minus(&bearing[k], &scaled(&bearing[2], &shift.slope[k]));
-        Self { constrained: [across(0), across(1), bearing[2]], separation, bearing, journal }
+        let (bearing, journal) = (moved(0), moved(1));
+        let points = [0, 1].map(|k: usize| {
+            let mut point = constant(&poses[k].point(markers[k]));
+            if k == 0 {
+                for (axis, shift) in fixed[0].iter().zip(&shift.shift_m) {
+                    point = plus(point, &scaled(axis, shift));
+                }
+            }
+            steps[k].iter().rev().fold(point, |point, step| step.point(point))
+        });
+        let [from, to] = points;
+        let across = |k: usize| minus(bearing[k].clone(), &scaled(&bearing[2], &shift.slope[k]));
+        Self { constrained: [across(0), across(1), bearing[2].clone()], separation: minus(to, &from), bearing, journal }
     }
 
     /// x_i·x_j and y_i·x_j: cosine and sine of the joint's angle.
-    pub(crate) fn turn(&self) -> [Jet<C>; 2] {
+    pub(crate) fn turn(&self) -> [Jet; 2] {
         [0, 1].map(|k: usize| dot(&self.bearing[k], &self.journal[0]))
     }
 
     /// z_i·d, m.
-    pub(crate) fn slide_m(&self) -> Jet<C> {
+    pub(crate) fn slide_m(&self) -> Jet {
         dot(&self.bearing[2], &self.separation)
     }
 }

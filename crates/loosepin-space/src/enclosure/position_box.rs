@@ -1,26 +1,60 @@
 //! A box of positions about one of them.
 
 use crate::closure::loops::{Loops, first_column};
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Variables};
 use crate::enclosure::joint::{EnclosedJoint, FixedPose};
-use crate::enclosure::moved_body::MovedBody;
 use crate::enclosure::row::residual;
-use crate::enclosure::shift::EnclosedShift;
-use crate::enclosure::vector::{axes_of, exact};
+use crate::enclosure::shift::{EnclosedShift, radii_m};
+use crate::enclosure::step::{STEP_NUMBERS, Step};
+use crate::enclosure::tree::BodyTree;
+use crate::enclosure::vector::{FixedVector, axes_of, exact};
 use crate::geometry::pose::Pose;
-use loosepin_math::Interval;
+use loosepin_math::{Interval, Real};
 
 /// The position that boxes are about.
 pub(crate) struct BoxCentre<'a> {
     pub loops: &'a Loops<'a>,
     drives: Vec<f64>,
     poses: Vec<FixedPose>,
+    pub tree: BodyTree,
+    /// The centre of each body's step: any point will do, and that of its joint is best.
+    centres: Vec<FixedVector>,
+    /// First number of the play of each joint, behind those of the steps.
+    plays: Vec<usize>,
+}
+
+/// All positions that `numbers` take the bodies to: those of the steps, then the play.
+pub(crate) struct PositionBox<'a> {
+    pub centre: &'a BoxCentre<'a>,
+    pub numbers: &'a [Interval],
+    pub is_second_order: bool,
+}
+
+/// A number with its derivatives, and the numbers that these are by.
+pub(crate) struct PlacedJet {
+    pub places: Vec<usize>,
+    pub jet: Jet,
 }
 
 impl<'a> BoxCentre<'a> {
-    pub(crate) fn new(loops: &'a Loops<'a>, poses: &[Pose], drives: Vec<f64>) -> Self {
+    /// `None` if a body hangs on no other.
+    pub(crate) fn new(loops: &'a Loops<'a>, poses: &[Pose], drives: Vec<f64>) -> Option<Self> {
         let fixed = |pose: &Pose| FixedPose { origin: exact(pose.position_m), axes: axes_of(&pose.orientation) };
-        Self { loops, drives, poses: poses.iter().map(fixed).collect() }
+        let poses: Vec<FixedPose> = poses.iter().map(fixed).collect();
+        let tree = BodyTree::new(loops.mechanism)?;
+        let centre = |body: usize| {
+            let Some(joint) = tree.joint(body) else { return [Interval::ZERO; 3] };
+            let marker = &loops.mechanism.joints()[joint].bearing;
+            poses[marker.body].point(marker).map(|place| Interval::from_f64(place.middle()))
+        };
+        let centres = (0..poses.len()).map(centre).collect();
+        let mut next = loops.unknowns();
+        let plays = loops.mechanism.joints().iter().map(|joint| {
+            let first = next;
+            next += joint.play.as_ref().map_or(0, |play| radii_m(play).len());
+            first
+        });
+        Some(Self { plays: plays.collect(), loops, drives, poses, tree, centres })
     }
 
     /// A body's pose there.
@@ -29,44 +63,66 @@ impl<'a> BoxCentre<'a> {
     }
 }
 
-/// All positions that `numbers`, as the unknowns of the loops, take the bodies to.
-pub(crate) struct PositionBox<'a> {
-    pub centre: &'a BoxCentre<'a>,
-    pub numbers: &'a [Interval],
-}
-
 impl PositionBox<'_> {
-    /// A body, its derivatives beginning at `first`.
-    pub(crate) fn body<const C: usize>(&self, body: usize, first: usize) -> MovedBody<C> {
-        let own = first_column(body).and_then(|column| self.numbers.get(column..column + 6)?.first_chunk::<6>());
-        own.map_or_else(MovedBody::held, |own| MovedBody::new(own, first, self.centre.loops.length_m))
+    /// The numbers of the steps of some bodies.
+    fn places(bodies: &[usize]) -> Vec<usize> {
+        bodies.iter().filter_map(|body| first_column(*body)).flat_map(|first| first..first + STEP_NUMBERS).collect()
     }
 
-    /// A joint; its play lies in `range`, in units of its radii, or does nothing.
-    pub(crate) fn joint<const C: usize>(&self, number: usize, range: Option<Interval>) -> EnclosedJoint<C> {
+    fn steps(&self, bodies: &[usize], first: usize, variables: Variables) -> Vec<Step> {
+        let places = bodies.iter().enumerate();
+        places
+            .filter_map(|(k, body)| {
+                let column = first_column(*body)?;
+                let own = &self.numbers[column..column + STEP_NUMBERS];
+                let centre = self.centre.centres[*body];
+                Some(Step::new(centre, own, first + STEP_NUMBERS * k, variables, self.centre.loops.length_m))
+            })
+            .collect()
+    }
+
+    /// The steps from the ground to a body, and the numbers that they are by.
+    pub(crate) fn branch(&self, body: usize) -> (Vec<usize>, Vec<Step>) {
+        let bodies = self.centre.tree.branch(body);
+        let variables = Variables { count: STEP_NUMBERS * bodies.len(), is_second_order: self.is_second_order };
+        (Self::places(&bodies), self.steps(&bodies, 0, variables))
+    }
+
+    /// A joint, and the numbers that it depends on; without its play where that `is_ideal`.
+    pub(crate) fn joint(&self, number: usize, is_ideal: bool) -> (Vec<usize>, EnclosedJoint) {
         let joint = &self.centre.loops.mechanism.joints()[number];
-        let shift = joint
-            .play
-            .as_ref()
-            .zip(range)
-            .map_or_else(EnclosedShift::none, |(play, range)| EnclosedShift::new(play, range));
         let pair = [joint.bearing.body, joint.journal.body];
-        let bodies = [self.body(pair[0], 0), self.body(pair[1], crate::enclosure::jet::JOURNAL)];
-        EnclosedJoint::new(joint, pair.map(|body| self.centre.pose(body)), &bodies, &shift)
+        let branches = self.centre.tree.apart(pair);
+        let mut places: Vec<usize> = branches.iter().flat_map(|branch| Self::places(branch)).collect();
+        let first_of_play = places.len();
+        let play = joint.play.as_ref().filter(|_| !is_ideal);
+        if let Some(play) = play {
+            let first = self.centre.plays[number];
+            places.extend(first..first + radii_m(play).len());
+        }
+        let variables = Variables { count: places.len(), is_second_order: self.is_second_order };
+        let range = |place: usize| self.numbers.get(place).copied().unwrap_or(Interval::ZERO);
+        let shift = play.map_or_else(EnclosedShift::none, |play| {
+            EnclosedShift::new(play, range(self.centre.plays[number]), first_of_play, variables)
+        });
+        let steps = [
+            self.steps(&branches[0], 0, variables),
+            self.steps(&branches[1], STEP_NUMBERS * branches[0].len(), variables),
+        ];
+        (places, EnclosedJoint::new(joint, pair.map(|body| self.centre.pose(body)), &steps, &shift))
     }
 
-    /// All rows, those of a joint one after the other, each with its number.
-    pub(crate) fn rows<const C: usize>(&self, range: Interval) -> Vec<(usize, Jet<C>)> {
+    /// All rows, in their order.
+    pub(crate) fn rows(&self) -> Vec<PlacedJet> {
         let loops = self.centre.loops;
-        let mut found = Vec::with_capacity(loops.rows.len());
-        for joint in 0..loops.mechanism.joints().len() {
-            let mut at = None;
-            for (number, row) in loops.rows.iter().enumerate().filter(|(_, row)| row.joint == joint) {
-                let at = at.get_or_insert_with(|| self.joint::<C>(joint, Some(range)));
-                let drive = row.drive.and_then(|drive| self.centre.drives.get(drive)).copied().unwrap_or(0.0);
-                found.push((number, residual(row.row, at, drive, loops.length_m)));
-            }
-        }
-        found
+        let joints: Vec<(Vec<usize>, EnclosedJoint)> =
+            (0..loops.mechanism.joints().len()).map(|joint| self.joint(joint, false)).collect();
+        let rows = loops.rows.iter();
+        rows.map(|row| {
+            let (places, at) = &joints[row.joint];
+            let drive = row.drive.and_then(|drive| self.centre.drives.get(drive)).copied().unwrap_or(0.0);
+            PlacedJet { places: places.clone(), jet: residual(row.row, at, drive, loops.length_m) }
+        })
+        .collect()
     }
 }

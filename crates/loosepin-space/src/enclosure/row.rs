@@ -1,23 +1,27 @@
-//! The rows of the loop equations.
+//! The rows of the loop equations, in a form that depends on the motion of both bodies against each other alone.
 //!
-//! A row of an angle, φ - f with φ = atan2(s, c), is zero where cos f s - sin f c is and cos f c + sin f s is above zero, with the same first
-//! derivatives there where the axes are parallel: no arctangent is needed.
+//! d = 0 is written in the bearing's axes. A row of an angle, φ - f with φ = atan2(s, c), is zero where cos f s - sin f c is and cos f c + sin f s is
+//! above zero: no arctangent is needed.
 
 use crate::enclosure::jet::Jet;
 use crate::enclosure::joint::{EnclosedJoint, number_of};
-use crate::enclosure::vector::{along, dot, exact};
+use crate::enclosure::vector::dot;
 use crate::kind::row::ScalarRow;
 use loosepin_math::{Interval, Real};
 
 /// The residual over a box, lengths over L; every number where an angle may be on another branch.
-pub(crate) fn residual<const C: usize>(row: ScalarRow, at: &EnclosedJoint<C>, drive: f64, length_m: f64) -> Jet<C> {
-    let over_length = |residual: Jet<C>| residual.times(Interval::from_f64(1.0) / Interval::from_f64(length_m));
+pub(crate) fn residual(row: ScalarRow, at: &EnclosedJoint, drive: f64, length_m: f64) -> Jet {
+    let over_length = |residual: Jet| residual.times(Interval::from_f64(1.0) / Interval::from_f64(length_m));
+    let drive = Jet::constant(Interval::from_f64(drive));
     match row {
-        ScalarRow::Coincident(direction) => over_length(along(&exact(direction), &at.separation)),
+        ScalarRow::Coincident(direction) => {
+            let axis = direction.to_array().iter().position(|entry| *entry != 0.0).unwrap_or(0);
+            over_length(dot(&at.bearing[axis], &at.separation))
+        }
         ScalarRow::Perpendicular(a, b) => dot(&at.constrained[number_of(a)], &at.journal[number_of(b)]),
         ScalarRow::Across(axis) => over_length(dot(&at.constrained[number_of(axis)], &at.separation)),
-        ScalarRow::DrivenSlide => over_length(at.slide_m() - Jet::constant(Interval::from_f64(drive))),
-        ScalarRow::DrivenAngle => angle(at, &Jet::constant(Interval::from_f64(drive))),
+        ScalarRow::DrivenSlide => over_length(at.slide_m() - &drive),
+        ScalarRow::DrivenAngle => angle(at, &drive),
         ScalarRow::Helix { pitch_m } => {
             // p/2π to twice its round-off.
             let slope = pitch_m / std::f64::consts::TAU;
@@ -29,12 +33,13 @@ pub(crate) fn residual<const C: usize>(row: ScalarRow, at: &EnclosedJoint<C>, dr
     }
 }
 
-/// The sine of φ - f.
-fn angle<const C: usize>(at: &EnclosedJoint<C>, f: &Jet<C>) -> Jet<C> {
+/// The sine of φ - f, times the length of (s, c).
+fn angle(at: &EnclosedJoint, f: &Jet) -> Jet {
     let [cosine, sine] = at.turn();
     let (sine_value, cosine_value) = f.value.sin_cos();
     let sine_of_f = f.function([sine_value, cosine_value, -sine_value]);
     let cosine_of_f = f.function([cosine_value, -sine_value, -cosine_value]);
-    let is_on_this_branch = (cosine_of_f * cosine + sine_of_f * sine).value.low() > 0.0;
-    if is_on_this_branch { cosine_of_f * sine - sine_of_f * cosine } else { Jet::constant(Interval::WHOLE) }
+    let is_on_this_branch = (&cosine_of_f * &cosine + &(&sine_of_f * &sine)).value.low() > 0.0;
+    let residual = &cosine_of_f * &sine - &(&sine_of_f * &cosine);
+    if is_on_this_branch { residual } else { residual.function([Interval::WHOLE; 3]) }
 }

@@ -12,10 +12,14 @@ pub(crate) type FixedVector = [Interval; 3];
 /// Axes that do not move, row by row of their matrix.
 pub(crate) type FixedAxes = [FixedVector; 3];
 /// A vector with its derivatives.
-pub(crate) type JetVector<const C: usize> = [Jet<C>; 3];
+pub(crate) type JetVector = [Jet; 3];
 
 pub(crate) fn exact(vector: Vec3) -> FixedVector {
     vector.to_array().map(Interval::from_f64)
+}
+
+pub(crate) fn constant(vector: &FixedVector) -> JetVector {
+    vector.map(Jet::constant)
 }
 
 /// The matrix of the turn of a quaternion, whatever its length: 1 + 2 (w [v] + [v]²)/(w² + v·v).
@@ -47,23 +51,26 @@ pub(crate) fn turned_axes(axes: &FixedAxes, own: &Rotation) -> [FixedVector; 3] 
     [own.x, own.y, own.z].map(|axis| turned(axes, exact(axis)))
 }
 
-pub(crate) fn dot<const C: usize>(a: &JetVector<C>, b: &JetVector<C>) -> Jet<C> {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+pub(crate) fn dot(a: &JetVector, b: &JetVector) -> Jet {
+    &a[0] * &b[0] + &(&a[1] * &b[1]) + &(&a[2] * &b[2])
 }
 
-/// With a vector that does not move.
-pub(crate) fn along<const C: usize>(direction: &FixedVector, vector: &JetVector<C>) -> Jet<C> {
-    vector[0].times(direction[0]) + vector[1].times(direction[1]) + vector[2].times(direction[2])
+pub(crate) fn plus(a: JetVector, b: &JetVector) -> JetVector {
+    let mut sum = a;
+    for (own, b) in sum.iter_mut().zip(b) {
+        *own = own.clone() + b;
+    }
+    sum
 }
 
-pub(crate) fn plus<const C: usize>(a: &JetVector<C>, b: &JetVector<C>) -> JetVector<C> {
-    from_fn(|k| a[k] + b[k])
+pub(crate) fn minus(a: JetVector, b: &JetVector) -> JetVector {
+    let mut sum = a;
+    for (own, b) in sum.iter_mut().zip(b) {
+        *own = own.clone() - b;
+    }
+    sum
 }
 
-pub(crate) fn minus<const C: usize>(a: &JetVector<C>, b: &JetVector<C>) -> JetVector<C> {
-    from_fn(|k| a[k] - b[k])
-}
-
-pub(crate) fn scaled<const C: usize>(a: &JetVector<C>, factor: &Jet<C>) -> JetVector<C> {
-    from_fn(|k| a[k] * *factor)
+pub(crate) fn scaled(a: &JetVector, factor: &Jet) -> JetVector {
+    from_fn(|k| &a[k] * factor)
 }

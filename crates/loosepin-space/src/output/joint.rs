@@ -1,9 +1,8 @@
 //! Coordinate of a joint.
 
-use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
+use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Jet;
-use crate::enclosure::joint::EnclosedJoint;
-use crate::enclosure::position_box::PositionBox;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::geometry::pose::Frame;
 use crate::kind::frames::{JointFrames, MarkerShift, within_half_a_turn};
 use crate::mechanism::drive::JointCoordinate;
@@ -60,32 +59,31 @@ impl KindOfOutput for JointOutput {
 }
 
 impl EnclosedOutput for JointOutput {
-    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
-        let joint = &at.centre.loops.mechanism.joints()[self.joint];
-        let moved = at.joint::<C>(self.joint, None);
-        let at_rest = PositionBox { centre: at.centre, numbers: &vec![Interval::ZERO; at.numbers.len()] };
-        let ideal: EnclosedJoint<0> = at_rest.joint(self.joint, None);
+    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
+        let (places, moved) = at.joint(self.joint, true);
+        let nowhere = vec![Interval::ZERO; at.numbers.len()];
+        let (_, ideal) = PositionBox { numbers: &nowhere, is_second_order: false, ..*at }.joint(self.joint, true);
         let jet = match self.coordinate {
-            JointCoordinate::Slide => moved.slide_m() - Jet::constant(ideal.slide_m().value),
+            JointCoordinate::Slide => moved.slide_m() - &Jet::constant(ideal.slide_m().value),
             JointCoordinate::Angle => {
-                let [[cosine, sine], [from_cosine, from_sine]] =
-                    [moved.turn(), ideal.turn().map(|own| Jet::constant(own.value))];
-                arctangent(&(sine * from_cosine - cosine * from_sine), &(cosine * from_cosine + sine * from_sine))
+                let [cosine, sine] = moved.turn();
+                let [of_cosine, of_sine] = ideal.turn().map(|own| Jet::constant(own.value));
+                arctangent(&(&sine * &of_cosine - &(&cosine * &of_sine)), &(&cosine * &of_cosine + &(&sine * &of_sine)))
             }
         };
-        PlacedJet { bodies: [joint.bearing.body, joint.journal.body], jet }
+        PlacedJet { places, jet }
     }
 }
 
 /// The angle with this sine and cosine, whatever the radius; every number where the cosine may not be above zero.
-fn arctangent<const C: usize>(sine: &Jet<C>, cosine: &Jet<C>) -> Jet<C> {
+fn arctangent(sine: &Jet, cosine: &Jet) -> Jet {
     if !(cosine.value.low() > 0.0) {
-        return Jet::constant(Interval::WHOLE);
+        return sine.function([Interval::WHOLE; 3]);
     }
     let one = Interval::from_f64(1.0);
     let inverse = one / cosine.value;
     let square = inverse * inverse;
-    let tangent = *sine * cosine.function([inverse, -square, (square + square) * inverse]);
+    let tangent = sine * &cosine.function([inverse, -square, (square + square) * inverse]);
     let x = tangent.value;
     let first = one / (one + x.squared());
     // Between zero and its tangent.

@@ -6,8 +6,8 @@ mod point;
 mod rotation;
 mod rotation_sine;
 
-use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
-use crate::enclosure::position_box::PositionBox;
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use kind_of_output::{BodyGradient, KindOfOutput, OutputState};
@@ -40,7 +40,7 @@ macro_rules! spatial_outputs {
             }
         }
         impl EnclosedOutput for SpatialOutput {
-            fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
+            fn enclosed(&self, at: &PositionBox) -> PlacedJet {
                 match self { $(Self::$variant(output) => output.enclosed(at),)* }
             }
         }

@@ -1,9 +1,8 @@
 //! Displacement of a point.
 
-use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
-use crate::enclosure::jet::Jet;
-use crate::enclosure::position_box::PositionBox;
-use crate::enclosure::vector::{along, exact, plus, turned};
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
+use crate::enclosure::vector::{constant, dot, exact, minus, turned};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
@@ -39,11 +38,12 @@ impl KindOfOutput for PointOutput {
 }
 
 impl EnclosedOutput for PointOutput {
-    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
-        let body = at.body::<C>(self.body, 0);
-        let (arm, direction) = (turned(&at.centre.pose(self.body).axes, exact(self.point_m)), exact(self.direction));
-        let moved = along(&direction, &plus(&body.apply(&arm), &body.displacement));
-        let ideal = along(&direction, &arm.map(Jet::constant));
-        PlacedJet { bodies: [self.body, 0], jet: moved - ideal }
+    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
+        let (places, steps) = at.branch(self.body);
+        let pose = at.centre.pose(self.body);
+        let arm = turned(&pose.axes, exact(self.point_m));
+        let ideal = constant(&core::array::from_fn(|k| pose.origin[k] + arm[k]));
+        let moved = steps.iter().rev().fold(ideal.clone(), |point, step| step.point(point));
+        PlacedJet { places, jet: dot(&constant(&exact(self.direction)), &minus(moved, &ideal)) }
     }
 }

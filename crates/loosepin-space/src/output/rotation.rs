@@ -1,12 +1,13 @@
 //! Rotation error of a body.
 
-use crate::enclosure::enclosed_output::{EnclosedOutput, PlacedJet};
-use crate::enclosure::position_box::PositionBox;
-use crate::enclosure::vector::{along, dot, exact, turned};
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
+use crate::enclosure::vector::{constant, dot, exact, turned};
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
+use crate::output::rotation_sine::enclosed_sines;
 use loosepin_math::{Interval, Real};
 
 /// u·θ, rad: θ is the rotation vector of R_idealᵀR, in the axes of the ideal body.
@@ -46,13 +47,13 @@ pub(crate) fn relative_turn(body: usize, ideal: &OutputState, actual: &OutputSta
 }
 
 impl EnclosedOutput for RotationOutput {
-    fn enclosed<const C: usize>(&self, at: &PositionBox) -> PlacedJet<C> {
-        // In ground axes R_idealᵀR is E(t), and θ = t asin(h)/h with h = |t|/2.
-        let axis = turned(&at.centre.pose(self.body).axes, exact(self.axis));
-        let t = at.body::<C>(self.body, 0).vector;
-        let square = dot(&t, &t).times(Interval::from_f64(0.25));
-        let jet = along(&axis, &t) * square.function(arcsine_over_sine(square.value.high()));
-        PlacedJet { bodies: [self.body, 0], jet }
+    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
+        // θ = a asin(|a|)/|a| with the axial vector a, its length sin |θ|.
+        let (places, sines) = enclosed_sines(at, self.body);
+        let axis = constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis)));
+        let square = dot(&sines, &sines);
+        let jet = &dot(&axis, &sines) * &square.function(arcsine_over_sine(square.value.high()));
+        PlacedJet { places, jet }
     }
 }
 

@@ -1,46 +1,46 @@
 //! Ends that no deviation passes, with the loops closed exactly, of mechanisms without redundant rows.
 //!
-//! The unknowns q are displacements over L and turns of all bodies, counted from the ideal position; v are the variables of play over their radii,
-//! so that each of their blocks lies in a ball of radius one. Φ(q, v) = 0 are the loop equations, drives held. Idle freedoms, which take no part
-//! in the output, are held by Vᵀq = 0, V the null space of the ideal position: Φ then has as many rows as unknowns.
+//! The unknowns q are the steps of all bodies from the ideal position ([`crate::enclosure`]); v are the variables of play over their radii, so that
+//! each of their blocks lies in a ball of radius one. F(q, v) = 0 are the loop equations, drives held, and as many rows Vᵀq = 0 as there are idle
+//! freedoms, V the null space at the ideal position: idle parts, which do nothing to the output, are held. With Y near the inverse of J = ∂F/∂q
+//! and T = -Y ∂F/∂v, both at the ideal position and then exact as they are, write
 //!
-//! 1. *Positions.* With J = dΦ/dq and K = dΦ/dv over a box Q × balls, and Y near the inverse of J at q = 0, the operator of R. Krawczyk (Computing
-//!    4 (1969) 187)
+//! ```text
+//! q = T v + z,   u = (q, v),   W = (T, 1)
+//! ```
 //!
-//!    ```text
-//!    N = -Y Φ(0, 0) - Y K v + (1 - Y J) Q
-//!    ```
-//!
-//!    lies inside Q only if for every v there is exactly one q in Q that closes the loops. It is then the assembly of the ideal position, since the
-//!    balls hang together and J is regular all over Q; that the ideal position is in Q is shown in the same way with v = 0. All q lie in N too.
-//! 2. *Derivatives.* With T = dq/dv = -J⁻¹K, and weights w = J⁻ᵀ dy/dq of the rows, over (q, v),
+//! 1. *Positions.* Along v = s v₁, 0 <= s <= 1, from the ideal position, and with J̄ the mean of J from T v to q,
 //!
 //!    ```text
-//!    dy/dv = dy/dq T,   d²y/dv² = H = (T, 1)ᵀ (d²y - Σ w_r d²Φ_r) (T, 1)
+//!    z = -Y F(T v, v) + (1 - Y J̄) z
 //!    ```
 //!
-//!    as intervals: g at the ideal position, H over the positions with |v| <= s in each ball, for several shares s of the play.
-//! 3. *Taylor's formula*, y(v) = y(0) + g·v + v·H̃ v/2 with H̃ = 2 ∫ (1 - s) H(s v) ds over 0 <= s <= 1. Where s is between a and b, H(s v) is in the
-//!    intervals of the share b, with the weight (1 - a)² - (1 - b)². The largest value of this quadratic function over the balls is bounded
-//!    by weak duality ([`loosepin_math::QuadraticOverBalls`]).
+//!    If |Y F(T v, v)| <= b for all v, |1 - Y J| <= P for all u with |z| <= Z, and b + P Z < Z in all components, then z does not reach the end
+//!    of this box, and Y J is regular all over it, since the spectral radius of P is below one: the position is followed from the ideal one to
+//!    every place of the play, and |z| <= b + P Z. (It is the operator of R. Krawczyk, Computing 4 (1969) 187, in coordinates that move with v.)
+//! 2. *Straight part.* With weights w = Yᵀ ∂y/∂q of the rows L = y - w·F has the value of the output y where the loops are closed, and ∂L/∂q = 0
+//!    at the ideal position. By Taylor's formula
 //!
-//! To first order the end is the worst case of first order, to second order that of the quadratic function; what is added on top is of third order in
-//! the play. Near singular positions step 1 fails, and nothing is proven. Everything from the numbers of the mechanism on is computed on intervals
-//! whose ends are rounded outwards.
+//!    ```text
+//!    L(T v, v) = L(0, 0) + (dL/dv)·v + v·H̃ v/2,   H̃ = 2 ∫ (1 - s) Wᵀ L''(s W v) W ds,  0 <= s <= 1
+//!    ```
+//!
+//!    Where s is between a and b, L'' is in its intervals over b W v, with the weight (1 - a)² - (1 - b)². The largest value of this quadratic
+//!    function over the balls is bounded by weak duality ([`loosepin_math::QuadraticOverBalls`]). F(T v, v) is bounded in the same way.
+//! 3. *The rest* is at most Σ |z_k| |∂L/∂q_k|, of third order in the play since both factors are small: |∂L/∂q| <= |L''W v| + |L''| Z.
+//!
+//! In 1 and 3 the second derivatives of Y F and L are multiplied by Y, w and W before they are made absolute: what the play does to all bodies together
+//! cancels as it does in truth. To second order in the play the end is exact but for the duality gap. Near singular positions step 1 fails, and nothing
+//! is proven. From the numbers of the mechanism on everything is computed on intervals whose ends are rounded outwards.
 
-mod derivatives;
-mod linear;
-mod loop_box;
+mod correction;
+mod forms;
+mod proof;
 
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::enclosure::position_box::BoxCentre;
 use crate::output::SpatialOutput;
-use core::ops::Range;
-use loop_box::LoopBox;
-use loosepin_math::{Interval, QuadraticOverBalls, Real};
-
-/// Parts into which the play is divided for the second derivatives.
-const SHARES: usize = 3;
+use proof::Proof;
 
 /// Ends that no deviation passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,31 +62,8 @@ impl PoseAccuracy<'_> {
             return None;
         }
         self.gains(output).ok()?;
-        let centre = BoxCentre::new(&self.loops, &self.position.poses, self.position.drive_values());
-        let boxes = LoopBox::new(self, &centre)?;
-        let ideal = boxes.positions(0.0)?;
-        let first = boxes.derivatives::<0>(output, &ideal.found, 0.0)?;
-        let mut hessian = vec![Interval::ZERO; self.set.variables() * self.set.variables()];
-        for step in (1..=SHARES).rev() {
-            let positions = boxes.positions(step as f64 / SHARES as f64)?;
-            // Of all positions without play in the box, which are one, it must be the ideal one.
-            if !ideal.found.iter().zip(&positions.tried).all(|(own, tried)| own.is_inside(*tried)) {
-                return None;
-            }
-            let over = boxes.curvature(output, &positions.found, step as f64 / SHARES as f64)?;
-            let weight =
-                Interval::from_f64((2 * (SHARES - step) + 1) as f64) / Interval::from_f64((SHARES * SHARES) as f64);
-            hessian.iter_mut().zip(over).for_each(|(sum, own)| *sum += weight * own);
-        }
-        let balls: Vec<Range<usize>> = self.set.blocks().iter().map(|block| block.range()).collect();
-        let end = |sign: f64| {
-            let sign = Interval::from_f64(sign);
-            let [gradient, hessian] =
-                [&first.by_play, &hessian].map(|own| own.iter().map(|own| sign * *own).collect::<Vec<_>>());
-            let above = QuadraticOverBalls { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end();
-            (sign * first.value + Interval::from_f64(above)).high()
-        };
-        let [largest, smallest] = [end(1.0), -end(-1.0)];
+        let centre = BoxCentre::new(&self.loops, &self.position.poses, self.position.drive_values())?;
+        let [largest, smallest] = Proof::new(&centre, &self.set, output)?.ends()?;
         (largest.is_finite() && smallest.is_finite()).then_some(ProvenEnds { largest, smallest })
     }
 }
