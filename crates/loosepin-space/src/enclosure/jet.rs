@@ -1,7 +1,49 @@
-//! Numbers with their first and second derivatives, on intervals.
+//! Numbers with their first and second derivatives, on intervals; third ones by derivatives of these in one direction.
 
 use core::ops::{Add, Mul, Neg, Sub};
-use loosepin_math::Interval;
+use loosepin_math::{Dual, Interval, Real};
+
+/// What derivatives are computed on: intervals, or these with their derivative by one of the variables.
+pub(crate) trait Number: Real + PartialEq {
+    /// A number that does not move.
+    fn of(interval: Interval) -> Self;
+    /// A variable; `is_direction` where it is the one of the further derivative.
+    fn variable(interval: Interval, is_direction: bool) -> Self;
+    /// All values of it.
+    fn range(self) -> Interval;
+    /// f, f' and f'' of it, from f, f', f'' and f''' over its range.
+    fn function(self, derivatives: [Interval; 4]) -> [Self; 3];
+}
+
+impl Number for Interval {
+    fn of(interval: Interval) -> Self {
+        interval
+    }
+    fn variable(interval: Interval, _: bool) -> Self {
+        interval
+    }
+    fn range(self) -> Interval {
+        self
+    }
+    fn function(self, [value, first, second, _]: [Interval; 4]) -> [Self; 3] {
+        [value, first, second]
+    }
+}
+
+impl Number for Dual<Interval> {
+    fn of(interval: Interval) -> Self {
+        Self::constant(interval)
+    }
+    fn variable(interval: Interval, is_direction: bool) -> Self {
+        if is_direction { Dual::variable(interval) } else { Self::constant(interval) }
+    }
+    fn range(self) -> Interval {
+        self.value
+    }
+    fn function(self, derivatives: [Interval; 4]) -> [Self; 3] {
+        core::array::from_fn(|k| Self { value: derivatives[k], derivative: derivatives[k + 1] * self.derivative })
+    }
+}
 
 /// The numbers that derivatives are by.
 #[derive(Debug, Clone, Copy)]
@@ -9,24 +51,26 @@ pub(crate) struct Variables {
     pub count: usize,
     /// Whether second derivatives are wanted.
     pub is_second_order: bool,
+    /// The variable of the further derivative, if there is one.
+    pub direction: Option<usize>,
 }
 
 /// A number with its derivatives by all variables. One that does not move has none.
 #[derive(Debug, Clone)]
-pub(crate) struct Jet {
-    pub value: Interval,
-    pub slopes: Vec<Interval>,
+pub(crate) struct Jet<T = Interval> {
+    pub value: T,
+    pub slopes: Vec<T>,
     /// Row by row of the lower triangle; empty without second derivatives.
-    pub curves: Vec<Interval>,
+    pub curves: Vec<T>,
 }
 
 impl Variables {
     /// The number of this place.
-    pub(crate) fn number(self, place: usize, value: Interval) -> Jet {
-        let mut slopes = vec![Interval::ZERO; self.count];
-        slopes[place] = Interval::new(1.0, 1.0);
+    pub(crate) fn number<T: Number>(self, place: usize, value: Interval) -> Jet<T> {
+        let mut slopes = vec![T::zero(); self.count];
+        slopes[place] = T::one();
         let pairs = if self.is_second_order { pair(self.count, 0) } else { 0 };
-        Jet { value, slopes, curves: vec![Interval::ZERO; pairs] }
+        Jet { value: T::variable(value, self.direction == Some(place)), slopes, curves: vec![T::zero(); pairs] }
     }
 }
 
@@ -36,34 +80,44 @@ pub(crate) fn pair(i: usize, j: usize) -> usize {
     larger * (larger + 1) / 2 + smaller
 }
 
-impl Jet {
+impl<T: Number> Jet<T> {
     pub(crate) fn constant(value: Interval) -> Self {
-        Self { value, slopes: Vec::new(), curves: Vec::new() }
+        Self { value: T::of(value), slopes: Vec::new(), curves: Vec::new() }
     }
 
     fn is_constant(&self) -> bool {
         self.slopes.is_empty()
     }
 
-    pub(crate) fn times(mut self, factor: Interval) -> Self {
+    pub(crate) fn times(self, factor: Interval) -> Self {
+        self.by(T::of(factor))
+    }
+
+    fn by(mut self, factor: T) -> Self {
         self.value *= factor;
         self.slopes.iter_mut().chain(&mut self.curves).for_each(|entry| *entry *= factor);
         self
     }
 
-    /// f of it, from f, f' and f'' over its value.
-    pub(crate) fn function(&self, [value, first, second]: [Interval; 3]) -> Self {
-        let mut own = self.clone().times(first);
+    /// All values of it.
+    pub(crate) fn range(&self) -> Interval {
+        self.value.range()
+    }
+
+    /// f of it, from f, f', f'' and f''' over its range.
+    pub(crate) fn function(&self, derivatives: [Interval; 4]) -> Self {
+        let [value, first, second] = self.value.function(derivatives);
+        let mut own = self.clone().by(first);
         own.value = value;
         own.add_outer(&self.slopes, &self.slopes, |a, b| second * a * b);
         own
     }
 
-    fn add_outer(&mut self, a: &[Interval], b: &[Interval], of: impl Fn(Interval, Interval) -> Interval) {
+    fn add_outer(&mut self, a: &[T], b: &[T], of: impl Fn(T, T) -> T) {
         if self.curves.is_empty() {
             return;
         }
-        for (i, a) in a.iter().enumerate().filter(|(_, a)| **a != Interval::ZERO) {
+        for (i, a) in a.iter().enumerate().filter(|(_, a)| **a != T::zero()) {
             let row = i * (i + 1) / 2;
             for (entry, b) in self.curves[row..=row + i].iter_mut().zip(b) {
                 *entry += of(*a, *b);
@@ -72,7 +126,7 @@ impl Jet {
     }
 }
 
-impl Add<&Jet> for Jet {
+impl<T: Number> Add<&Self> for Jet<T> {
     type Output = Self;
     fn add(mut self, other: &Self) -> Self {
         let value = self.value + other.value;
@@ -86,7 +140,7 @@ impl Add<&Jet> for Jet {
         self
     }
 }
-impl Neg for Jet {
+impl<T: Number> Neg for Jet<T> {
     type Output = Self;
     fn neg(mut self) -> Self {
         self.value = -self.value;
@@ -94,21 +148,21 @@ impl Neg for Jet {
         self
     }
 }
-impl Sub<&Jet> for Jet {
+impl<T: Number> Sub<&Self> for Jet<T> {
     type Output = Self;
     fn sub(self, other: &Self) -> Self {
         self + &-other.clone()
     }
 }
-impl Mul for &Jet {
-    type Output = Jet;
-    fn mul(self, other: Self) -> Jet {
+impl<T: Number> Mul for &Jet<T> {
+    type Output = Jet<T>;
+    fn mul(self, other: Self) -> Jet<T> {
         if self.is_constant() {
-            return other.clone().times(self.value);
+            return other.clone().by(self.value);
         }
-        let mut product = self.clone().times(other.value);
+        let mut product = self.clone().by(other.value);
         if !other.is_constant() {
-            product = product + &other.clone().times(self.value);
+            product = product + &other.clone().by(self.value);
             product.add_outer(&self.slopes, &other.slopes, |a, b| a * b);
             product.add_outer(&other.slopes, &self.slopes, |a, b| a * b);
         }

@@ -1,6 +1,6 @@
 //! The two markers of a joint.
 
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::shift::EnclosedShift;
 use crate::enclosure::step::Step;
 use crate::enclosure::vector::{
@@ -12,15 +12,15 @@ use crate::mechanism::marker::Marker;
 use core::array::from_fn;
 
 /// As [`crate::kind::frames::JointFrames`], seen from the body from which the branches of both bodies come.
-pub(crate) struct EnclosedJoint {
+pub(crate) struct EnclosedJoint<T> {
     /// d = P_j - P_i, from the displaced marker.
-    pub separation: JetVector,
+    pub separation: JetVector<T>,
     /// x - w1 z, y - w2 z and z of marker i.
-    pub constrained: [JetVector; 3],
+    pub constrained: [JetVector<T>; 3],
     /// Axes of marker i.
-    pub bearing: [JetVector; 3],
+    pub bearing: [JetVector<T>; 3],
     /// Axes of marker j.
-    pub journal: [JetVector; 3],
+    pub journal: [JetVector<T>; 3],
 }
 
 /// A pose that does not move, known to round-off.
@@ -37,8 +37,13 @@ impl FixedPose {
     }
 }
 
-impl EnclosedJoint {
-    pub(crate) fn new(joint: &Joint, poses: [&FixedPose; 2], steps: &[Vec<Step>; 2], shift: &EnclosedShift) -> Self {
+impl<T: Number> EnclosedJoint<T> {
+    pub(crate) fn new(
+        joint: &Joint,
+        poses: [&FixedPose; 2],
+        steps: &[Vec<Step<T>>; 2],
+        shift: &EnclosedShift<T>,
+    ) -> Self {
         let markers = [&joint.bearing, &joint.journal];
         let fixed = [0, 1].map(|k: usize| turned_axes(&poses[k].axes, &markers[k].axes).map(|axis| constant(&axis)));
         let moved = |k: usize| {
@@ -60,12 +65,12 @@ impl EnclosedJoint {
     }
 
     /// x_i·x_j and y_i·x_j: cosine and sine of the joint's angle.
-    pub(crate) fn turn(&self) -> [Jet; 2] {
+    pub(crate) fn turn(&self) -> [Jet<T>; 2] {
         [0, 1].map(|k: usize| dot(&self.bearing[k], &self.journal[0]))
     }
 
     /// z_i·d, m.
-    pub(crate) fn slide_m(&self) -> Jet {
+    pub(crate) fn slide_m(&self) -> Jet<T> {
         dot(&self.bearing[2], &self.separation)
     }
 }

@@ -1,7 +1,7 @@
 //! A box of positions about one of them.
 
 use crate::closure::loops::{Loops, first_column};
-use crate::enclosure::jet::{Jet, Variables};
+use crate::enclosure::jet::{Jet, Number, Variables};
 use crate::enclosure::joint::{EnclosedJoint, FixedPose};
 use crate::enclosure::row::residual;
 use crate::enclosure::shift::{EnclosedShift, radii_m};
@@ -28,12 +28,14 @@ pub(crate) struct PositionBox<'a> {
     pub centre: &'a BoxCentre<'a>,
     pub numbers: &'a [Interval],
     pub is_second_order: bool,
+    /// Of the numbers of a joint or an output, that of the further derivative.
+    pub direction: Option<usize>,
 }
 
 /// A number with its derivatives, and the numbers that these are by.
-pub(crate) struct PlacedJet {
+pub(crate) struct PlacedJet<T = Interval> {
     pub places: Vec<usize>,
-    pub jet: Jet,
+    pub jet: Jet<T>,
 }
 
 impl<'a> BoxCentre<'a> {
@@ -69,7 +71,7 @@ impl PositionBox<'_> {
         bodies.iter().filter_map(|body| first_column(*body)).flat_map(|first| first..first + STEP_NUMBERS).collect()
     }
 
-    fn steps(&self, bodies: &[usize], first: usize, variables: Variables) -> Vec<Step> {
+    fn steps<T: Number>(&self, bodies: &[usize], first: usize, variables: Variables) -> Vec<Step<T>> {
         let places = bodies.iter().enumerate();
         places
             .filter_map(|(k, body)| {
@@ -82,14 +84,18 @@ impl PositionBox<'_> {
     }
 
     /// The steps from the ground to a body, and the numbers that they are by.
-    pub(crate) fn branch(&self, body: usize) -> (Vec<usize>, Vec<Step>) {
+    pub(crate) fn branch<T: Number>(&self, body: usize) -> (Vec<usize>, Vec<Step<T>>) {
         let bodies = self.centre.tree.branch(body);
-        let variables = Variables { count: STEP_NUMBERS * bodies.len(), is_second_order: self.is_second_order };
+        let variables = Variables {
+            count: STEP_NUMBERS * bodies.len(),
+            is_second_order: self.is_second_order,
+            direction: self.direction,
+        };
         (Self::places(&bodies), self.steps(&bodies, 0, variables))
     }
 
     /// A joint, and the numbers that it depends on; without its play where that `is_ideal`.
-    pub(crate) fn joint(&self, number: usize, is_ideal: bool) -> (Vec<usize>, EnclosedJoint) {
+    pub(crate) fn joint<T: Number>(&self, number: usize, is_ideal: bool) -> (Vec<usize>, EnclosedJoint<T>) {
         let joint = &self.centre.loops.mechanism.joints()[number];
         let pair = [joint.bearing.body, joint.journal.body];
         let branches = self.centre.tree.apart(pair);
@@ -100,7 +106,8 @@ impl PositionBox<'_> {
             let first = self.centre.plays[number];
             places.extend(first..first + radii_m(play).len());
         }
-        let variables = Variables { count: places.len(), is_second_order: self.is_second_order };
+        let variables =
+            Variables { count: places.len(), is_second_order: self.is_second_order, direction: self.direction };
         let range = |place: usize| self.numbers.get(place).copied().unwrap_or(Interval::ZERO);
         let shift = play.map_or_else(EnclosedShift::none, |play| {
             EnclosedShift::new(play, range(self.centre.plays[number]), first_of_play, variables)
@@ -114,14 +121,20 @@ impl PositionBox<'_> {
 
     /// All rows, in their order.
     pub(crate) fn rows(&self) -> Vec<PlacedJet> {
+        let mut found: Vec<(usize, PlacedJet)> =
+            (0..self.centre.loops.mechanism.joints().len()).flat_map(|joint| self.rows_of(joint)).collect();
+        found.sort_by_key(|(number, _)| *number);
+        found.into_iter().map(|(_, row)| row).collect()
+    }
+
+    /// The rows of a joint, each with its number.
+    pub(crate) fn rows_of<T: Number>(&self, joint: usize) -> Vec<(usize, PlacedJet<T>)> {
         let loops = self.centre.loops;
-        let joints: Vec<(Vec<usize>, EnclosedJoint)> =
-            (0..loops.mechanism.joints().len()).map(|joint| self.joint(joint, false)).collect();
-        let rows = loops.rows.iter();
-        rows.map(|row| {
-            let (places, at) = &joints[row.joint];
+        let (places, at) = self.joint::<T>(joint, false);
+        let rows = loops.rows.iter().enumerate().filter(|(_, row)| row.joint == joint);
+        rows.map(|(number, row)| {
             let drive = row.drive.and_then(|drive| self.centre.drives.get(drive)).copied().unwrap_or(0.0);
-            PlacedJet { places: places.clone(), jet: residual(row.row, at, drive, loops.length_m) }
+            (number, PlacedJet { places: places.clone(), jet: residual(row.row, &at, drive, loops.length_m) })
         })
         .collect()
     }

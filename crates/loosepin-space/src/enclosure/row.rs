@@ -3,15 +3,15 @@
 //! d = 0 is written in the bearing's axes. A row of an angle, φ - f with φ = atan2(s, c), is zero where cos f s - sin f c is and cos f c + sin f s is
 //! above zero: no arctangent is needed.
 
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::joint::{EnclosedJoint, number_of};
 use crate::enclosure::vector::dot;
 use crate::kind::row::ScalarRow;
 use loosepin_math::{Interval, Real};
 
 /// The residual over a box, lengths over L; every number where an angle may be on another branch.
-pub(crate) fn residual(row: ScalarRow, at: &EnclosedJoint, drive: f64, length_m: f64) -> Jet {
-    let over_length = |residual: Jet| residual.times(Interval::from_f64(1.0) / Interval::from_f64(length_m));
+pub(crate) fn residual<T: Number>(row: ScalarRow, at: &EnclosedJoint<T>, drive: f64, length_m: f64) -> Jet<T> {
+    let over_length = |residual: Jet<T>| residual.times(Interval::from_f64(1.0) / Interval::from_f64(length_m));
     let drive = Jet::constant(Interval::from_f64(drive));
     match row {
         ScalarRow::Coincident(direction) => {
@@ -34,12 +34,12 @@ pub(crate) fn residual(row: ScalarRow, at: &EnclosedJoint, drive: f64, length_m:
 }
 
 /// The sine of φ - f, times the length of (s, c).
-fn angle(at: &EnclosedJoint, f: &Jet) -> Jet {
+fn angle<T: Number>(at: &EnclosedJoint<T>, f: &Jet<T>) -> Jet<T> {
     let [cosine, sine] = at.turn();
-    let (sine_value, cosine_value) = f.value.sin_cos();
-    let sine_of_f = f.function([sine_value, cosine_value, -sine_value]);
-    let cosine_of_f = f.function([cosine_value, -sine_value, -cosine_value]);
-    let is_on_this_branch = (&cosine_of_f * &cosine + &(&sine_of_f * &sine)).value.low() > 0.0;
+    let (sine_value, cosine_value) = f.range().sin_cos();
+    let sine_of_f = f.function([sine_value, cosine_value, -sine_value, -cosine_value]);
+    let cosine_of_f = f.function([cosine_value, -sine_value, -cosine_value, sine_value]);
+    let is_on_this_branch = (&cosine_of_f * &cosine + &(&sine_of_f * &sine)).range().low() > 0.0;
     let residual = &cosine_of_f * &sine - &(&sine_of_f * &cosine);
-    if is_on_this_branch { residual } else { residual.function([Interval::WHOLE; 3]) }
+    if is_on_this_branch { residual } else { residual.function([Interval::WHOLE; 4]) }
 }

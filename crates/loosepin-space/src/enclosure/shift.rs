@@ -1,6 +1,6 @@
 //! What play does to the marker of a bearing.
 
-use crate::enclosure::jet::{Jet, Variables};
+use crate::enclosure::jet::{Jet, Number, Variables};
 use crate::enclosure::vector::JetVector;
 use crate::kind::frames::MarkerShift;
 use crate::play::SpatialPlay;
@@ -9,12 +9,12 @@ use core::array::from_fn;
 use loosepin_math::{Interval, Real};
 
 /// Displacement along the marker's axes, m, and the slope of the journal's axis.
-pub(crate) struct EnclosedShift {
-    pub shift_m: JetVector,
-    pub slope: [Jet; 2],
+pub(crate) struct EnclosedShift<T> {
+    pub shift_m: JetVector<T>,
+    pub slope: [Jet<T>; 2],
 }
 
-impl EnclosedShift {
+impl<T: Number> EnclosedShift<T> {
     pub(crate) fn none() -> Self {
         let zero = || Jet::constant(Interval::ZERO);
         Self { shift_m: from_fn(|_| zero()), slope: from_fn(|_| zero()) }
@@ -35,7 +35,7 @@ impl EnclosedShift {
         own
     }
 
-    fn add(&mut self, variable: &Jet, by: &MarkerShift) {
+    fn add(&mut self, variable: &Jet<T>, by: &MarkerShift) {
         let entries = by.shift_m.to_array().into_iter().chain(by.slope);
         for (own, entry) in self.shift_m.iter_mut().chain(&mut self.slope).zip(entries) {
             if entry != 0.0 {

@@ -1,6 +1,6 @@
 //! Vectors in space of such numbers.
 
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Number};
 use crate::geometry::quaternion::Quaternion;
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
@@ -12,13 +12,13 @@ pub(crate) type FixedVector = [Interval; 3];
 /// Axes that do not move, row by row of their matrix.
 pub(crate) type FixedAxes = [FixedVector; 3];
 /// A vector with its derivatives.
-pub(crate) type JetVector = [Jet; 3];
+pub(crate) type JetVector<T> = [Jet<T>; 3];
 
 pub(crate) fn exact(vector: Vec3) -> FixedVector {
     vector.to_array().map(Interval::from_f64)
 }
 
-pub(crate) fn constant(vector: &FixedVector) -> JetVector {
+pub(crate) fn constant<T: Number>(vector: &FixedVector) -> JetVector<T> {
     vector.map(Jet::constant)
 }
 
@@ -51,11 +51,11 @@ pub(crate) fn turned_axes(axes: &FixedAxes, own: &Rotation) -> [FixedVector; 3] 
     [own.x, own.y, own.z].map(|axis| turned(axes, exact(axis)))
 }
 
-pub(crate) fn dot(a: &JetVector, b: &JetVector) -> Jet {
+pub(crate) fn dot<T: Number>(a: &JetVector<T>, b: &JetVector<T>) -> Jet<T> {
     &a[0] * &b[0] + &(&a[1] * &b[1]) + &(&a[2] * &b[2])
 }
 
-pub(crate) fn plus(a: JetVector, b: &JetVector) -> JetVector {
+pub(crate) fn plus<T: Number>(a: JetVector<T>, b: &JetVector<T>) -> JetVector<T> {
     let mut sum = a;
     for (own, b) in sum.iter_mut().zip(b) {
         *own = own.clone() + b;
@@ -63,7 +63,7 @@ pub(crate) fn plus(a: JetVector, b: &JetVector) -> JetVector {
     sum
 }
 
-pub(crate) fn minus(a: JetVector, b: &JetVector) -> JetVector {
+pub(crate) fn minus<T: Number>(a: JetVector<T>, b: &JetVector<T>) -> JetVector<T> {
     let mut sum = a;
     for (own, b) in sum.iter_mut().zip(b) {
         *own = own.clone() - b;
@@ -71,6 +71,6 @@ pub(crate) fn minus(a: JetVector, b: &JetVector) -> JetVector {
     sum
 }
 
-pub(crate) fn scaled(a: &JetVector, factor: &Jet) -> JetVector {
+pub(crate) fn scaled<T: Number>(a: &JetVector<T>, factor: &Jet<T>) -> JetVector<T> {
     from_fn(|k| &a[k] * factor)
 }

@@ -1,7 +1,7 @@
 //! Coordinate of a joint.
 
 use crate::enclosure::enclosed_output::EnclosedOutput;
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::geometry::pose::Frame;
 use crate::kind::frames::{JointFrames, MarkerShift, within_half_a_turn};
@@ -59,10 +59,11 @@ impl KindOfOutput for JointOutput {
 }
 
 impl EnclosedOutput for JointOutput {
-    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
-        let (places, moved) = at.joint(self.joint, true);
+    fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
+        let (places, moved) = at.joint::<T>(self.joint, true);
         let nowhere = vec![Interval::ZERO; at.numbers.len()];
-        let (_, ideal) = PositionBox { numbers: &nowhere, is_second_order: false, ..*at }.joint(self.joint, true);
+        let at_rest = PositionBox { numbers: &nowhere, is_second_order: false, direction: None, ..*at };
+        let (_, ideal) = at_rest.joint::<Interval>(self.joint, true);
         let jet = match self.coordinate {
             JointCoordinate::Slide => moved.slide_m() - &Jet::constant(ideal.slide_m().value),
             JointCoordinate::Angle => {
@@ -76,16 +77,25 @@ impl EnclosedOutput for JointOutput {
 }
 
 /// The angle with this sine and cosine, whatever the radius; every number where the cosine may not be above zero.
-fn arctangent(sine: &Jet, cosine: &Jet) -> Jet {
-    if !(cosine.value.low() > 0.0) {
-        return sine.function([Interval::WHOLE; 3]);
+fn arctangent<T: Number>(sine: &Jet<T>, cosine: &Jet<T>) -> Jet<T> {
+    if !(cosine.range().low() > 0.0) {
+        return sine.function([Interval::WHOLE; 4]);
     }
     let one = Interval::from_f64(1.0);
-    let inverse = one / cosine.value;
+    let inverse = one / cosine.range();
     let square = inverse * inverse;
-    let tangent = sine * &cosine.function([inverse, -square, (square + square) * inverse]);
-    let x = tangent.value;
+    let tangent = sine
+        * &cosine.function([
+            inverse,
+            -square,
+            (square + square) * inverse,
+            -(Interval::from_f64(6.0) * square * square),
+        ]);
+    let x = tangent.range();
     let first = one / (one + x.squared());
     // Between zero and its tangent.
-    tangent.function([x.hull(Interval::ZERO), first, -((x + x) * first * first)])
+    let second = -((x + x) * first * first);
+    let two = Interval::from_f64(2.0);
+    let third = (Interval::from_f64(6.0) * x.squared() - two) * first * first * first;
+    tangent.function([x.hull(Interval::ZERO), first, second, third])
 }

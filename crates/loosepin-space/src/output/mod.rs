@@ -7,6 +7,7 @@ mod rotation;
 mod rotation_sine;
 
 use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -40,7 +41,7 @@ macro_rules! spatial_outputs {
             }
         }
         impl EnclosedOutput for SpatialOutput {
-            fn enclosed(&self, at: &PositionBox) -> PlacedJet {
+            fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
                 match self { $(Self::$variant(output) => output.enclosed(at),)* }
             }
         }

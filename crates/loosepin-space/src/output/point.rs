@@ -1,6 +1,7 @@
 //! Displacement of a point.
 
 use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::enclosure::vector::{constant, dot, exact, minus, turned};
 use crate::geometry::vector::Vec3;
@@ -38,8 +39,8 @@ impl KindOfOutput for PointOutput {
 }
 
 impl EnclosedOutput for PointOutput {
-    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
-        let (places, steps) = at.branch(self.body);
+    fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
+        let (places, steps) = at.branch::<T>(self.body);
         let pose = at.centre.pose(self.body);
         let arm = turned(&pose.axes, exact(self.point_m));
         let ideal = constant(&core::array::from_fn(|k| pose.origin[k] + arm[k]));

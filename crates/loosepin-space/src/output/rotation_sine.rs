@@ -1,7 +1,7 @@
 //! Rotation error of a body by the axial vector of its turn.
 
 use crate::enclosure::enclosed_output::EnclosedOutput;
-use crate::enclosure::jet::Jet;
+use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::enclosure::vector::{JetVector, constant, dot, exact, turned};
 use crate::geometry::vector::Vec3;
@@ -40,20 +40,20 @@ impl KindOfOutput for RotationSineOutput {
 }
 
 impl EnclosedOutput for RotationSineOutput {
-    fn enclosed(&self, at: &PositionBox) -> PlacedJet {
+    fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
         let (places, vector) = enclosed_sines(at, self.body);
         PlacedJet { places, jet: dot(&constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis))), &vector) }
     }
 }
 
 /// The axial vector of a body's turn, in ground axes, in which R_ideal u is the axis, and the numbers that it is by.
-pub(crate) fn enclosed_sines(at: &PositionBox, body: usize) -> (Vec<usize>, JetVector) {
-    let (places, steps) = at.branch(body);
+pub(crate) fn enclosed_sines<T: Number>(at: &PositionBox, body: usize) -> (Vec<usize>, JetVector<T>) {
+    let (places, steps) = at.branch::<T>(body);
     let unit = |k: usize| {
-        let axis: JetVector = from_fn(|row| Jet::constant(Interval::from_f64(f64::from(u8::from(row == k)))));
+        let axis: JetVector<T> = from_fn(|row| Jet::constant(Interval::from_f64(f64::from(u8::from(row == k)))));
         steps.iter().rev().fold(axis, |axis, step| step.axis(&axis))
     };
-    let columns: [JetVector; 3] = from_fn(unit);
+    let columns: [JetVector<T>; 3] = from_fn(unit);
     let half = |row: usize, column: usize| {
         (columns[column][row].clone() - &columns[row][column]).times(Interval::from_f64(0.5))
     };

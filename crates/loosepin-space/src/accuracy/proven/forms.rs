@@ -102,7 +102,7 @@ impl Ways {
 }
 
 /// Length of a vector, rounded up.
-fn length(entries: impl Iterator<Item = Interval>) -> f64 {
+pub(super) fn length(entries: impl Iterator<Item = Interval>) -> f64 {
     let squares = entries.fold(Interval::ZERO, |sum, entry| sum + Interval::from_f64(entry.squared().high()));
     Interval::from_f64(squares.high()).sqrt().high()
 }

@@ -34,6 +34,7 @@
 //! is proven. From the numbers of the mechanism on everything is computed on intervals whose ends are rounded outwards.
 
 mod correction;
+mod cubic;
 mod forms;
 mod proof;
 

@@ -1,6 +1,6 @@
 //! Y, T and w, and the ends that come of them.
 
-use super::forms::{Form, Ways, add_times};
+use super::forms::{Ways, add_times};
 use crate::accuracy::play_set::PlaySet;
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::{Jet, pair};
@@ -15,21 +15,21 @@ pub(super) const MAX_STEP: f64 = 0.7;
 
 /// A position with what is computed there.
 pub(super) struct Proof<'a> {
-    centre: &'a BoxCentre<'a>,
-    output: &'a SpatialOutput,
+    pub centre: &'a BoxCentre<'a>,
+    pub output: &'a SpatialOutput,
     idle: Vec<Vec<f64>>,
     pub ways: Ways,
     /// Y, row by row.
     pub inverse: Vec<Interval>,
     /// w.
     weights: Vec<Interval>,
-    /// The rows, then the output, at the ideal position.
+    /// The rows, then the output, at the ideal position, with second derivatives.
     pub at_rest: Vec<PlacedJet>,
 }
 
 /// Second derivatives along the way T v.
 pub(super) struct Straight {
-    /// H̃ of each row, then of the output, lower triangles; empty where linear.
+    /// H̃ of each row, lower triangles; empty where linear.
     pub hessians: Vec<Vec<Interval>>,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Proof<'a> {
     pub(super) fn new(centre: &'a BoxCentre<'a>, set: &PlaySet, output: &'a SpatialOutput) -> Option<Self> {
         let (n, nv) = (centre.loops.unknowns(), set.variables());
         let numbers = vec![Interval::ZERO; n + nv];
-        let at = PositionBox { centre, numbers: &numbers, is_second_order: false };
+        let at = PositionBox { centre, numbers: &numbers, is_second_order: true, direction: None };
         let mut at_rest = at.rows();
         let idle = idle_motions(&at_rest, n)?;
         at_rest.extend(idle.iter().map(|motion| linear(motion)));
@@ -70,7 +70,7 @@ impl<'a> Proof<'a> {
                 }
             }
         }
-        let own = output.enclosed(&at);
+        let own: PlacedJet = output.enclosed(&at);
         let mut weights = vec![0.0; n];
         for (place, slope) in own.places.iter().zip(&own.jet.slopes).filter(|(place, _)| **place < n) {
             let row = &inverse[place * n..(place + 1) * n];
@@ -89,11 +89,16 @@ impl<'a> Proof<'a> {
         rows.map(|row| self.ways.reach(&self.ways.unknowns[row * self.ways.nv..(row + 1) * self.ways.nv])).collect()
     }
 
+    /// Numbers with |q| <= radii, and a share of the play.
+    pub(super) fn numbers(&self, radii: impl Iterator<Item = f64>, share: f64) -> Vec<Interval> {
+        let play = core::iter::repeat_n(Interval::around_zero(share), self.ways.nv);
+        radii.map(Interval::around_zero).chain(play).collect()
+    }
+
     /// The rows, then the output, with second derivatives, over |q| <= radii and a share of the play.
     pub(super) fn over(&self, radii: impl Iterator<Item = f64>, share: f64) -> Vec<PlacedJet> {
-        let play = core::iter::repeat_n(Interval::around_zero(share), self.ways.nv);
-        let numbers: Vec<Interval> = radii.map(Interval::around_zero).chain(play).collect();
-        let at = PositionBox { centre: self.centre, numbers: &numbers, is_second_order: true };
+        let numbers = self.numbers(radii, share);
+        let at = PositionBox { centre: self.centre, numbers: &numbers, is_second_order: true, direction: None };
         let mut forms = at.rows();
         forms.extend(self.idle.iter().map(|motion| linear(motion)));
         forms.push(self.output.enclosed(&at));
@@ -116,7 +121,7 @@ impl<'a> Proof<'a> {
 
     fn straight(&self) -> Straight {
         let steps = self.steps();
-        let mut hessians: Vec<Vec<Interval>> = vec![Vec::new(); self.at_rest.len()];
+        let mut hessians: Vec<Vec<Interval>> = vec![Vec::new(); self.ways.n];
         let all = Interval::from_f64((SHARES * SHARES) as f64);
         for part in 1..=SHARES {
             let share = part as f64 / SHARES as f64;
@@ -124,7 +129,7 @@ impl<'a> Proof<'a> {
             // Rounded up: a little more of the way does no harm.
             let forms = self.over(steps.iter().map(|step| (step * share).next_up()), share.next_up());
             for (sum, form) in hessians.iter_mut().zip(&forms) {
-                let Form { hessian, .. } = self.ways.form(form);
+                let hessian = self.ways.form(form).hessian;
                 sum.resize(hessian.len(), Interval::ZERO);
                 add_times(sum, weight, &hessian);
             }
@@ -141,12 +146,14 @@ impl<'a> Proof<'a> {
         let correction = self.correction(&straight)?;
         let (factors, nv) = (self.combination(), self.ways.nv);
         let (mut value, mut gradient) = (Interval::ZERO, vec![Interval::ZERO; nv]);
+        let mut triangle = vec![Interval::ZERO; pair(nv, 0)];
         for (factor, form) in factors.iter().zip(&self.at_rest) {
             value += *factor * form.jet.value;
             add_times(&mut gradient, *factor, &self.ways.gradient(form));
+            add_times(&mut triangle, *factor, &self.ways.form(form).hessian);
         }
-        let triangle = self.combined_hessian(&straight, &factors);
-        let rest = Interval::around_zero(self.rest(&correction, &factors));
+        let cubic = Interval::around_zero(self.cubic_reach(&factors));
+        let rest = Interval::around_zero(self.rest(&correction, &factors)) + cubic;
         let end = |sign: f64| {
             let sign = Interval::from_f64(sign);
             let gradient: Vec<Interval> = gradient.iter().map(|own| sign * *own).collect();
@@ -154,12 +161,10 @@ impl<'a> Proof<'a> {
             let above =
                 QuadraticOverBalls { balls: &self.ways.balls, gradient: &gradient, hessian: &hessian }.upper_end();
             if std::env::var("DBG").is_ok() {
-                let exact: Vec<Interval> = hessian.iter().map(|h| Interval::from_f64(h.middle())).collect();
-                let narrow =
-                    QuadraticOverBalls { balls: &self.ways.balls, gradient: &gradient, hessian: &exact }.upper_end();
                 eprintln!(
-                    "first {:.6e} above {above:.6e} narrow {narrow:.6e} rest {:.3e} z {:.3e} steps {:.3e}",
+                    "first {:.6e} above {above:.6e} cubic {:.3e} rest {:.3e} z {:.3e} steps {:.3e}",
                     self.ways.reach(&gradient),
+                    cubic.high(),
                     rest.high(),
                     correction.radii.iter().copied().fold(0.0, f64::max),
                     self.steps().iter().copied().fold(0.0, f64::max)
