@@ -170,3 +170,52 @@ impl<T: Number> Mul for &Jet<T> {
         product
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn holds(interval: Interval, value: f64) -> bool {
+        interval.low() <= value && value <= interval.high() && interval.high() - interval.low() < 1e-12
+    }
+
+    #[test]
+    fn analytic_derivatives_of_the_sine_of_a_product() {
+        let (x, y) = (0.7_f64, -1.3_f64);
+        let (sine, cosine) = (x * y).sin_cos();
+        for (direction, thirds) in [
+            (0, [-y * y * y * cosine, -2.0 * y * sine - x * y * y * cosine, -2.0 * x * sine - x * x * y * cosine]),
+            (1, [-2.0 * y * sine - x * y * y * cosine, -2.0 * x * sine - x * x * y * cosine, -x * x * x * cosine]),
+        ] {
+            let variables = Variables { count: 2, is_second_order: true, direction: Some(direction) };
+            let number = |place, value| variables.number::<Dual<Interval>>(place, Interval::from_f64(value));
+            let product = &number(0, x) * &number(1, y);
+            let (s, c) = product.range().sin_cos();
+            // Zero and one do not change it.
+            let one = Jet::constant(Interval::from_f64(1.0));
+            let found = &(product.function([s, c, -s, -c]) - &Jet::constant(Interval::ZERO)) * &one;
+            assert!(holds(found.value.value, sine));
+            assert!(holds(found.slopes[0].value, y * cosine) && holds(found.slopes[1].value, x * cosine));
+            let seconds = [-y * y * sine, cosine - x * y * sine, -x * x * sine];
+            for (place, (i, j)) in [(0, 0), (1, 0), (1, 1)].into_iter().enumerate() {
+                assert_eq!(pair(i, j), place);
+                assert!(holds(found.curves[place].value, seconds[place]));
+                assert!(holds(found.curves[place].derivative, thirds[place]), "{direction} {i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn identity_products_are_the_same_either_way() {
+        let variables = Variables { count: 3, is_second_order: true, direction: None };
+        let number = |place, value| variables.number::<Interval>(place, Interval::from_f64(value));
+        // (a b + 2) c = a b c + 2 c
+        let (a, b, c) = (number(0, 1.5), number(1, -0.5), number(2, 2.25));
+        let two = Jet::constant(Interval::from_f64(2.0));
+        let left = &(&a * &b + &two) * &c;
+        let right = &(&a * &c) * &b - &-c.times(Interval::from_f64(2.0));
+        for (left, right) in left.curves.iter().zip(&right.curves).chain(left.slopes.iter().zip(&right.slopes)) {
+            assert!(holds(*left, right.middle()), "{left:?} {right:?}");
+        }
+    }
+}

@@ -139,3 +139,89 @@ impl PositionBox<'_> {
         .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::play_set::PlaySet;
+    use crate::geometry::quaternion::Quaternion;
+    use crate::geometry::vector::Vec3;
+    use crate::kind::row::ScalarRow;
+    use crate::kind::{Cylindrical, Revolute, Screw};
+    use crate::mechanism::body::Body;
+    use crate::mechanism::drive::{Drive, JointCoordinate};
+    use crate::mechanism::joint::Joint;
+    use crate::mechanism::marker::Marker;
+    use crate::mechanism::spatial_mechanism::SpatialMechanism;
+    use crate::play::{CylindricalPlay, RevolutePlay};
+
+    fn mechanism() -> SpatialMechanism {
+        let marker = |body, point: [f64; 3], z: [f64; 3]| Marker::new(body, point.into(), z.into(), Vec3::X).unwrap();
+        let pair = |k: f64| {
+            [marker(0, [0.1 * k, 0.2, -0.1], [0.3, 1.0, 0.2 * k]), marker(1, [0.2, 0.1, 0.05 * k], [0.2, 1.0, 0.1])]
+        };
+        let [[a, b], [c, d], [e, f]] = [1.0, 2.0, 3.0].map(pair);
+        let revolute = RevolutePlay { bearing_length_m: 0.02, radial_clearance_m: 1e-3, axial_clearance_m: 2e-3 };
+        let cylindrical = CylindricalPlay { bearing_length_m: 0.03, radial_clearance_m: 2e-3 };
+        let joints = vec![
+            Joint::new("pin", Revolute, a, b).with_play(revolute),
+            Joint::new("shaft", Cylindrical, c, d).with_play(cylindrical),
+            Joint::new("nut", Screw { pitch_m: 0.4 }, e, f),
+        ];
+        let drives = vec![
+            Drive { joint: 0, coordinate: JointCoordinate::Angle },
+            Drive { joint: 1, coordinate: JointCoordinate::Slide },
+        ];
+        SpatialMechanism::new(vec![Body::ground(), Body::new("nut", Pose::GROUND)], joints, drives).unwrap()
+    }
+
+    #[test]
+    fn identity_rows_are_those_of_the_loops() {
+        let mechanism = mechanism();
+        let loops = Loops::new(&mechanism);
+        let set = PlaySet::new(&mechanism);
+        let turn = Quaternion::from_rotation_vector(Vec3::new(0.1, -0.3, 0.2));
+        let poses = [Pose::GROUND, Pose::new(Vec3::new(0.05, -0.02, 0.1), turn)];
+        let drives = vec![0.4, 0.03];
+        let places: Vec<f64> = (0..set.variables()).map(|k| 0.9 * (1.0 + k as f64).sin()).collect();
+        let frames = loops.frames(&poses, &set.shifts(&mechanism, &set.in_metres(&places)));
+        let centre = BoxCentre::new(&loops, &poses, drives.clone()).unwrap();
+        let mut numbers = vec![Interval::ZERO; loops.unknowns()];
+        numbers.extend(places.iter().map(|place| Interval::from_f64(*place)));
+        let at = PositionBox { centre: &centre, numbers: &numbers, is_second_order: false, direction: None };
+        // From the centre of the step, the bearing of the pin, to the origin of the body.
+        let arm = poses[1].position_m - mechanism.joints()[0].bearing.point_m;
+        for ((row, expected), found) in loops.rows.iter().zip(loops.residual(&frames, &drives)).zip(at.rows()) {
+            let frame = &frames[row.joint];
+            let columns = row.row.columns(frame);
+            let (mut value, mut by_step) = (expected, Vec::new());
+            let add_columns = |by_step: &mut Vec<f64>, v: Vec3, w: Vec3| {
+                by_step.extend(Vec3::AXES.map(|axis| v.dot(axis) * loops.length_m / loops.scale(row)));
+                by_step.extend(Vec3::AXES.map(|axis| (w.dot(axis) + v.dot(axis.cross(arm))) / loops.scale(row)));
+            };
+            match row.row {
+                ScalarRow::Coincident(direction) => {
+                    let axis = frame.bearing.apply(direction);
+                    value = axis.dot(frame.separation) / loops.length_m;
+                    add_columns(&mut by_step, axis, frame.arm_j.cross(axis));
+                }
+                ScalarRow::DrivenAngle | ScalarRow::Helix { .. } => {
+                    let [x, y] = [frame.bearing.x, frame.bearing.y].map(|axis| axis.dot(frame.journal.x));
+                    let slope = match row.row {
+                        ScalarRow::Helix { pitch_m } => -pitch_m / std::f64::consts::TAU / loops.length_m,
+                        _ => 1.0,
+                    };
+                    value = slope * (expected / slope).sin() * x.hypot(y);
+                }
+                _ => add_columns(&mut by_step, columns.v_j, columns.w_j),
+            }
+            let is_near = |found: Interval, expected: f64| {
+                (found.middle() - expected).abs() < 1e-14 && found.high() - found.low() < 1e-13
+            };
+            assert!(is_near(found.jet.value, value), "{row:?} {:?} {value}", found.jet.value);
+            for (slope, expected) in found.jet.slopes.iter().zip(&by_step) {
+                assert!(is_near(*slope, *expected), "{row:?} {slope:?} {expected}");
+            }
+        }
+    }
+}

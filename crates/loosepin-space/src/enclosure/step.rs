@@ -69,3 +69,38 @@ fn root<T: Number>(a: &Jet<T>) -> Jet<T> {
     let second = -(first / (square + square));
     a.function([value, first, second, -(Interval::from_f64(1.5) * second / square)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::enclosure::vector::exact;
+    use crate::geometry::quaternion::Quaternion;
+    use crate::geometry::vector::Vec3;
+
+    #[test]
+    fn identity_a_step_turns_as_its_quaternion_does() {
+        let (t, displacement) = (Vec3::new(0.3, -0.4, 0.5), Vec3::new(0.02, -0.01, 0.03));
+        let (centre, point, length_m) = (Vec3::new(0.1, 0.2, 0.3), Vec3::new(-0.4, 0.6, 0.9), 0.7);
+        let numbers: Vec<Interval> =
+            [displacement, t].into_iter().flat_map(Vec3::to_array).map(Interval::from_f64).collect();
+        let variables = Variables { count: STEP_NUMBERS, is_second_order: false, direction: None };
+        let step = Step::<Interval>::new(exact(centre), &numbers, 0, variables, length_m);
+        let half = t * 0.5;
+        let turn = Quaternion::new((1.0 - half.dot(half)).sqrt(), half.x, half.y, half.z).rotation();
+        let expected = centre + displacement * length_m + turn.apply(point - centre);
+        let found = step.point(constant(&exact(point)));
+        for (found, expected) in found.iter().zip(expected.to_array()) {
+            assert!((found.value.middle() - expected).abs() < 1e-15 && found.value.magnitude() < 2.0);
+        }
+        // To first order a displacement is L ξ, a turn about the centre t × (P - c).
+        let at_rest = Step::<Interval>::new(exact(centre), &[Interval::ZERO; STEP_NUMBERS], 0, variables, length_m);
+        let found = at_rest.point(constant(&exact(point)));
+        for (k, axis) in Vec3::AXES.into_iter().enumerate() {
+            let turned = axis.cross(point - centre).to_array();
+            for row in 0..3 {
+                assert!((found[row].slopes[3 + k].middle() - turned[row]).abs() < 1e-15);
+                assert_eq!(found[row].slopes[k].middle(), if row == k { length_m } else { 0.0 });
+            }
+        }
+    }
+}

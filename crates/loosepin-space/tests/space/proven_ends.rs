@@ -77,7 +77,6 @@ fn peer_ends_of_the_spherical_platform() {
     let outputs = SpatialOutput::displacement(7, Vec3::ZERO).into_iter().chain(sines);
     for (output, [plus, minus]) in outputs.zip(rows) {
         let ends = accuracy.proven_end(&output).unwrap();
-        println!("{:.3e} {:.3e}", ends.largest / plus - 1.0, -ends.smallest / minus - 1.0);
         assert_outside(ends, [plus, -minus], 5e-3, "platform");
     }
 }
@@ -90,8 +89,7 @@ fn peer_ends_of_a_crank_bearing_that_leans() {
     let accuracy = PoseAccuracy::new(&mechanism, &position).unwrap();
     let output = SpatialOutput::displacement(3, v(0.2, 0.0, 0.0))[0];
     let ends = accuracy.proven_end(&output).unwrap();
-    println!("{ends:?}");
-    assert_outside(ends, [1007.502170e-6, -995.6233477e-6], 5e-3, "crank bearing");
+    assert_outside(ends, [1007.50216977e-6, -995.623347743e-6], 1e-3, "crank bearing");
 }
 
 /// A place of all journals, m, most of them on a border.
@@ -164,7 +162,8 @@ fn identity_no_place_that_is_found_or_drawn_is_outside_the_ends() {
     println!(
         "{count} mechanisms, {none} without ends; gaps: median {median:.2e}, worst {worst:.2e}; drawn up to {closest:.3} of the end"
     );
-    assert!(none * 10 <= count && median < 1e-3 && closest > 0.5, "{none} {median} {worst} {closest}");
+    // Without ends are those whose bodies turn by more than about 0.05 rad within the play.
+    assert!(none * 5 <= 2 * count && median < 1e-3 && closest > 0.9, "{none} {median} {worst} {closest}");
 }
 
 /// A slider-crank with a rod that is hardly longer than the crank: at 90 degrees the other assembly is close.

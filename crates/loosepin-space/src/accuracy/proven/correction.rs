@@ -15,8 +15,6 @@ const INFLATION: f64 = 1.1;
 pub(super) struct Correction {
     /// |z| of each unknown is at most this.
     pub radii: Vec<f64>,
-    /// Z: half the box in which they were sought.
-    tried: Vec<f64>,
     over: Curved,
 }
 
@@ -45,16 +43,12 @@ impl Proof<'_> {
             let radii: Vec<f64> = (0..n)
                 .map(|k| {
                     let factors = &self.inverse[k * n..(k + 1) * n];
-                    let slopes = self.slopes(&over, factors);
-                    let terms = (0..n).map(|l| {
-                        let slope = Interval::from_f64(at_rest[k][l]) + Interval::from_f64(slopes[l]);
-                        slope * Interval::from_f64(tried[l])
-                    });
-                    terms.fold(Interval::from_f64(base[k]), |sum, term| sum + term).high()
+                    let bent = self.turned_by(&over, factors, &at_rest[k], &tried);
+                    (Interval::from_f64(base[k]) + Interval::from_f64(bent)).high()
                 })
                 .collect();
             if radii.iter().zip(&tried).all(|(found, tried)| found < tried) {
-                return Some(Correction { radii, tried, over });
+                return Some(Correction { radii, over });
             }
             for (tried, found) in tried.iter_mut().zip(&radii) {
                 *tried = tried.max(INFLATION * found + f64::MIN_POSITIVE);
@@ -105,11 +99,12 @@ impl Proof<'_> {
         Curved { bent: bent.collect(), halves, forms }
     }
 
-    /// By how much the derivatives of a combination of rows (and output) by each unknown differ from those at the ideal position, at most.
-    fn slopes(&self, over: &Curved, factors: &[Interval]) -> Vec<f64> {
+    /// A number that the change of a combination of rows (and output) by any |z| <= radii does not exceed, anywhere in the box: what its derivatives
+    /// by the unknowns are at the ideal position, and by how much they turn with v and with z.
+    fn turned_by(&self, over: &Curved, factors: &[Interval], at_rest: &[f64], radii: &[f64]) -> f64 {
         let (n, nv) = (self.ways.n, self.ways.nv);
         let mut along = vec![Interval::ZERO; n * nv];
-        let mut bent = vec![Interval::ZERO; n];
+        let mut bent: Vec<Interval> = at_rest.iter().map(|slope| Interval::from_f64(*slope)).collect();
         for (number, factor) in factors.iter().enumerate().filter(|(_, factor)| **factor != Interval::ZERO) {
             let places = over.forms[number].places.iter().zip(&over.halves[number]).zip(&over.bent[number]);
             for ((place, half), own) in places.filter(|((place, _), _)| **place < n) {
@@ -117,25 +112,27 @@ impl Proof<'_> {
                 bent[*place] += Interval::from_f64(factor.magnitude()) * Interval::from_f64(*own);
             }
         }
-        let each = along.chunks(nv.max(1)).map(|own| self.ways.reach(own)).chain(core::iter::repeat(0.0));
-        each.zip(bent).map(|(along, bent)| (Interval::from_f64(along) + bent).high()).collect()
+        // First all z, then v: in a ball the sum of the magnitudes is shorter than the sum of the lengths.
+        let mut gradient = vec![Interval::ZERO; nv];
+        let mut sum = Interval::ZERO;
+        for k in 0..n {
+            let radius = Interval::from_f64(radii[k]);
+            sum += bent[k] * radius;
+            let own = &along[k * nv..(k + 1) * nv];
+            gradient.iter_mut().zip(own).for_each(|(sum, slope)| *sum += slope.abs() * radius);
+        }
+        (sum + Interval::from_f64(self.ways.reach(&gradient))).high()
     }
 
     /// A number that L(T v + z, v) - L(T v, v) does not exceed.
     pub(super) fn rest(&self, correction: &Correction, factors: &[Interval]) -> f64 {
-        let n = self.ways.n;
-        let mut at_rest = vec![Interval::ZERO; n];
+        let mut at_rest = vec![Interval::ZERO; self.ways.n];
         for (factor, form) in factors.iter().zip(&self.at_rest) {
-            for (place, slope) in form.places.iter().zip(&form.jet.slopes).filter(|(place, _)| **place < n) {
+            for (place, slope) in form.places.iter().zip(&form.jet.slopes).filter(|(place, _)| **place < self.ways.n) {
                 at_rest[*place] += *factor * *slope;
             }
         }
-        let slopes = self.slopes(&correction.over, factors);
-        let terms = (0..n).map(|k| {
-            let slope = Interval::from_f64(at_rest[k].magnitude()) + Interval::from_f64(slopes[k]);
-            slope * Interval::from_f64(correction.radii[k])
-        });
-        debug_assert_eq!(correction.tried.len(), n);
-        terms.fold(Interval::ZERO, |sum, term| sum + term).high()
+        let at_rest: Vec<f64> = at_rest.into_iter().map(Interval::magnitude).collect();
+        self.turned_by(&correction.over, factors, &at_rest, &correction.radii)
     }
 }

@@ -13,7 +13,7 @@ struct Cubic(Vec<Vec<Interval>>);
 impl Cubic {
     /// Adds what a function of some numbers has: `curves` are derivatives of its second derivatives by the number at `direction`.
     fn add(&mut self, ways: &Ways, direction: usize, curves: PlacedJet) {
-        let hessian = ways.form(&curves).hessian;
+        let hessian = ways.hessian(&curves);
         match direction.checked_sub(ways.n) {
             Some(own) => add_times(&mut self.0[own], Interval::from_f64(1.0), &hessian),
             None => {

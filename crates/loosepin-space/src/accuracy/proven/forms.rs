@@ -15,14 +15,6 @@ pub(super) struct Ways {
     pub unknowns: Vec<Interval>,
 }
 
-/// A row, or the output, along W.
-pub(super) struct Form {
-    /// C W, C the second derivatives: for each number that it depends on; none where it is linear.
-    pub half: Vec<Vec<Interval>>,
-    /// Wᵀ C W, the lower triangle row by row; empty where it is linear.
-    pub hessian: Vec<Interval>,
-}
-
 impl Ways {
     /// What the row of W of a number adds to a sum.
     fn add(&self, sum: &mut [Interval], place: usize, factor: Interval) {
@@ -44,6 +36,7 @@ impl Ways {
         gradient
     }
 
+    /// C W, C the second derivatives: for each number that it depends on; none where it is linear.
     pub(super) fn half(&self, form: &PlacedJet) -> Vec<Vec<Interval>> {
         if form.jet.curves.is_empty() {
             return Vec::new();
@@ -63,7 +56,8 @@ impl Ways {
             .collect()
     }
 
-    pub(super) fn form(&self, form: &PlacedJet) -> Form {
+    /// Wᵀ C W, the lower triangle row by row; empty where it is linear.
+    pub(super) fn hessian(&self, form: &PlacedJet) -> Vec<Interval> {
         let half = self.half(form);
         let mut hessian = if half.is_empty() { Vec::new() } else { vec![Interval::ZERO; pair(self.nv, 0)] };
         for (place, half) in form.places.iter().zip(&half) {
@@ -78,7 +72,7 @@ impl Ways {
                 None => (0..self.nv).for_each(|a| add(a, self.unknowns[place * self.nv + a])),
             }
         }
-        Form { half, hessian }
+        hessian
     }
 
     /// A number that |g·v| does not exceed.

@@ -15,21 +15,23 @@
 //!    z = -Y F(T v, v) + (1 - Y J̄) z
 //!    ```
 //!
-//!    If |Y F(T v, v)| <= b for all v, |1 - Y J| <= P for all u with |z| <= Z, and b + P Z < Z in all components, then z does not reach the end
-//!    of this box, and Y J is regular all over it, since the spectral radius of P is below one: the position is followed from the ideal one to
-//!    every place of the play, and |z| <= b + P Z. (It is the operator of R. Krawczyk, Computing 4 (1969) 187, in coordinates that move with v.)
-//! 2. *Straight part.* With weights w = Yᵀ ∂y/∂q of the rows L = y - w·F has the value of the output y where the loops are closed, and ∂L/∂q = 0
-//!    at the ideal position. By Taylor's formula
+//!    If |Y F(T v, v)| <= b for all v, |(1 - Y J) z| <= p for all u with |z| <= Z, and b + p < Z in all components, then z does not reach the end
+//!    of this box, and Y J is regular all over it, since 1 - Y J makes every z shorter in the norm max |z_k|/Z_k: the position is followed from the ideal
+//!    one to every place of the play, and |z| <= b + p. (It is the operator of R. Krawczyk, Computing 4 (1969) 187, in coordinates that move with v.)
+//! 2. *Deviation.* With weights w = Yᵀ ∂y/∂q of the rows L = y - w·F has the value of the output y where the loops are closed, and ∂L/∂q = 0
+//!    at the ideal position. By Taylor's formula, derivatives along W,
 //!
 //!    ```text
-//!    L(T v, v) = L(0, 0) + (dL/dv)·v + v·H̃ v/2,   H̃ = 2 ∫ (1 - s) Wᵀ L''(s W v) W ds,  0 <= s <= 1
+//!    L(T v, v) = L(0) + L'·v + v·L'' v/2 + L'''[v, v, v]/6
 //!    ```
 //!
-//!    Where s is between a and b, L'' is in its intervals over b W v, with the weight (1 - a)² - (1 - b)². The largest value of this quadratic
-//!    function over the balls is bounded by weak duality ([`loosepin_math::QuadraticOverBalls`]). F(T v, v) is bounded in the same way.
-//! 3. *The rest* is at most Σ |z_k| |∂L/∂q_k|, of third order in the play since both factors are small: |∂L/∂q| <= |L''W v| + |L''| Z.
+//!    with L' and L'' at the ideal position and L''' anywhere between it and W v. The largest value of the quadratic function over the balls is
+//!    bounded by weak duality ([`loosepin_math::QuadraticOverBalls`]). F(T v, v) is bounded likewise, from second derivatives over parts of the way: it is
+//!    v·H̃ v/2 with H̃ = 2 ∫ (1 - s) F''(s W v) ds over 0 <= s <= 1, and where s is between a and b, F'' is in its intervals over b W v, with the weight
+//!    (1 - a)² - (1 - b)².
+//! 3. *The rest* is at most |∂L/∂q|·|z|, of third order in the play since both factors are small: |∂L/∂q| <= |L''W v| + |L''| Z.
 //!
-//! In 1 and 3 the second derivatives of Y F and L are multiplied by Y, w and W before they are made absolute: what the play does to all bodies together
+//! The derivatives of Y F and L are multiplied by Y, w and W before they are made absolute: what the play does to all bodies together
 //! cancels as it does in truth. To second order in the play the end is exact but for the duality gap. Near singular positions step 1 fails, and nothing
 //! is proven. From the numbers of the mechanism on everything is computed on intervals whose ends are rounded outwards.
 

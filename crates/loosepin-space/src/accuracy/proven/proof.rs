@@ -129,7 +129,7 @@ impl<'a> Proof<'a> {
             // Rounded up: a little more of the way does no harm.
             let forms = self.over(steps.iter().map(|step| (step * share).next_up()), share.next_up());
             for (sum, form) in hessians.iter_mut().zip(&forms) {
-                let hessian = self.ways.form(form).hessian;
+                let hessian = self.ways.hessian(form);
                 sum.resize(hessian.len(), Interval::ZERO);
                 add_times(sum, weight, &hessian);
             }
@@ -150,7 +150,7 @@ impl<'a> Proof<'a> {
         for (factor, form) in factors.iter().zip(&self.at_rest) {
             value += *factor * form.jet.value;
             add_times(&mut gradient, *factor, &self.ways.gradient(form));
-            add_times(&mut triangle, *factor, &self.ways.form(form).hessian);
+            add_times(&mut triangle, *factor, &self.ways.hessian(form));
         }
         let cubic = Interval::around_zero(self.cubic_reach(&factors));
         let rest = Interval::around_zero(self.rest(&correction, &factors)) + cubic;
@@ -160,16 +160,6 @@ impl<'a> Proof<'a> {
             let hessian: Vec<Interval> = (0..nv * nv).map(|at| sign * triangle[pair(at / nv, at % nv)]).collect();
             let above =
                 QuadraticOverBalls { balls: &self.ways.balls, gradient: &gradient, hessian: &hessian }.upper_end();
-            if std::env::var("DBG").is_ok() {
-                eprintln!(
-                    "first {:.6e} above {above:.6e} cubic {:.3e} rest {:.3e} z {:.3e} steps {:.3e}",
-                    self.ways.reach(&gradient),
-                    cubic.high(),
-                    rest.high(),
-                    correction.radii.iter().copied().fold(0.0, f64::max),
-                    self.steps().iter().copied().fold(0.0, f64::max)
-                );
-            }
             (sign * value + Interval::from_f64(above) + rest).high()
         };
         Some([end(1.0), -end(-1.0)])
