@@ -1,6 +1,7 @@
 //! Rows and outputs over boxes of positions and play, with their first and second derivatives, on intervals whose ends are rounded outwards.
 //!
-//! The bodies are a tree. Each moves against the one that its branch comes from, about a point c of the ideal position near the joint between them, by
+//! The bodies are a tree. Each moves against the one that its branch comes from, about a point c of the ideal position near the joint between
+//! them, by
 //!
 //! ```text
 //! P ↦ c + L ξ + E(t)(P - c),   E(t) = 1 + w [t] + [t]²/2,   w = √(1 - t·t/4): the turn of the unit quaternion (w, t/2)

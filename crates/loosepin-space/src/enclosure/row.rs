@@ -1,7 +1,7 @@
 //! The rows of the loop equations, in a form that depends on the motion of both bodies against each other alone.
 //!
-//! d = 0 is written in the bearing's axes. A row of an angle, φ - f with φ = atan2(s, c), is zero where cos f s - sin f c is and cos f c + sin f s is
-//! above zero: no arctangent is needed.
+//! d = 0 is written in the bearing's axes. A row of an angle, φ - f with φ = atan2(s, c), is zero where cos f s - sin f c is and
+//! cos f c + sin f s is above zero: no arctangent is needed.
 
 use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::joint::{EnclosedJoint, number_of};

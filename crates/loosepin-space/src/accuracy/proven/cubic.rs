@@ -41,8 +41,8 @@ impl Cubic {
 }
 
 impl Proof<'_> {
-    /// A number that the remainder of L(T v, v) behind the second degree does not exceed: a sixth of its third derivatives, anywhere between the ideal
-    /// position and T v.
+    /// A number that the remainder of L(T v, v) behind the second degree does not exceed: a sixth of its third derivatives, anywhere between
+    /// the ideal position and T v.
     pub(super) fn cubic_reach(&self, factors: &[Interval]) -> f64 {
         let ways = &self.ways;
         let numbers = self.numbers(self.steps().into_iter(), 1.0);
