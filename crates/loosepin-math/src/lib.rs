@@ -21,6 +21,7 @@ pub use functions::exponentials::exponentials;
 pub use functions::hermite::Quintic;
 pub use functions::interval::{Certainty, Interval};
 pub use functions::pieces::Pieces;
+pub use functions::quadratic::QuadraticOverBalls;
 pub use functions::spline::{
     clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline, resting_spline,
 };

@@ -89,6 +89,13 @@ pub struct SpatialWorstCase {
     pub largest_si: f64,
     /// Smallest deviation that a search found.
     pub smallest_si: f64,
+    /// A number that no deviation is above; `None` where nothing is proven: where plays must meet conditions together or constraints repeat others,
+    /// and near singular positions.
+    #[serde(default)]
+    pub proven_largest_si: Option<f64>,
+    /// A number that no deviation is below.
+    #[serde(default)]
+    pub proven_smallest_si: Option<f64>,
     /// Conditions that the plays must meet together so that the loops close.
     pub conditions: usize,
     /// What each joint with play contributes.

@@ -36,6 +36,7 @@
 mod accuracy;
 mod chain;
 mod closure;
+mod enclosure;
 mod geometry;
 mod kind;
 mod mechanism;
@@ -50,7 +51,7 @@ mod sampling;
 pub use accuracy::{
     AccuracyError, AssemblyReserve, ClosedByPlay, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain,
     LargestNorm, LeastPlay, MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock,
-    PlayDistribution, PlaySet, PoseAccuracy, SampledDeviation, SearchOptions, WorstCase,
+    PlayDistribution, PlaySet, PoseAccuracy, ProvenEnds, SampledDeviation, SearchOptions, WorstCase,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace, OpenJoint};

@@ -8,5 +8,6 @@ pub(crate) mod exponentials;
 pub(crate) mod hermite;
 pub(crate) mod interval;
 pub(crate) mod pieces;
+pub(crate) mod quadratic;
 pub(crate) mod spline;
 pub(crate) mod whole_range;

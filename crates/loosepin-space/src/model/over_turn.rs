@@ -289,10 +289,13 @@ fn worst_case(
     let gains = accuracy.gains(output)?;
     let first_order = accuracy.first_order(&gains)?;
     let exact = accuracy.worst_case(output, &SearchOptions::default())?;
+    let proven = accuracy.proven_end(output);
     Ok(SpatialWorstCase {
         sample,
         largest_si: exact.largest.deviation,
         smallest_si: exact.smallest.deviation,
+        proven_largest_si: proven.map(|ends| ends.largest),
+        proven_smallest_si: proven.map(|ends| ends.smallest),
         conditions: accuracy.conditions(),
         contributors: contributors(accuracy, &gains, &first_order),
     })

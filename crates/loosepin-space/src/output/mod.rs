@@ -6,6 +6,9 @@ mod point;
 mod rotation;
 mod rotation_sine;
 
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::jet::Number;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use kind_of_output::{BodyGradient, KindOfOutput, OutputState};
@@ -35,6 +38,11 @@ macro_rules! spatial_outputs {
             }
             fn fits(&self, mechanism: &SpatialMechanism) -> bool {
                 match self { $(Self::$variant(output) => output.fits(mechanism),)* }
+            }
+        }
+        impl EnclosedOutput for SpatialOutput {
+            fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
+                match self { $(Self::$variant(output) => output.enclosed(at),)* }
             }
         }
         $(impl From<$kind> for SpatialOutput {

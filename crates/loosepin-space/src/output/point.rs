@@ -1,5 +1,9 @@
 //! Displacement of a point.
 
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::jet::Number;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
+use crate::enclosure::vector::{constant, dot, exact, minus, turned};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
@@ -31,5 +35,16 @@ impl KindOfOutput for PointOutput {
     }
     fn fits(&self, mechanism: &SpatialMechanism) -> bool {
         self.body < mechanism.bodies().len() && self.point_m.is_finite() && is_unit(self.direction)
+    }
+}
+
+impl EnclosedOutput for PointOutput {
+    fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
+        let (places, steps) = at.branch::<T>(self.body);
+        let pose = at.centre.pose(self.body);
+        let arm = turned(&pose.axes, exact(self.point_m));
+        let ideal = constant(&core::array::from_fn(|k| pose.origin[k] + arm[k]));
+        let moved = steps.iter().rev().fold(ideal.clone(), |point, step| step.point(point));
+        PlacedJet { places, jet: dot(&constant(&exact(self.direction)), &minus(moved, &ideal)) }
     }
 }

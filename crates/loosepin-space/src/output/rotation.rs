@@ -1,9 +1,15 @@
 //! Rotation error of a body.
 
+use crate::enclosure::enclosed_output::EnclosedOutput;
+use crate::enclosure::jet::Number;
+use crate::enclosure::position_box::{PlacedJet, PositionBox};
+use crate::enclosure::vector::{constant, dot, exact, turned};
 use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
+use crate::output::rotation_sine::enclosed_sines;
+use loosepin_math::{Interval, Real};
 
 /// u·θ, rad: θ is the rotation vector of R_idealᵀR, in the axes of the ideal body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,4 +45,37 @@ impl KindOfOutput for RotationOutput {
 pub(crate) fn relative_turn(body: usize, ideal: &OutputState, actual: &OutputState) -> (Rotation, Rotation) {
     let axes = ideal.poses[body].orientation.rotation();
     (axes, axes.transposed_times(&actual.poses[body].orientation.rotation()))
+}
+
+impl EnclosedOutput for RotationOutput {
+    fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
+        // θ = a asin(|a|)/|a| with the axial vector a, its length sin |θ|.
+        let (places, sines) = enclosed_sines(at, self.body);
+        let axis = constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis)));
+        let square = dot(&sines, &sines);
+        let jet = &dot(&axis, &sines) * &square.function(arcsine_over_sine(square.range().high()));
+        PlacedJet { places, jet }
+    }
+}
+
+/// asin(h)/h and its three derivatives by m = h², for 0 <= m <= `most`; every number where that is not small.
+///
+/// The series is 1 + m/6 + 3m²/40 + ..., its coefficients positive and decreasing: from m² on it is between zero and 3m²/40/(1 - m), and its
+/// derivatives are between zero and those of this.
+fn arcsine_over_sine(most: f64) -> [Interval; 4] {
+    if !(most < 0.25) {
+        return [Interval::WHOLE; 4];
+    }
+    let number = Interval::from_f64;
+    let (m, third) = (Interval::new(0.0, most.max(0.0)), number(3.0) / number(40.0));
+    let rest = number(1.0) / (number(1.0) - number(m.high()));
+    let up_to = |end: Interval| Interval::new(0.0, end.high());
+    let sixth = number(1.0) / number(6.0);
+    [
+        number(1.0) + m * sixth + m * m * up_to(third * rest),
+        sixth + m * up_to(number(2.0) * third * rest * rest),
+        up_to(number(2.0) * third * rest * rest * rest),
+        // The coefficient of m³ is 5/112.
+        up_to(number(30.0) / number(112.0) * rest * rest * rest * rest),
+    ]
 }

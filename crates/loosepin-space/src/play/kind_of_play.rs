@@ -18,6 +18,10 @@ pub trait KindOfPlay {
     fn marker_shift(&self, variables: &[f64]) -> MarkerShift;
     /// Derivatives of [`Self::marker_shift`] by each variable.
     fn derivatives(&self, variables: &[f64]) -> Vec<MarkerShift>;
+    /// Second derivatives of [`Self::marker_shift`], by two variables, that are not zero: it is a polynomial of second degree.
+    fn second_derivatives(&self) -> Vec<(usize, usize, MarkerShift)> {
+        Vec::new()
+    }
     /// Length of the bearing, its middle at the marker, m; `None` where the play does not depend on one.
     fn bearing_length_m(&self) -> Option<f64> {
         None

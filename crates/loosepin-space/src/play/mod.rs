@@ -41,6 +41,9 @@ macro_rules! spatial_plays {
             fn derivatives(&self, variables: &[f64]) -> Vec<MarkerShift> {
                 match self { $(Self::$variant(play) => play.derivatives(variables),)* }
             }
+            fn second_derivatives(&self) -> Vec<(usize, usize, MarkerShift)> {
+                match self { $(Self::$variant(play) => play.second_derivatives(),)* }
+            }
             fn bearing_length_m(&self) -> Option<f64> {
                 match self { $(Self::$variant(play) => play.bearing_length_m(),)* }
             }

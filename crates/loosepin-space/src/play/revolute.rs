@@ -53,6 +53,12 @@ impl KindOfPlay for RevolutePlay {
         derivatives.push(MarkerShift { shift_m: Vec3::new(slope[0], slope[1], 1.0), slope: [0.0; 2] });
         derivatives
     }
+    fn second_derivatives(&self) -> Vec<(usize, usize, MarkerShift)> {
+        // Of α w.
+        const AXIAL: usize = 4;
+        let slopes = self.ends().derivatives(0.0).into_iter().map(|by| Vec3::new(by.slope[0], by.slope[1], 0.0));
+        slopes.enumerate().map(|(k, shift_m)| (k, AXIAL, MarkerShift { shift_m, slope: [0.0; 2] })).collect()
+    }
     fn bearing_length_m(&self) -> Option<f64> {
         Some(self.bearing_length_m)
     }

@@ -10,6 +10,7 @@ mod manufacture;
 mod model_files;
 mod model_motions;
 mod pictures;
+mod proven_ends;
 mod quasi_static;
 mod random;
 mod random_mechanisms;

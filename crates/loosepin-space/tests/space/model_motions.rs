@@ -107,6 +107,10 @@ fn peer_worst_cases_of_the_slider_crank_of_the_file() {
     assert_close(output.worst.largest_si, 0.00100536901271, 2e-11);
     assert_close(output.worst.smallest_si, -0.00100000415992, 2e-11);
     assert_eq!(output.worst.conditions, 0);
+    // The proven ends are outside these numbers of an independent program, and near.
+    let [above, below] = [output.worst.proven_largest_si.unwrap(), output.worst.proven_smallest_si.unwrap()];
+    assert!(above > 0.00100536901271 && above < 1.002 * 0.00100536901271, "{above}");
+    assert!(below < -0.00100000415992 && below > -1.002 * 0.00100000415992, "{below}");
     assert_parts(output);
     // The axial clearance moves the slider along with it: gain 1.
     assert_close(output.worst.contributors[0].axial_si.unwrap(), 2e-4, 1e-9);
@@ -122,6 +126,7 @@ fn peer_worst_cases_of_an_overconstrained_loop() {
     assert!(record.outputs.iter().all(|output| output.standard_deviation_si.is_empty()));
     for output in &record.outputs {
         assert_eq!(output.worst.conditions, 1);
+        assert_eq!((output.worst.proven_largest_si, output.worst.proven_smallest_si), (None, None));
         assert_parts(output);
     }
     // A path is displaced at least as far as in one direction, and has no number of its own.

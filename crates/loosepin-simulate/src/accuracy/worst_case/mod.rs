@@ -4,13 +4,12 @@
 //! |---|---|
 //! | the sum of first-order effects, for previews | `first_order.rs` |
 //! | the largest deviation that is found, with the displacements that make it | `search.rs` |
-//! | an end that no deviation passes | `upper_end.rs`: a quadratic function (`quadratic.rs`) that bounds it, from derivatives over all positions (`enclosure.rs`) |
+//! | an end that no deviation passes | `upper_end.rs`: bound of a quadratic function, from derivatives over all positions (`enclosure.rs`) |
 
 mod enclosure;
 mod evaluate;
 mod first_order;
 mod over_cycle;
-mod quadratic;
 mod search;
 mod upper_end;
 mod variables;

@@ -12,8 +12,7 @@
 //! the position without play has too.
 
 use super::enclosure::Enclosed;
-use super::quadratic::Quadratic;
-use loosepin_math::{Interval, Real};
+use loosepin_math::{Interval, QuadraticOverBalls, Real};
 use std::ops::Range;
 
 /// Reference of the deviations.
@@ -71,7 +70,7 @@ impl Ends {
                     if is_of_both { Interval::ZERO } else { sum(&enclosed.hessians, at, sign) }
                 })
                 .collect();
-            Quadratic { balls: &self.balls, gradient: &gradient, hessian: &hessian }.upper_end()
+            QuadraticOverBalls { balls: &self.balls, gradient: &gradient, hessian: &hessian }.upper_end()
         };
         if n == 0 {
             return [0.0; 2];

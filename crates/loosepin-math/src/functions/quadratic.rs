@@ -1,6 +1,7 @@
 //! Upper ends of quadratic functions over balls.
 
-use loosepin_math::{Interval, Real};
+use crate::functions::interval::Interval;
+use crate::real::Real;
 use std::ops::Range;
 
 /// Steps of the search for good multipliers; whatever it ends with gives a true upper end.
@@ -9,7 +10,8 @@ const STEPS: usize = 60;
 const SETTLED: f64 = 1e-7;
 
 /// A quadratic function g·s + s·H s/2 of which the numbers are known to lie in intervals; s lies in a ball of radius one for each of `balls`.
-pub(super) struct Quadratic<'a> {
+pub struct QuadraticOverBalls<'a> {
+    /// The numbers of each ball.
     pub balls: &'a [Range<usize>],
     /// g.
     pub gradient: &'a [Interval],
@@ -17,7 +19,7 @@ pub(super) struct Quadratic<'a> {
     pub hessian: &'a [Interval],
 }
 
-impl Quadratic<'_> {
+impl QuadraticOverBalls<'_> {
     /// A number that the function nowhere exceeds; infinite where none is found.
     ///
     /// By weak duality: with multipliers λ, one for each ball, and M = Λ - H positive definite,
@@ -214,7 +216,7 @@ mod tests {
         // |(3, 4)| + |-2|.
         let (gradient, hessian) = (exact(&[3.0, 4.0, -2.0]), exact(&[0.0; 9]));
         let balls = [0..2, 2..3];
-        let bound = Quadratic { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end();
+        let bound = QuadraticOverBalls { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end();
         assert!((7.0..7.0 + 1e-6).contains(&bound), "{bound}");
     }
 
@@ -224,7 +226,8 @@ mod tests {
         for (second, due) in [([2.0, 0.0, 0.0, 0.0], 2.0), ([0.0, 0.0, 0.0, -2.0], 1.0)] {
             let (gradient, hessian) = (exact(&[1.0, 0.0]), exact(&second));
             let bound =
-                Quadratic { balls: std::slice::from_ref(&(0..2)), gradient: &gradient, hessian: &hessian }.upper_end();
+                QuadraticOverBalls { balls: std::slice::from_ref(&(0..2)), gradient: &gradient, hessian: &hessian }
+                    .upper_end();
             assert!((due..due + 1e-6).contains(&bound), "{bound} {due}");
         }
     }
@@ -233,10 +236,10 @@ mod tests {
     fn analytic_function_that_is_zero() {
         let balls = [0..2, 2..3];
         let [gradient, hessian] = [exact(&[0.0; 3]), exact(&[0.0; 9])];
-        assert_eq!(Quadratic { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end(), 0.0);
+        assert_eq!(QuadraticOverBalls { balls: &balls, gradient: &gradient, hessian: &hessian }.upper_end(), 0.0);
         // Around zero by round-off: 3 times 1e-16, and half of 9 times 1e-16.
         let about = |count: usize| vec![Interval::around_zero(1e-16); count];
-        let bound = Quadratic { balls: &balls, gradient: &about(3), hessian: &about(9) }.upper_end();
+        let bound = QuadraticOverBalls { balls: &balls, gradient: &about(3), hessian: &about(9) }.upper_end();
         assert!((7.5e-16..7.6e-16).contains(&bound), "{bound}");
     }
 
@@ -256,7 +259,7 @@ mod tests {
                 }
             }
             let wide: Vec<Interval> = hessian.iter().map(|value| Interval::new(value - 1e-3, value + 1e-3)).collect();
-            let bound = Quadratic { balls: &balls, gradient: &exact(&gradient), hessian: &wide }.upper_end();
+            let bound = QuadraticOverBalls { balls: &balls, gradient: &exact(&gradient), hessian: &wide }.upper_end();
             let mut largest = f64::NEG_INFINITY;
             for sample in 0..20_000 {
                 let turn = |salt: f64| std::f64::consts::TAU * ((sample as f64 + 1.0) * salt).fract();
