@@ -62,6 +62,10 @@ struct Worst<'r> {
     first_order_si: f64,
     lowest_si: f64,
     highest_si: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proven_lowest_si: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proven_highest_si: Option<f64>,
     conditions: usize,
     contributors: Vec<Contributor<'r>>,
 }
@@ -117,6 +121,8 @@ fn summary_of<'r>(record: &SpatialMotionRecord, output: &'r SpatialOutputRecord)
                 first_order_si: output.worst_case_si(),
                 lowest_si: own.smallest_si,
                 highest_si: own.largest_si,
+                proven_lowest_si: own.proven_smallest_si,
+                proven_highest_si: own.proven_largest_si,
                 conditions: own.conditions,
                 contributors: own.contributors.iter().map(contributor).collect(),
             },

@@ -351,7 +351,7 @@ fn what_cannot_be_sampled_is_said() {
     }
     let sampler = TurnSampler::new(&model, &nominal, &turns(6), &number).unwrap();
     let error = sampler.sample(&with(&model, &[("drive.crank.start_angle", 0.1)])).unwrap_err();
-    assert!(error.to_string().starts_with("drive 'crank' at 0 turns: it is at 0.1"), "{error}");
+    assert!(error.to_string().starts_with("drive 'crank' at 0 turns: it is at 5.729578 deg"), "{error}");
     // Backwards is another motion, but for the place at time zero.
     let error = sampler.sample(&with(&model, &[("drive.crank.speed", -1.0)])).unwrap_err();
     assert_eq!(error.turn(), Some(1.0 / 6.0));

@@ -32,9 +32,9 @@ fn all_templates_are_there_and_move() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());
     let (status, cards) = server.ask("GET", "/api/templates", "");
-    assert_eq!((status, cards.as_array().unwrap().len()), (200, 17));
-    let moving = cards.as_array().unwrap().iter().filter(|card| card["drawing"]["svg"].is_string()).count();
-    assert_eq!(moving, 17);
+    assert_eq!((status, cards.as_array().unwrap().len()), (200, 25));
+    let moving = |key: &str| cards.as_array().unwrap().iter().filter(|card| card[key]["svg"].is_string()).count();
+    assert_eq!([moving("drawing"), moving("space")], [17, 8]);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::words::wording::head;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_result::study::OutputDescription;
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
-use loosepin_text::units::{DisplayUnits, counted};
+use loosepin_text::units::{DisplayUnits, counted, listed};
 
 /// All outputs, and what their numbers are.
 pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> Section {
@@ -28,6 +28,9 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
              down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
         ]));
     }
+    if record.has_play {
+        section.push(Content::sentences(proven_sentences(record, medium)));
+    }
     let conditions = record.outputs.iter().map(|output| output.worst.conditions).max().unwrap_or(0);
     if conditions > 0 {
         section.push(Content::sentences([format!(
@@ -43,6 +46,34 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
         ]));
     }
     section
+}
+
+/// Ends that no deviation passes at the place shown, and the outputs that have none.
+fn proven_sentences(record: &SpatialMotionRecord, medium: Medium) -> Vec<String> {
+    let (mut proven, mut others) = (Vec::new(), Vec::new());
+    for output in &record.outputs {
+        let own = &output.worst;
+        match own.proven_smallest_si.zip(own.proven_largest_si) {
+            Some((smallest, largest)) => {
+                let [smallest, largest] = [smallest, largest].map(|own| shown_deviation(own, output, medium));
+                proven.push(format!("{} {smallest} to {largest}", output.name));
+            }
+            None => others.push(output.name.clone()),
+        }
+    }
+    let mut sentences = Vec::new();
+    if !proven.is_empty() {
+        sentences
+            .push(format!("No deviation there goes beyond these ends, which are proven: {}.", listed(&proven, "and")));
+    }
+    if !others.is_empty() {
+        sentences.push(format!(
+            "No end is proven of {}: constraints repeat others, or play comes near a singular position, where it may take the mechanism farther than \
+             what was found.",
+            listed(&others, "and")
+        ));
+    }
+    sentences
 }
 
 fn row(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium: Medium) -> Vec<Cell> {
