@@ -108,9 +108,9 @@ impl PositionBox<'_> {
         }
         let variables =
             Variables { count: places.len(), is_second_order: self.is_second_order, direction: self.direction };
-        let range = |place: usize| self.numbers.get(place).copied().unwrap_or(Interval::ZERO);
         let shift = play.map_or_else(EnclosedShift::none, |play| {
-            EnclosedShift::new(play, range(self.centre.plays[number]), first_of_play, variables)
+            let ranges = self.numbers.get(self.centre.plays[number]..).unwrap_or_default();
+            EnclosedShift::new(play, ranges, first_of_play, variables)
         });
         let steps = [
             self.steps(&branches[0], 0, variables),
