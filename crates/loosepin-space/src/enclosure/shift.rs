@@ -20,11 +20,14 @@ impl<T: Number> EnclosedShift<T> {
         Self { shift_m: from_fn(|_| zero()), slope: from_fn(|_| zero()) }
     }
 
-    /// Of a play whose variables, in units of their radii, all lie in `range`; their derivatives begin at `first`. It is a polynomial of second
+    /// Of a play whose variables, in units of their radii, lie in `ranges`; their derivatives begin at `first`. It is a polynomial of second
     /// degree.
-    pub(crate) fn new(play: &SpatialPlay, range: Interval, first: usize, variables: Variables) -> Self {
+    pub(crate) fn new(play: &SpatialPlay, ranges: &[Interval], first: usize, variables: Variables) -> Self {
         let radii = radii_m(play);
-        let variable = |k: usize| variables.number(first + k, range).times(Interval::from_f64(radii[k]));
+        let variable = |k: usize| {
+            let range = ranges.get(k).copied().unwrap_or(Interval::ZERO);
+            variables.number(first + k, range).times(Interval::from_f64(radii[k]))
+        };
         let mut own = Self::none();
         for (k, by) in play.derivatives(&vec![0.0; radii.len()]).iter().enumerate() {
             own.add(&variable(k), by);
