@@ -23,6 +23,9 @@ pub struct SpatialMotionRecord {
     pub inputs_si: Vec<f64>,
     /// Whether a joint has play.
     pub has_play: bool,
+    /// Whether proven ends of worst cases were sought.
+    #[serde(default)]
+    pub is_proven: bool,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
     /// The mechanism as it is drawn, in the same positions.

@@ -32,7 +32,8 @@ pub fn move_in_space(arguments: &MotionArguments, file: &InputFile, model: &Spat
     if let Some(path) = paths.find(|path| path.symlink_metadata().is_ok()) {
         return Err(Failure::of(&SpatialMotionProblem::Exists { file: path.display().to_string() }));
     }
-    let record = file.motion_in_space(model, &arguments.set)?;
+    // The page and the summary have proven ends; the tables alone are there at once.
+    let record = file.motion_in_space(model, &arguments.set, folder.is_some())?;
     console::print(&spatial_motion_text(&record))?;
     let Some(folder) = folder else { return Ok(Done::Well) };
     write_motion(&record, folder)?;

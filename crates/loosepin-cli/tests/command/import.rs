@@ -75,7 +75,10 @@ fn a_robot_description_becomes_a_model_that_moves() {
         "error[E0905]: --unit is for drawings; robot descriptions are in metres",
     );
     desk.write("empty.urdf", "");
-    desk.fail(&["import", "empty.urdf"], "empty.urdf:1:1: error[E1103]: the file is not XML that can be read: the document does not have a root node");
+    desk.fail(
+        &["import", "empty.urdf"],
+        "empty.urdf:1:1: error[E1103]: the file is not XML that can be read: the document does not have a root node",
+    );
     desk.write("wrong.urdf", &arm.replace("0 0 0.12", "0 0 0,12"));
     desk.fail(
         &["import", "wrong.urdf"],

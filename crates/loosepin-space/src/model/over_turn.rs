@@ -29,12 +29,24 @@ use std::f64::consts::FRAC_PI_2;
 use std::rc::Rc;
 
 impl SpatialModel {
-    /// Moves the mechanism over its turn.
+    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::proven_motion_record`].
     ///
     /// # Errors
     /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
     /// answer.
     pub fn motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
+        self.moved(values, false)
+    }
+
+    /// The same with proven ends of the worst case of each output, which take a tenth of a second each and more.
+    ///
+    /// # Errors
+    /// As for [`SpatialModel::motion_record`].
+    pub fn proven_motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
+        self.moved(values, true)
+    }
+
+    fn moved(&self, values: &Values, is_proven: bool) -> Result<SpatialMotionRecord, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
         let positions = self.positions(&mechanism, values)?;
@@ -70,11 +82,12 @@ impl SpatialModel {
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
-            let worst = course.worst_case().map_err(|error| self.no_answer(&output.name, at, error))?;
+            let worst = course.worst_case(is_proven).map_err(|error| self.no_answer(&output.name, at, error))?;
             self.output_record(output, course, worst, &states)
         });
         let outputs = outputs.collect::<Result<_, _>>()?;
-        Ok(self.record(&mechanism, &input, inputs_si, (outputs, picture)))
+        let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
+        Ok(SpatialMotionRecord { is_proven, ..record })
     }
 
     /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them.
@@ -105,6 +118,7 @@ impl SpatialModel {
             drive_speed_rad_s: input.drive.as_ref().map(|_| input.rate),
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
             has_play: mechanism.joints().iter().any(has_play),
+            is_proven: false,
             outputs,
             inputs_si,
             picture,
@@ -241,9 +255,9 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    fn worst_case(&self) -> Result<SpatialWorstCase, AccuracyError> {
+    fn worst_case(&self, is_proven: bool) -> Result<SpatialWorstCase, AccuracyError> {
         let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
-        worst_case(&worst.accuracy, &worst.along, self.sample)
+        worst_case(&worst.accuracy, &worst.along, self.sample, is_proven)
     }
 }
 
@@ -285,11 +299,12 @@ fn worst_case(
     accuracy: &PoseAccuracy<'_>,
     output: &SpatialOutput,
     sample: usize,
+    is_proven: bool,
 ) -> Result<SpatialWorstCase, AccuracyError> {
     let gains = accuracy.gains(output)?;
     let first_order = accuracy.first_order(&gains)?;
     let exact = accuracy.worst_case(output, &SearchOptions::default())?;
-    let proven = accuracy.proven_end(output);
+    let proven = if is_proven { accuracy.proven_end(output) } else { None };
     Ok(SpatialWorstCase {
         sample,
         largest_si: exact.largest.deviation,

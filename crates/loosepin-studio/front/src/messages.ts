@@ -293,6 +293,14 @@ export interface BodyMotion {
   da: (number | null)[];
 }
 
+/** A drawing of a mechanism in space for a page that turns and moves it by itself. */
+export interface SpaceDrawing {
+  /** The first view, as an SVG document that takes its style from the page. */
+  svg: string;
+  /** What `scripts/space-scene.ts` draws it from, as JSON. */
+  scene: string;
+}
+
 /** A model or study of the folder as the page shows it. */
 export interface OwnCard {
   /** The mechanism, moving; `None` of one in space, or if the model cannot be read. */
@@ -301,14 +309,6 @@ export interface OwnCard {
   space: SpaceDrawing | null;
   /** The first error in the texts. */
   error: string | null;
-}
-
-/** A drawing of a mechanism in space for a page that turns and moves it by itself. */
-export interface SpaceDrawing {
-  /** The first view, as an SVG document that takes its style from the page. */
-  svg: string;
-  /** What `scripts/space-scene.ts` draws it from, as JSON. */
-  scene: string;
 }
 
 /** A model or a study. */

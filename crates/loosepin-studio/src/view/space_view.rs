@@ -16,7 +16,7 @@ use crate::messages::{BodyView, JointView, Outline, OutputView, View};
 
 /// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer.
 pub fn space_view(file: &InputFile, model: &SpatialModel, texts: &Texts) -> (Option<View>, Diagnostics) {
-    match file.motion_in_space(model, &[]) {
+    match file.motion_in_space(model, &[], false) {
         Ok(record) => (Some(view(file, model, &record, texts)), Diagnostics::new()),
         Err(found) => {
             let values = file.model().spatial_values(&file.with_widest_play(&[]));

@@ -9,15 +9,21 @@ use loosepin_text::numbers::QuantityId;
 
 impl InputFile {
     /// The motion over the turn of `model`, the one of this file, with the worst cases of its play and what random inputs of a study do; `set` are
-    /// settings `path=value`. Clearances that are uncertain are taken where there is most play.
+    /// settings `path=value`. Clearances that are uncertain are taken where there is most play. Ends of worst cases are proven where that is asked, and
+    /// can be.
     ///
     /// # Errors
     /// A setting that the model does not take; loops that do not close; positions in which an output has no answer.
-    pub fn motion_in_space(&self, model: &SpatialModel, set: &[String]) -> Result<SpatialMotionRecord, Diagnostics> {
+    pub fn motion_in_space(
+        &self,
+        model: &SpatialModel,
+        set: &[String],
+        is_proven: bool,
+    ) -> Result<SpatialMotionRecord, Diagnostics> {
         let set = self.model().spatial_settings(&self.with_widest_play(set))?;
         let evaluated = model.quantities.evaluate(&set);
         let values = evaluated.map_err(|error| Diagnostics::one(&error, self.model().place(error.path())))?;
-        let mut record = model.motion_record(&values)?;
+        let mut record = if is_proven { model.proven_motion_record(&values)? } else { model.motion_record(&values)? };
         let InputFile::Study(study) = self else { return Ok(record) };
         let scatter = model.scatter(&scatter_plan(study, set))?;
         record.outputs.iter_mut().zip(scatter).for_each(|(output, scatter)| output.scatter = scatter);

@@ -28,7 +28,7 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
              down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
         ]));
     }
-    if record.has_play {
+    if record.has_play && record.is_proven {
         section.push(Content::sentences(proven_sentences(record, medium)));
     }
     let conditions = record.outputs.iter().map(|output| output.worst.conditions).max().unwrap_or(0);
