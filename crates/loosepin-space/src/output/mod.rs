@@ -3,6 +3,7 @@
 mod joint;
 pub(crate) mod kind_of_output;
 mod point;
+mod relative_turn;
 mod rotation;
 mod rotation_sine;
 

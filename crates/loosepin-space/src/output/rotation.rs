@@ -4,11 +4,10 @@ use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
 use crate::enclosure::vector::{constant, dot, exact, turned};
-use crate::geometry::rotation::Rotation;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
-use crate::output::rotation_sine::enclosed_sines;
+use crate::output::relative_turn::{enclosed_sines, relative_turn};
 use loosepin_math::{Interval, Real};
 
 /// u·θ, rad: θ is the rotation vector of R_idealᵀR, in the axes of the ideal body.
@@ -39,12 +38,6 @@ impl KindOfOutput for RotationOutput {
     fn fits(&self, mechanism: &SpatialMechanism) -> bool {
         self.body < mechanism.bodies().len() && is_unit(self.axis)
     }
-}
-
-/// Axes of the ideal body, and R_idealᵀR.
-pub(crate) fn relative_turn(body: usize, ideal: &OutputState, actual: &OutputState) -> (Rotation, Rotation) {
-    let axes = ideal.poses[body].orientation.rotation();
-    (axes, axes.transposed_times(&actual.poses[body].orientation.rotation()))
 }
 
 impl EnclosedOutput for RotationOutput {

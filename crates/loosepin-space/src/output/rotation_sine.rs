@@ -1,15 +1,13 @@
 //! Rotation error of a body by the axial vector of its turn.
 
 use crate::enclosure::enclosed_output::EnclosedOutput;
-use crate::enclosure::jet::{Jet, Number};
+use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::enclosure::vector::{JetVector, constant, dot, exact, turned};
+use crate::enclosure::vector::{constant, dot, exact, turned};
 use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
-use crate::output::rotation::relative_turn;
-use core::array::from_fn;
-use loosepin_math::{Interval, Real};
+use crate::output::relative_turn::{enclosed_sines, relative_turn};
 
 /// u·a, a the axial vector of (R - Rᵀ)/2 for the turn R_idealᵀR: sin θ times its axis. To first order it is the rotation vector; it is what
 /// small-angle measurements of direction cosines give.
@@ -44,18 +42,4 @@ impl EnclosedOutput for RotationSineOutput {
         let (places, vector) = enclosed_sines(at, self.body);
         PlacedJet { places, jet: dot(&constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis))), &vector) }
     }
-}
-
-/// The axial vector of a body's turn, in ground axes, in which R_ideal u is the axis, and the numbers that it is by.
-pub(crate) fn enclosed_sines<T: Number>(at: &PositionBox, body: usize) -> (Vec<usize>, JetVector<T>) {
-    let (places, steps) = at.branch::<T>(body);
-    let unit = |k: usize| {
-        let axis: JetVector<T> = from_fn(|row| Jet::constant(Interval::from_f64(f64::from(u8::from(row == k)))));
-        steps.iter().rev().fold(axis, |axis, step| step.axis(&axis))
-    };
-    let columns: [JetVector<T>; 3] = from_fn(unit);
-    let half = |row: usize, column: usize| {
-        (columns[column][row].clone() - &columns[row][column]).times(Interval::from_f64(0.5))
-    };
-    (places, [half(2, 1), half(0, 2), half(1, 0)])
 }

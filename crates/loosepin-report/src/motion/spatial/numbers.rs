@@ -8,6 +8,8 @@ use std::f64::consts::PI;
 
 /// Digits of deviations.
 const DIGITS: i32 = 4;
+/// Digits of proven ends, which lie a little beyond what was found.
+const END_DIGITS: i32 = 5;
 /// A number below this share of those that it stands with is round-off.
 const ROUND_OFF: f64 = 1e-12;
 /// Below these sizes, m and rad, smaller units are used.
@@ -34,6 +36,17 @@ pub(super) fn shown_deviation(value_si: f64, output: &SpatialOutputRecord, mediu
     shown(value_si, &output.unit, scale_si, medium)
 }
 
+/// An end that no deviation passes, rounded away from the deviations: -1 for the lower one, 1 for the upper one.
+pub(super) fn shown_end(value_si: f64, side: f64, output: &SpatialOutputRecord, medium: Medium) -> String {
+    let scale_si = output.first_order_si.get(output.worst.sample).copied().unwrap_or(value_si);
+    let unit = unit_of_size(&output.unit, scale_si, medium);
+    let value = side * value_si * unit.per_si;
+    let step = if value == 0.0 { 1.0 } else { 10_f64.powi(value.abs().log10().floor() as i32 - END_DIGITS + 1) };
+    let steps = value / step;
+    // What the conversion of units has lost counts too.
+    with_symbol(side * ((steps + 4.0 * f64::EPSILON * steps.abs()).ceil() * step), &unit, medium)
+}
+
 /// The input at a position. On a page an angle counts from 0° to 360°, as in charts.
 pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: Medium) -> String {
     let own = record.inputs_si.get(sample).copied().unwrap_or_default();
@@ -47,9 +60,13 @@ pub(super) fn shown(value_si: f64, unit: &SiUnit, scale_si: f64, medium: Medium)
     if *unit == SiUnit::TIME {
         return format_value(rounded(value_si), Dimension::TIME);
     }
-    let DisplayUnit { symbol, per_si } = unit_of_size(unit, scale_si, medium);
+    let unit = unit_of_size(unit, scale_si, medium);
     let value_si = if value_si.abs() < ROUND_OFF * scale_si.abs() { 0.0 } else { value_si };
-    let number = format_number(rounded(value_si * per_si));
+    with_symbol(rounded(value_si * unit.per_si), &unit, medium)
+}
+
+fn with_symbol(value: f64, DisplayUnit { symbol, .. }: &DisplayUnit, medium: Medium) -> String {
+    let number = format_number(value);
     match (medium, symbol.as_str()) {
         (Medium::Page, "°") => format!("{}°", number.replace('-', "−")),
         (Medium::Page, _) => format!("{}\u{a0}{symbol}", number.replace('-', "−")),

@@ -1,6 +1,6 @@
 //! Outputs of a motion in space, and what each joint contributes, as tables.
 
-use super::numbers::{shown, shown_deviation, shown_input};
+use super::numbers::{shown, shown_deviation, shown_end, shown_input};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::head;
@@ -55,7 +55,8 @@ fn proven_sentences(record: &SpatialMotionRecord, medium: Medium) -> Vec<String>
         let own = &output.worst;
         match own.proven_smallest_si.zip(own.proven_largest_si) {
             Some((smallest, largest)) => {
-                let [smallest, largest] = [smallest, largest].map(|own| shown_deviation(own, output, medium));
+                let [smallest, largest] =
+                    [(smallest, -1.0), (largest, 1.0)].map(|(own, side)| shown_end(own, side, output, medium));
                 proven.push(format!("{} {smallest} to {largest}", output.name));
             }
             None => others.push(output.name.clone()),
