@@ -246,7 +246,7 @@ def test_a_save_in_another_tab_is_no_alarm(studio):
     target = browser.call("Target.createTarget", url=studio.address)["targetId"]
     try:
         browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        studio.wait("document.querySelectorAll('button.card').length === 17")
+        studio.wait("document.querySelectorAll('button.card').length === 25")
         browser.evaluate("(location.hash = '#/edit/four-bar/study.toml', true)")
         studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
         studio.type_number("crank_length", "90 mm")

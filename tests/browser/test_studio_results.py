@@ -207,7 +207,7 @@ def test_without_results_the_page_says_what_to_do(tmp_path, browser):
     studio.click("a", "Compare two results")
     studio.wait("(document.querySelector('.compare')?.innerText ?? '').includes('No study is finished yet.')")
     studio.click("a", "Choose a mechanism")
-    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.wait("document.querySelectorAll('button.card').length === 25")
     studio.close()
 
 

@@ -106,7 +106,7 @@ def test_a_template_is_looked_at_without_a_file_and_survives_a_reload(studio):  
     assert files(studio) == [] and "not saved yet" in studio.browser.evaluate(bar)
     # Left without a change, nothing is asked and nothing is left.
     studio.click("a", "Gallery")
-    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.wait("document.querySelectorAll('button.card').length === 25")
     assert files(studio) == []
     studio.click("button.card", "rank, coupler and rocker")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
@@ -130,7 +130,7 @@ def test_a_template_is_looked_at_without_a_file_and_survives_a_reload(studio):  
     assert 'crank_length = "80 mm"' in studio.saved("four-bar")[0]
     # Back leads to the gallery, not to the template.
     studio.browser.evaluate("(history.back(), true)")
-    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.wait("document.querySelectorAll('button.card').length === 25")
     # A second one gets the next name, with the texts of the template.
     studio.click("button.card", "rank, coupler and rocker")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
@@ -146,7 +146,7 @@ def test_a_template_that_is_changed_can_be_left_and_is_forgotten(studio):  # noq
     studio.type_number("crank_length", "85 mm")
     studio.click("a", "Gallery")
     studio.click("button", "Leave without saving")
-    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.wait("document.querySelectorAll('button.card').length === 25")
     studio.click("button.card", "rank, coupler and rocker")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
     assert studio.number("crank_length") == "80 mm" and files(studio) == []
@@ -154,7 +154,7 @@ def test_a_template_that_is_changed_can_be_left_and_is_forgotten(studio):  # noq
     studio.type_number("crank_length", "86 mm")
     studio.click("a", "Gallery")
     studio.click("button", "Save and leave")
-    studio.wait("document.querySelectorAll('button.card').length === 17")
+    studio.wait("document.querySelectorAll('button.card').length === 25")
     studio.wait(f"({CARDS}).includes('four-bar/study.toml')")
     assert 'crank_length = "86 mm"' in (studio.folder / "four-bar/model.toml").read_text()
 
