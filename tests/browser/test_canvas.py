@@ -7,7 +7,8 @@ import pytest  # noqa: F401
 from test_studio import browser, studio  # noqa: F401
 from test_studio_edit import open_small
 
-TEMPLATES = "[...document.querySelectorAll('button.card')].map((card) => card.querySelector('.name')?.textContent ?? card.textContent)"
+# Of the plane: names of a mechanism in space stand where its picture has them.
+TEMPLATES = "[...document.querySelectorAll('button.card')].filter((card) => card.querySelector('svg.mechanism')).map((card) => card.querySelector('.name')?.textContent ?? card.textContent)"
 BOX = "document.querySelector('.drawing svg').getAttribute('viewBox').split(' ').map(Number)"
 # Names whose box meets the box of another name, or a stroke or a fill of a body (by the shapes that are drawn, not by the points from
 # which names are placed): pairs of words.
