@@ -184,7 +184,7 @@ fn data<'p>(record: &SpatialMotionRecord, prepared: &'p Prepared) -> Data<'p> {
     }
 }
 
-/// The picture with its controls, at first in the position `sample`; nothing where the record has none.
+/// The picture with its controls, at first in the position `sample`; empty if the record has none.
 pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Markup {
     let Some(prepared) = prepared(record, sample) else { return html! {} };
     let data = data(record, &prepared);

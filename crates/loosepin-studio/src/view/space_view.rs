@@ -16,13 +16,12 @@ use crate::messages::{BodyView, JointView, Outline, OutputView, View};
 
 /// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer.
 pub fn space_view(file: &InputFile, model: &SpatialModel, texts: &Texts) -> (Option<View>, Diagnostics) {
-    match file.motion_in_space(model, &[], false) {
-        Ok(record) => (Some(view(file, model, &record, texts)), Diagnostics::new()),
-        Err(found) => {
-            let values = file.model().spatial_values(&file.with_widest_play(&[]));
-            let record = values.and_then(|values| model.motion_record(&values));
-            (record.ok().map(|record| view(file, model, &record, texts)), found)
+    match file.play_in_space(model, &[], false) {
+        Ok(mut record) => {
+            let found = file.add_scatter(model, &[], &mut record).err().unwrap_or_default();
+            (Some(view(file, model, &record, texts)), found)
         }
+        Err(found) => (None, found),
     }
 }
 

@@ -6,7 +6,9 @@ use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases_until};
+use loosepin_simulate::accuracy::{
+    AccuracyError, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
+};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Diagnostics;
@@ -83,10 +85,7 @@ impl InputFile {
             span: model.cycle.span,
             positions,
             scatter: self.scatter(),
-            correlations: match self {
-                InputFile::Model(_) => Vec::new(),
-                InputFile::Study(study) => study.linear_correlations(),
-            },
+            correlations: self.linear_correlations(),
             paths,
             overrides: Override::from_settings(&settings),
         };
@@ -114,8 +113,16 @@ impl InputFile {
         widest.chain(set.iter().cloned()).collect()
     }
 
+    /// Linear correlations of random inputs, where the file is a study.
+    pub(super) fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
+        match self {
+            InputFile::Model(_) => Vec::new(),
+            InputFile::Study(study) => study.linear_correlations(),
+        }
+    }
+
     /// Random inputs, where the file is a study.
-    fn scatter(&self) -> Vec<Scatter> {
+    pub(super) fn scatter(&self) -> Vec<Scatter> {
         match self {
             InputFile::Model(_) => Vec::new(),
             InputFile::Study(study) => study

@@ -1,6 +1,5 @@
 //! The motion of a mechanism in space, with what its play and its scatter do to it.
 
-use crate::file::Study;
 use crate::written::input_file::InputFile;
 use loosepin_result::spatial_motion::SpatialMotionRecord;
 use loosepin_space::{SpatialModel, SpatialScatterPlan};
@@ -13,31 +12,54 @@ impl InputFile {
     /// can be.
     ///
     /// # Errors
-    /// A setting that the model does not take; loops that do not close; positions in which an output has no answer.
+    /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`].
     pub fn motion_in_space(
         &self,
         model: &SpatialModel,
         set: &[String],
         is_proven: bool,
     ) -> Result<SpatialMotionRecord, Diagnostics> {
-        let set = self.model().spatial_settings(&self.with_widest_play(set))?;
-        let evaluated = model.quantities.evaluate(&set);
-        let values = evaluated.map_err(|error| Diagnostics::one(&error, self.model().place(error.path())))?;
-        let mut record = if is_proven { model.proven_motion_record(&values)? } else { model.motion_record(&values)? };
-        let InputFile::Study(study) = self else { return Ok(record) };
-        let scatter = model.scatter(&scatter_plan(study, set))?;
-        record.outputs.iter_mut().zip(scatter).for_each(|(output, scatter)| output.scatter = scatter);
+        let mut record = self.play_in_space(model, set, is_proven)?;
+        self.add_scatter(model, set, &mut record)?;
         Ok(record)
     }
-}
 
-/// What is random of a study, by its standard deviations.
-fn scatter_plan(study: &Study, set: Vec<(QuantityId, f64)>) -> SpatialScatterPlan {
-    let random = study.random.iter();
-    let quantities: Vec<(QuantityId, f64)> =
-        random.map(|input| (input.quantity, input.largest_standard_deviation(&study.epistemic))).collect();
-    let place = |quantity: QuantityId| quantities.iter().position(|(known, _)| *known == quantity);
-    let correlations = study.linear_correlations();
-    let correlations = correlations.iter().filter_map(|own| Some((place(own.first)?, place(own.second)?, own.linear)));
-    SpatialScatterPlan { correlations: correlations.collect(), set, quantities }
+    /// The same without what random inputs do.
+    ///
+    /// # Errors
+    /// A setting that the model does not take; loops that do not close; positions in which an output has no answer.
+    pub fn play_in_space(
+        &self,
+        model: &SpatialModel,
+        set: &[String],
+        is_proven: bool,
+    ) -> Result<SpatialMotionRecord, Diagnostics> {
+        let values = self.model().spatial_values(&self.with_widest_play(set))?;
+        if is_proven { model.proven_motion_record(&values) } else { model.motion_record(&values) }
+    }
+
+    /// Adds what random inputs do to a record of [`Self::play_in_space`] with the same settings.
+    ///
+    /// # Errors
+    /// A setting that the model does not take; values near those of the model with which the loops do not close.
+    pub fn add_scatter(
+        &self,
+        model: &SpatialModel,
+        set: &[String],
+        record: &mut SpatialMotionRecord,
+    ) -> Result<(), Diagnostics> {
+        let random = self.scatter();
+        let place = |quantity: QuantityId| random.iter().position(|known| known.quantity == quantity);
+        let correlations = self.linear_correlations();
+        let correlations =
+            correlations.iter().filter_map(|own| Some((place(own.first)?, place(own.second)?, own.linear)));
+        let plan = SpatialScatterPlan {
+            set: self.model().spatial_settings(&self.with_widest_play(set))?,
+            correlations: correlations.collect(),
+            quantities: random.iter().map(|own| (own.quantity, own.standard_deviation_si)).collect(),
+        };
+        let scatter = model.scatter(&plan)?;
+        record.outputs.iter_mut().zip(scatter).for_each(|(output, scatter)| output.scatter = scatter);
+        Ok(())
+    }
 }

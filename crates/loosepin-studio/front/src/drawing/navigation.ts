@@ -67,6 +67,21 @@ export class Navigation {
     return true;
   }
 
+  /** Takes the wheel, and keeps the viewport at the size of the canvas; stops when the returned function is called. */
+  attach(): () => void {
+    const { view, canvas } = this;
+    const resize = (): void => view.resize(canvas.clientWidth, canvas.clientHeight);
+    const sizes = new ResizeObserver(resize);
+    sizes.observe(canvas);
+    resize();
+    const wheel = (event: WheelEvent): void => this.wheel(event);
+    canvas.addEventListener('wheel', wheel, { passive: false });
+    return () => {
+      sizes.disconnect();
+      canvas.removeEventListener('wheel', wheel);
+    };
+  }
+
   private place({ clientX, clientY }: MouseEvent): [number, number] {
     const { left, top } = this.canvas.getBoundingClientRect();
     return [clientX - left, clientY - top];
