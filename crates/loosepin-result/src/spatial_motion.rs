@@ -26,6 +26,10 @@ pub struct SpatialMotionRecord {
     /// Whether proven ends of worst cases were sought.
     #[serde(default)]
     pub is_proven: bool,
+    /// Numbers of the positions in which a place of the journals was found that takes the loops to a dead centre. Worst cases of first order say
+    /// nothing there.
+    #[serde(default)]
+    pub dead_centre_samples: Vec<usize>,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
     /// The mechanism as it is drawn, in the same positions.

@@ -27,6 +27,8 @@ struct Summary<'r> {
     #[serde(skip_serializing_if = "Option::is_none")]
     time_s: Option<&'r [f64]>,
     has_play: bool,
+    #[serde(skip_serializing_if = "<[usize]>::is_empty")]
+    dead_centre_samples: &'r [usize],
     outputs: Vec<Output<'r>>,
     drawing: &'r SpatialPicture,
 }
@@ -97,6 +99,7 @@ pub fn spatial_motion_summary(record: &SpatialMotionRecord) -> Result<String, se
         drive_angle_rad: is_drive.then_some(&record.inputs_si),
         time_s: (!is_drive).then_some(&record.inputs_si),
         has_play: record.has_play,
+        dead_centre_samples: &record.dead_centre_samples,
         outputs: record.outputs.iter().map(|output| summary_of(record, output)).collect(),
         drawing: &record.picture,
     })

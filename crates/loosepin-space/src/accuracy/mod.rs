@@ -3,6 +3,7 @@
 //! [`PoseAccuracy`] is where to begin. Its gains g are derivatives of an output by the variables p of play; the worst case of first order is
 //! the largest g·p over the admissible set. Loops with redundant rows allow only p with h·p = 0.
 
+mod dead_centre;
 mod displaced;
 mod error;
 mod extreme;
@@ -13,6 +14,7 @@ mod largest_norm;
 mod least_play;
 pub(crate) mod linear;
 mod multiple;
+mod placed;
 pub(crate) mod play_set;
 pub(crate) mod plays;
 mod pose_accuracy;

@@ -2,15 +2,12 @@
 
 use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::linear::near::Near;
-use crate::accuracy::linear::planes::Planes;
 use crate::accuracy::linear::slice::largest;
 use crate::accuracy::linear::vectors::dot;
-use crate::accuracy::play_set::PlaySet;
-use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
+use crate::accuracy::placed::{Placed, Start};
+use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::random::random;
-use crate::closure::bordered::Bordered;
-use crate::closure::newton::{Closed, largest as largest_entry};
-use crate::geometry::pose::Pose;
+use crate::closure::newton::largest as largest_entry;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::OutputState;
 
@@ -20,10 +17,6 @@ const MAX_STEPS: usize = 200;
 const LAST_STEP: f64 = 1e-12;
 /// An expected improvement below this, relative to the worst case of first order, is the end.
 const LAST_IMPROVEMENT: f64 = 1e-14;
-/// What redundant rows may be apart beyond what they are in the ideal position, lengths over the characteristic length and rad.
-const MET: f64 = 1e-13;
-/// Most corrections back to closed loops.
-const MAX_CORRECTIONS: usize = 12;
 /// Pull to the present place in each step, relative to the worst case of first order: blocks that do nothing to first order stay where they are,
 /// since they may be what lets the loops close.
 const LEAST_PULL: f64 = 1e-9;
@@ -42,10 +35,6 @@ const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 const MIN_PULL: f64 = 1e-8;
 /// Pull with which a search ends: its steps are nothing.
 const MAX_PULL: f64 = 1e12;
-/// Entries below this relative to the largest are no planes.
-const NEGLIGIBLE: f64 = 1e-9;
-/// Length of variables, in units of the radius, from which a block counts as on its border.
-const BORDER: f64 = 1.0 - 1e-9;
 
 /// A search for the largest `sign` × deviation of an output.
 pub(crate) struct Climb<'a, 'b> {
@@ -54,29 +43,20 @@ pub(crate) struct Climb<'a, 'b> {
     pub sign: f64,
 }
 
-/// A place of the journals that closes all loops.
-struct Feasible {
-    /// Variables in units of the radii.
-    scaled: Vec<f64>,
-    closed: Closed,
+/// A place with what is sought.
+struct Reached {
+    at: Placed,
     /// `sign` × deviation.
     value: f64,
 }
 
-/// What a place looks like to first order.
-struct Linear {
-    gains: Vec<f64>,
-    redundant: Vec<Vec<f64>>,
-    planes: Planes,
-}
-
 impl Climb<'_, '_> {
-    /// From journals in the middle.
+    /// Start journals in the middle.
     pub(crate) fn climb_from_middle(&self) -> Option<Extreme> {
-        self.climb(vec![0.0; self.accuracy.play_set().variables()])
+        self.climb(vec![0.0; self.accuracy.play_set().variables()], self.accuracy.ideal_start())
     }
 
-    /// From places of the journals, m, cut back to their play.
+    /// Start places of the journals, m, cut back to their play.
     pub(crate) fn climb_from_variables(&self, variables_m: &[f64]) -> Option<Extreme> {
         let set = &self.accuracy.set;
         if variables_m.len() != set.variables() || !variables_m.iter().all(|value| value.is_finite()) {
@@ -87,54 +67,50 @@ impl Climb<'_, '_> {
             variables_m.iter().zip(radii).map(|(value, radius)| if radius > 0.0 { value / radius } else { 0.0 });
         let mut scaled: Vec<f64> = scaled.collect();
         set.cut_back(&mut scaled);
-        self.climb(scaled)
+        self.climb(scaled, self.accuracy.ideal_start())
     }
 
-    /// From the worst case of first order of some gains, of variables in units of their radii.
+    /// Start the worst case of first order of some gains, of variables in units of their radii.
     pub(crate) fn climb_from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
         let accuracy = self.accuracy;
         let pairs = accuracy.closed_rows().into_iter().zip(&accuracy.apart);
         let right: Vec<f64> = pairs.map(|(closed, apart)| closed - apart).collect();
-        self.climb(largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &right)?.place)
+        let best = largest(&accuracy.set, scaled_gains, None, &accuracy.planes, &right)?;
+        self.climb(best.place, accuracy.ideal_start())
     }
 
-    fn climb(&self, start: Vec<f64>) -> Option<Extreme> {
-        let (ideal, closed_rows) = (&self.accuracy.position.poses, self.accuracy.closed_rows());
-        let mut at = self.feasible(start, ideal, &self.accuracy.system)?;
+    /// Start a place in units of the radii, on the branch of `from`.
+    pub(crate) fn climb(&self, start: Vec<f64>, from: Start<'_>) -> Option<Extreme> {
+        let accuracy = self.accuracy;
+        let mut now = self.reached(start, from)?;
         let (mut weight, mut last_pull): (f64, f64) = (0.0, 0.0);
-        let round_off = ROUND_OFF * self.accuracy.loops.length_m.min(1.0);
+        let round_off = ROUND_OFF * accuracy.loops.length_m.min(1.0);
         for step in 0..MAX_STEPS {
-            let linear = self.linear(&at);
-            let scale = self.accuracy.set.support(&linear.gains).iter().sum::<f64>();
+            let gains = self.gains(&now.at);
+            let scale = accuracy.set.support(&gains).iter().sum::<f64>();
             if step == 0 {
                 last_pull = FIRST_PULL * scale;
             }
             if scale == 0.0 {
                 break;
             }
+            let (planes, right) = accuracy.linear_conditions(&now.at);
             // With planes an interior point method is more exact without it.
-            let pull = if linear.planes.count() == 0 { weight.max(LEAST_PULL * scale) } else { weight };
-            let near = (pull > 0.0).then_some(Near { weight: pull, place: &at.scaled });
-            let right: Vec<f64> = linear
-                .redundant
-                .iter()
-                .zip(&at.closed.apart)
-                .zip(&closed_rows)
-                .map(|((row, apart), closed)| dot(row, &at.scaled) - (apart - closed))
-                .collect();
-            let next = largest(&self.accuracy.set, &linear.gains, near, &linear.planes, &right);
+            let pull = if planes.count() == 0 { weight.max(LEAST_PULL * scale) } else { weight };
+            let near = (pull > 0.0).then_some(Near { weight: pull, place: &now.at.scaled });
+            let next = largest(&accuracy.set, &gains, near, &planes, &right);
             let next = next.map(|found| found.place).and_then(|place| {
-                let change: Vec<f64> = place.iter().zip(&at.scaled).map(|(a, b)| a - b).collect();
-                let expected = dot(&linear.gains, &change);
+                let change: Vec<f64> = place.iter().zip(&now.at.scaled).map(|(a, b)| a - b).collect();
+                let expected = dot(&gains, &change);
                 let least = (LAST_IMPROVEMENT * scale).max(round_off);
                 let is_over = largest_entry(&change) < LAST_STEP || expected <= least;
-                let found = self.feasible(place, &at.closed.poses, &at.closed.system)?;
+                let found = self.reached(place, now.at.start())?;
                 Some((found, expected, is_over))
             });
             match next {
-                Some((next, expected, is_over)) if next.value > at.value => {
-                    let share = (next.value - at.value) / expected;
-                    at = next;
+                Some((next, expected, is_over)) if next.value > now.value => {
+                    let share = (next.value - now.value) / expected;
+                    now = next;
                     if weight > 0.0 {
                         last_pull = weight;
                     }
@@ -161,14 +137,20 @@ impl Climb<'_, '_> {
             }
         }
         Some(Extreme {
-            deviation: self.sign * at.value,
-            variables_m: self.accuracy.set.in_metres(&at.scaled),
-            poses: at.closed.poses,
+            deviation: self.sign * now.value,
+            variables_m: accuracy.set.in_metres(&now.at.scaled),
+            poses: now.at.closed.poses,
         })
     }
 
-    /// Gains and conditions at a place.
-    fn linear(&self, at: &Feasible) -> Linear {
+    fn reached(&self, scaled: Vec<f64>, from: Start<'_>) -> Option<Reached> {
+        let at = self.accuracy.placed(scaled, from)?;
+        let value = self.sign * self.accuracy.deviation_of(self.output, &at.closed.poses);
+        Some(Reached { at, value })
+    }
+
+    /// Gains of `sign` × deviation at a place.
+    fn gains(&self, at: &Placed) -> Vec<f64> {
         let accuracy = self.accuracy;
         let variables_m = accuracy.set.in_metres(&at.scaled);
         let actual = OutputState { mechanism: accuracy.loops.mechanism, poses: &at.closed.poses };
@@ -176,82 +158,14 @@ impl Climb<'_, '_> {
         let mut gains = Vec::with_capacity(variables_m.len());
         accuracy.plays.gains(&accuracy.loops, &at.closed.frames, &by_rows, Some(&variables_m), &mut gains);
         gains.iter_mut().for_each(|gain| *gain *= self.sign);
-        let redundant = self.conditions(&at.closed, &variables_m);
-        let planes = self.planes(&redundant, &at.closed, &variables_m);
-        Linear { gains, redundant, planes }
+        gains
     }
-
-    fn conditions(&self, closed: &Closed, variables_m: &[f64]) -> Vec<Vec<f64>> {
-        let accuracy = self.accuracy;
-        if accuracy.conditions() == 0 {
-            return Vec::new();
-        }
-        redundant(&accuracy.loops, &closed.frames, &closed.system, &accuracy.plays, Some(variables_m))
-    }
-
-    fn planes(&self, redundant: &[Vec<f64>], closed: &Closed, variables_m: &[f64]) -> Planes {
-        let accuracy = self.accuracy;
-        let size = match redundant {
-            [] => 0.0,
-            _ => accuracy.plays.largest_derivative(&accuracy.loops, &closed.frames, Some(variables_m)),
-        };
-        Planes::new(redundant, accuracy.set.variables(), NEGLIGIBLE * size)
-    }
-
-    /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
-    /// borders there, cut back to the balls.
-    fn feasible(&self, mut scaled: Vec<f64>, from: &[Pose], known: &Bordered) -> Option<Feasible> {
-        let accuracy = self.accuracy;
-        let mut poses = from.to_vec();
-        let closed_rows = accuracy.closed_rows();
-        for _ in 0..MAX_CORRECTIONS {
-            let variables_m = accuracy.set.in_metres(&scaled);
-            let closed = accuracy.close_at(&poses, &variables_m, Some(known)).ok()?;
-            let apart: Vec<f64> = closed.apart.iter().zip(&closed_rows).map(|(apart, ideal)| apart - ideal).collect();
-            if largest_entry(&apart) <= MET {
-                // Loops that are closed another way round have the other orientation.
-                if closed.system.sign() != accuracy.system.sign() {
-                    return None;
-                }
-                let value = self.sign * accuracy.deviation_of(self.output, &closed.poses);
-                return Some(Feasible { scaled, closed, value });
-            }
-            if accuracy.conditions() == 0 {
-                return None;
-            }
-            let redundant = self.conditions(&closed, &variables_m);
-            let along = along_borders(&accuracy.set, &redundant, &scaled);
-            let mut planes = self.planes(&along, &closed, &variables_m);
-            if planes.count() < accuracy.conditions() {
-                planes = self.planes(&redundant, &closed, &variables_m);
-            }
-            let right: Vec<f64> = apart.iter().map(|apart| -apart).collect();
-            let change = planes.shortest(&right, scaled.len());
-            scaled.iter_mut().zip(&change).for_each(|(value, change)| *value += change);
-            accuracy.set.cut_back(&mut scaled);
-            poses = closed.poses;
-        }
-        None
-    }
-}
-
-/// Rows without their parts across the borders of the blocks that lie there.
-fn along_borders(set: &PlaySet, rows: &[Vec<f64>], scaled: &[f64]) -> Vec<Vec<f64>> {
-    let mut rows = rows.to_vec();
-    for block in set.blocks().iter().filter(|block| PlaySet::length(block, scaled) > BORDER) {
-        let own = &scaled[block.range()];
-        for row in &mut rows {
-            let share = dot(own, &row[block.range()]) / dot(own, own);
-            row[block.range()].iter_mut().zip(own).for_each(|(entry, value)| *entry -= share * value);
-        }
-    }
-    rows
 }
 
 impl PoseAccuracy<'_> {
     /// Gains of the combination of rows that the loops follow least, by variables in units of their radii.
     pub(crate) fn weakest_gains(&self) -> Vec<f64> {
-        let weakest = self.system.weakest_row();
+        let weakest = self.system.weakest().row;
         let mut gains = Vec::with_capacity(self.set.variables());
         self.plays.gains(&self.loops, &self.frames, &weakest, None, &mut gains);
         gains

@@ -1,5 +1,6 @@
 //! The exact worst case.
 
+use crate::accuracy::dead_centre::DeadCentre;
 use crate::accuracy::error::AccuracyError;
 use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::pose_accuracy::PoseAccuracy;
@@ -20,6 +21,9 @@ pub struct WorstCase {
     /// Conditions that the plays must meet together. With 0 all starts of well-behaved mechanisms end alike; with more it is a search among
     /// many extremes, and the numbers are the largest and the smallest found.
     pub conditions: usize,
+    /// Whether a place of the journals was found that takes the loops to a dead centre. The extremes are then the largest found on the branch of
+    /// the ideal position and on the other one that begins there.
+    pub reaches_dead_centre: bool,
 }
 
 /// Extremes that are nearer to each other than this share count as one.
@@ -46,6 +50,7 @@ impl PoseAccuracy<'_> {
         objectives.push(weakest.iter().map(|gain| -gain).collect());
         objectives.push(weakest);
         objectives.extend(random_starts(self.play_set().variables(), options));
+        let dead_centre = self.dead_centre();
         let find = |sign: f64| {
             let climb = Climb { accuracy: self, output, sign };
             let mut ends: Vec<Extreme> = Vec::new();
@@ -55,6 +60,9 @@ impl PoseAccuracy<'_> {
                 let direction = if number == 0 { sign } else { 1.0 };
                 let objective: Vec<f64> = objective.iter().map(|gain| gain * direction).collect();
                 ends.extend(climb.climb_from_objective(&objective));
+            }
+            if let Some(DeadCentre { scaled, other: Some(other) }) = &dead_centre {
+                ends.extend(climb.climb(scaled.clone(), other.start()));
             }
             let best = ends.iter().max_by(|a, b| (sign * a.deviation).total_cmp(&(sign * b.deviation))).cloned();
             let best = best.ok_or(AccuracyError::NoPlace)?;
@@ -67,9 +75,10 @@ impl PoseAccuracy<'_> {
         Ok(WorstCase {
             largest,
             smallest,
-            starts: objectives.len() + 1 + options.starts_m.len(),
+            starts: objectives.len() + 1 + options.starts_m.len() + usize::from(dead_centre.is_some()),
             agreeing: [of_largest, of_smallest],
             conditions: self.conditions(),
+            reaches_dead_centre: dead_centre.is_some(),
         })
     }
 }

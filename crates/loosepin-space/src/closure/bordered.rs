@@ -29,6 +29,16 @@ pub(crate) struct Bordered {
     lu: SparseLu,
 }
 
+/// The smallest singular value and its vectors.
+#[derive(Debug, Clone)]
+pub(crate) struct Weakest {
+    pub sigma: f64,
+    /// y, of the rows.
+    pub row: Vec<f64>,
+    /// w, of the unknowns.
+    pub motion: Vec<f64>,
+}
+
 impl Bordered {
     /// The system at these frames.
     pub(crate) fn new(loops: &Loops, frames: &[JointFrames], borders: &Borders) -> Self {
@@ -132,9 +142,9 @@ impl Bordered {
             .collect()
     }
 
-    /// The combination of rows that is nearest to none, of length one: the left singular vector of the smallest singular value, by inverse iteration.
-    /// Near a dead position it is what the loops can hardly follow.
-    pub(crate) fn weakest_row(&self) -> Vec<f64> {
+    /// The smallest singular value σ with its vectors y and w, J w = σ y, by inverse iteration. Near a dead centre y is what the loops can hardly
+    /// follow, and w how they move then.
+    pub(crate) fn weakest(&self) -> Weakest {
         const STEPS: usize = 8;
         let size = self.lu.order();
         // No direction of its own.
@@ -142,11 +152,16 @@ impl Bordered {
         for _ in 0..STEPS {
             self.lu.solve(&mut vector);
             self.lu.solve_transposed(&mut vector);
-            let length = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+            let length = dot(&vector, &vector).sqrt();
             vector.iter_mut().for_each(|entry| *entry /= length);
         }
+        let mut motion = vector.clone();
+        self.lu.solve(&mut motion);
+        let sigma = 1.0 / dot(&motion, &motion).sqrt();
+        motion.truncate(self.columns);
+        motion.iter_mut().for_each(|entry| *entry *= sigma);
         vector.truncate(self.rows);
-        vector
+        Weakest { sigma, row: vector, motion }
     }
 
     /// Sign of the determinant: it changes where a mechanism passes from one assembly to another.

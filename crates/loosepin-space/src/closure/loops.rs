@@ -131,6 +131,17 @@ impl<'a> Loops<'a> {
         })
     }
 
+    /// yᵀJ of a combination y of the rows.
+    pub(crate) fn combined(&self, frames: &[JointFrames], combination: &[f64]) -> Vec<f64> {
+        let mut combined = vec![0.0; self.unknowns()];
+        for (row, share) in self.rows.iter().zip(combination) {
+            for (first, values) in self.row_entries(row, frames).into_iter().flatten() {
+                combined[first..first + 6].iter_mut().zip(values).for_each(|(sum, value)| *sum += share * value);
+            }
+        }
+        combined
+    }
+
     /// A gradient by (v, ω) of one body, over the scaled unknowns.
     pub(crate) fn add_gradient(&self, gradient: &mut [f64], body: usize, by_v: Vec3, by_w: Vec3) {
         let Some(first) = first_column(body) else { return };

@@ -57,13 +57,16 @@ impl SpatialModel {
         let zones = Zones::new(positions.len());
         let points = self.traced_points(&mechanism, values).into_iter();
         let mut traces: Vec<Trace> = points.map(|point| Trace { point, zones: Vec::new() }).collect();
-        let mut poses = Vec::with_capacity(positions.len());
+        let (mut poses, mut dead_centre_samples) = (Vec::with_capacity(positions.len()), Vec::new());
         // One after the other: the loop equations of all positions at once may be gigabytes.
         for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             let accuracy = Rc::new(accuracy);
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
                 course.add(sample, &accuracy).map_err(|error| self.no_answer(&output.name, *at, error))?;
+            }
+            if has_play && accuracy.reaches_dead_centre() {
+                dead_centre_samples.push(sample);
             }
             poses.push(accuracy.position().poses.clone());
             for trace in traces.iter_mut().filter(|own| has_play && own.point.output.is_some() && zones.has(sample)) {
@@ -87,7 +90,7 @@ impl SpatialModel {
         });
         let outputs = outputs.collect::<Result<_, _>>()?;
         let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
-        Ok(SpatialMotionRecord { is_proven, ..record })
+        Ok(SpatialMotionRecord { is_proven, dead_centre_samples, ..record })
     }
 
     /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them.
@@ -119,6 +122,7 @@ impl SpatialModel {
             input_unit: if input.drive.is_some() { SiUnit::ANGLE } else { SiUnit::TIME },
             has_play: mechanism.joints().iter().any(has_play),
             is_proven: false,
+            dead_centre_samples: Vec::new(),
             outputs,
             inputs_si,
             picture,

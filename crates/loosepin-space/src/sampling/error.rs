@@ -70,6 +70,11 @@ pub enum SamplingError {
         /// By what all plays would have to be multiplied, to first order; `None` where no play helps, or there is none.
         needed: Option<f64>,
     },
+    /// Play takes the mechanism to a dead centre, where it can go over to its other assembly.
+    DeadCentre {
+        /// Where.
+        turn: f64,
+    },
     /// An output has no answer at a place.
     NoAnswer {
         /// Where.
@@ -110,6 +115,7 @@ impl SamplingError {
             | Self::DriveElsewhere { turn, .. }
             | Self::DoesNotClose { turn, .. }
             | Self::CannotBeAssembled { turn, .. }
+            | Self::DeadCentre { turn }
             | Self::NoAnswer { turn, .. } => Some(*turn),
             _ => None,
         }
@@ -164,6 +170,10 @@ impl fmt::Display for SamplingError {
                     None => write!(out, "no play takes that up"),
                 }
             }
+            Self::DeadCentre { turn } => write!(
+                out,
+                "at {turn} turns play takes the mechanism to a dead centre, where it can go over to its other assembly: there is no bound"
+            ),
             Self::NoAnswer { turn, output, why } if output.is_empty() => write!(out, "at {turn} turns: {why}"),
             Self::NoAnswer { turn, output, why } => write!(out, "output '{output}' at {turn} turns: {why}"),
             Self::ConditionsOnPlay { conditions } => write!(

@@ -2,6 +2,7 @@
 
 use super::error::SamplingError;
 use super::part::{PartOfOutput, SampledPart};
+use crate::accuracy::PoseAccuracy;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
@@ -19,6 +20,8 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Longest step, in turns, in which turns of a body are counted.
 const LONGEST_STEP_TURNS: f64 = 1.0 / 36.0;
+/// Share of the way to a dead centre that play may go in the nominal position for samples, which differ from it, not to be looked at.
+const FAR_FROM_DEAD: f64 = 0.03;
 /// Speed of a point below which it turns back or rests, relative to the characteristic length and the rate of the turn.
 const RESTING: f64 = 1e-9;
 
@@ -40,6 +43,8 @@ pub(super) struct NominalPlace {
     pub values: Vec<f64>,
     /// Unit vector along the nominal path, for the parts that need it.
     pub tangents: Vec<Option<Vec3>>,
+    /// Whether play may take samples to a dead centre there.
+    pub is_near_dead_centre: bool,
 }
 
 /// A position that samples are closed from.
@@ -113,7 +118,11 @@ impl Nominal {
         let loops = Loops::new(&mechanism);
         for (turn, number) in turns.iter().zip(&numbers) {
             let base = Base::new(&loops, positions[*number].clone());
-            places.push(NominalPlace { turn: *turn, base, values: Vec::new(), tangents: Vec::new() });
+            // What is singular or does not fit is said when the place is read.
+            let accuracy = PoseAccuracy::new(&mechanism, &base.position);
+            let is_near_dead_centre = accuracy.is_ok_and(|own| own.dead_centre_share() > FAR_FROM_DEAD);
+            let (values, tangents) = (Vec::new(), Vec::new());
+            places.push(NominalPlace { turn: *turn, base, values, tangents, is_near_dead_centre });
         }
         for part in parts {
             let components = components_of(model, values, part)?;

@@ -27,6 +27,9 @@ use loosepin_text::numbers::Values;
 /// By how much drives may be elsewhere than nominally, rad or m, relative to one and to their place.
 const DRIVE_TOLERANCE: f64 = 1e-9;
 
+/// Smallest pivot of a sample's system relative to that of the nominal one below which it is nearer to a dead centre.
+const NEARER: f64 = 0.5;
+
 /// What is the same at all places of a sample.
 struct Sample<'a> {
     sampler: &'a TurnSampler,
@@ -124,6 +127,12 @@ impl Sample<'_> {
     ) -> Result<(), SamplingError> {
         let side = self.sampler.side;
         let fails = |why: AccuracyError| no_answer(place, "", why);
+        if side == PlaySide::Exact && self.is_near_dead_centre(place, base, closing) {
+            let accuracy = PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed());
+            if accuracy.map_err(fails)?.reaches_dead_centre() {
+                return Err(SamplingError::DeadCentre { turn: place.turn });
+            }
+        }
         let has_conditions = !base.position.borders.left.is_empty() && self.plays.set.variables() > 0;
         let is_open = !(largest(&closing.apart) <= CLOSED);
         if is_open || (has_conditions && (side != PlaySide::None || self.drawn.is_some())) {
@@ -145,6 +154,12 @@ impl Sample<'_> {
             None => None,
         };
         self.read_parts(place, &mut reach, displaced.as_deref(), number, sample)
+    }
+
+    /// Whether play may reach a dead centre, as far as the nominal position and the pivots tell.
+    fn is_near_dead_centre(&self, place: &NominalPlace, base: &Base, closing: &Closing) -> bool {
+        let has_play = self.plays.radii_m.iter().any(|radius| *radius > 0.0);
+        has_play && (place.is_near_dead_centre || closing.system.pivot_ratio() < NEARER * base.pivot_ratio)
     }
 
     fn read_parts(

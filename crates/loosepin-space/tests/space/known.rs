@@ -47,6 +47,14 @@ pub fn rssr_angle(angle: f64, length: f64) -> f64 {
     q.atan2(p) + (s / p.hypot(q)).acos()
 }
 
+/// The angle of the rocker with its coupler through its axis that is nearest to `near`: acos is 0 or π there.
+pub fn rssr_dead_angle(angle: f64, near: f64) -> f64 {
+    let [e2, across, _] = rocker_axes();
+    let apart = PIVOT - v(CRANK * angle.cos(), CRANK * angle.sin(), 0.0);
+    let base = apart.dot(across).atan2(apart.dot(e2));
+    base + ((near - base) / std::f64::consts::PI).round() * std::f64::consts::PI
+}
+
 /// dψ/dθ = (C - B)·B'/((C - B)·C').
 pub fn rssr_rate(angle: f64) -> f64 {
     let [e2, across, _] = rocker_axes();
@@ -61,12 +69,17 @@ pub fn rssr_rate(angle: f64) -> f64 {
 /// Four-bar with two balls: crank about z at the origin, angle from x; rocker about (.6, .8, 0) at (.22, .04, .06), angle from z. Bodies
 /// crank, coupler, rocker; joints bearing, crankpin (ball), ball with play, pivot. Drawn with the crank along x.
 pub fn rssr(ball: Option<SpatialPlay>) -> SpatialMechanism {
+    rssr_drawn(COUPLER, 0.0, ball)
+}
+
+/// The same with another coupler, drawn at another angle of the crank, from which its drive counts.
+pub fn rssr_drawn(length: f64, angle: f64, ball: Option<SpatialPlay>) -> SpatialMechanism {
     let [e2, across, a2] = rocker_axes();
-    let psi = rssr_angle(0.0, COUPLER);
+    let psi = rssr_angle(angle, length);
     let along = e2 * psi.cos() + across * psi.sin();
     let tip = PIVOT + along * ROCKER;
     let mut build = Build::new(3).joint("revolute", [0, 1], Vec3::ZERO, Vec3::Z, Vec3::X).driven();
-    build = build.ball([1, 2], v(CRANK, 0.0, 0.0)).ball([2, 3], tip);
+    build = build.ball([1, 2], v(CRANK * angle.cos(), CRANK * angle.sin(), 0.0)).ball([2, 3], tip);
     if let Some(play) = ball {
         build = build.play(play);
     }

@@ -3,6 +3,7 @@
 mod build;
 mod chains;
 mod closed_forms;
+mod dead_centres;
 mod identities;
 mod known;
 mod least_play;

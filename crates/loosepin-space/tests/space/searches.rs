@@ -42,7 +42,7 @@ fn identity_random_loops_go_round_or_stop_with_a_reason() {
 const ABOVE: f64 = 1e-6;
 
 /// A random loop whose freedoms add up to one, its first joint driven; joints that can have play have some.
-fn drawn_loop(random: &mut Random) -> SpatialMechanism {
+pub fn drawn_loop(random: &mut Random) -> SpatialMechanism {
     // Freedoms of the joints beside the driven one add up to six.
     const KINDS: [(&str, usize); 5] =
         [("revolute", 1), ("cylindrical", 2), ("spherical", 3), ("universal", 2), ("prismatic", 1)];
@@ -94,7 +94,7 @@ fn drawn_loop(random: &mut Random) -> SpatialMechanism {
     }
 }
 
-fn drawn_output(random: &mut Random, bodies: usize) -> SpatialOutput {
+pub fn drawn_output(random: &mut Random, bodies: usize) -> SpatialOutput {
     let body = 1 + random.below(bodies);
     if random.below(3) == 0 {
         loosepin_space::RotationOutput { body, axis: random.direction() }.into()
@@ -105,7 +105,7 @@ fn drawn_output(random: &mut Random, bodies: usize) -> SpatialOutput {
 }
 
 /// Puts each block back into its ball, or onto its border.
-fn into_set(accuracy: &PoseAccuracy, variables: &mut [f64], is_border: bool) {
+pub fn into_set(accuracy: &PoseAccuracy, variables: &mut [f64], is_border: bool) {
     for block in accuracy.play_set().blocks() {
         let own = &mut variables[block.range()];
         let length = own.iter().map(|value| value * value).sum::<f64>().sqrt();

@@ -269,6 +269,7 @@ fn failure(error: SamplingError) -> RunFailure {
         SamplingError::CannotBeAssembled { .. } => {
             "give the joints more play, or let lengths, tilts and shifts scatter less; most_failed under [sampling] says how many runs may fail"
         }
+        SamplingError::DeadCentre { .. } => "take less play, or links that stay farther from the dead centre",
         SamplingError::NoAnswer { why: AccuracyError::OutputIsFree, .. } => {
             "`loosepin check` says which freedoms are left without a drive"
         }

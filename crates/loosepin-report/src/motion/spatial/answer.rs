@@ -1,5 +1,6 @@
 //! The answer of a motion in space in sentences.
 
+use super::dead_centre::dead_centre_sentence;
 use super::numbers::{shown, shown_deviation, shown_input};
 use super::scatter::largest_scatter;
 use super::tables::place;
@@ -22,6 +23,7 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
         "It is to first order, to both sides alike. With loops closed exactly, a search found {up} and {down} there{}.",
         if main.ideal_si.is_empty() { ", along the longest displacement" } else { "" }
     ));
+    sentences.extend(dead_centre_sentence(record, Medium::Page));
     sentences.extend(contribution(main));
     sentences.extend(others.map(|output| format!("{}: {}.", worst(output), at(record, output))));
     sentences.extend(scattered(record, main));

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | the answer in sentences | `answer.rs` |
 //! | outputs, what each joint contributes | `tables.rs` |
+//! | where play reaches a dead centre | `dead_centre.rs` |
 //! | what random dimensions do | `scatter.rs` |
 //! | worst cases and ideal values over the turn | `charts.rs` |
 //! | numbers in the unit of their size | `numbers.rs` |
@@ -12,6 +13,7 @@
 
 mod answer;
 mod charts;
+mod dead_centre;
 mod numbers;
 mod page;
 mod scatter;

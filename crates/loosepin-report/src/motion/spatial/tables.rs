@@ -1,5 +1,6 @@
 //! Outputs of a motion in space, and what each joint contributes, as tables.
 
+use super::dead_centre::dead_centre_sentence;
 use super::numbers::{shown, shown_deviation, shown_end, shown_input};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
@@ -27,6 +28,10 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
             "The worst case of first order is largest at the place shown, to both sides alike. There a search closes the loops exactly: up and \
              down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
         ]));
+    }
+    // A page begins with it.
+    if let Some(sentence) = dead_centre_sentence(record, medium).filter(|_| medium == Medium::Terminal) {
+        section.push(Content::sentences([sentence]));
     }
     if record.has_play && record.is_proven {
         section.push(Content::sentences(proven_sentences(record, medium)));
