@@ -145,6 +145,13 @@ fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position
             lines.push(format!("the plays must meet {} together", counted(conditions, "condition")));
         }
     }
+    if !starts_as_given(mechanism, &start.drives) {
+        lines.push(
+            "the joints do not close from where bodies are placed at the start; of the positions found near there, this is the nearest; \
+             [assembly] guess says where bodies are"
+                .to_owned(),
+        );
+    }
     if found.smallest_counted < NEARLY_REDUNDANT {
         lines.push(format!(
             "a constraint is nearly redundant: smallest singular value {} of the largest; numbers with few digits do that",

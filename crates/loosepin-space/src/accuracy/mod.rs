@@ -19,7 +19,6 @@ pub(crate) mod play_set;
 pub(crate) mod plays;
 mod pose_accuracy;
 mod proven;
-mod random;
 mod reserve;
 mod sampled;
 mod scatter;

@@ -4,7 +4,7 @@ use crate::accuracy::gains::Gains;
 use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::random::random;
+use crate::random::random;
 
 /// Batches whose means tell the error.
 const BATCHES: usize = 50;

@@ -6,10 +6,10 @@ use crate::accuracy::linear::slice::largest;
 use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::placed::{Placed, Start};
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::accuracy::random::random;
 use crate::closure::newton::largest as largest_entry;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::OutputState;
+use crate::random::random;
 
 /// Most steps of a search; about ten are usual.
 const MAX_STEPS: usize = 200;

@@ -4,6 +4,7 @@ use crate::closure::bordered::{Bordered, Borders};
 use crate::closure::error::{ClosureError, OpenJoint};
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
+use crate::closure::other_starts::{closed_nearby, why_open};
 use crate::closure::position::Position;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::{CLOSED, Place, follow, nearest_values};
@@ -27,34 +28,60 @@ const LARGEST_THRESHOLD: f64 = 1e-3;
 /// Smallest singular value over the largest, to about 1 %, that is above every threshold.
 const REGULAR: f64 = 2.0 * LARGEST_THRESHOLD;
 
+/// A residual below this is one of numbers with few digits, lengths over L and rad.
+const FEW_DIGITS: f64 = 1e-4;
+
+/// What is done where the start poses do not lead to a closed position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Starts {
+    /// Nothing: another assembly may not be taken.
+    AsGiven,
+    /// Others around them are tried.
+    Nearby,
+}
+
 /// Closes the loops from the start poses at the values of the drives.
 ///
 /// First the loops are closed with all driven coordinates as the start poses have them, by steps of least squares and least length over the
 /// singular values that count; then the drives are moved to their values along the motion, angles by less than half a turn. So the assembly is
-/// that of the start poses.
+/// that of the start poses. Where they lead to none, other poses around them are tried, and the nearest assembly is taken that these lead to.
 ///
 /// # Errors
 ///
 /// [`ClosureError::DoesNotClose`] if the steps do not come to an end, [`ClosureError::Contradiction`] if they end with rows open,
+/// [`ClosureError::FewDigits`] if these are nearly closed, [`ClosureError::DrivesDoNotFit`] if they are closed without the drives,
 /// [`ClosureError::Reversed`] if axes that are to be parallel point against each other, and those of [`crate::cycle`].
 pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<Position, ClosureError> {
     let loops = Loops::new(mechanism);
-    Ok(Position::new(&loops, drives, &assembled(&loops, drives)?))
+    Ok(Position::new(&loops, drives, &assembled(&loops, drives, Starts::Nearby)?))
+}
+
+/// Whether the start poses themselves lead to the position of [`assemble`], if there is one.
+pub fn starts_as_given(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> bool {
+    assembled(&Loops::new(mechanism), drives, Starts::AsGiven).is_ok()
 }
 
 /// The place of [`assemble`], at the input 0.
-pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue]) -> Result<Place, ClosureError> {
-    let mechanism = loops.mechanism;
-    check_drives(mechanism, drives)?;
-    let start = mechanism.start_poses();
-    let measured = loops.driven_coordinates(&loops.frames(&start, &[]));
-    let poses = close_from_afar(loops, start, &measured)?;
-    let joints = mechanism.joints().iter().zip(loops.frames(&poses, &[]));
-    if let Some((joint, _)) = joints.into_iter().find(|(joint, at)| is_reversed(&joint.kind.rows(), at)) {
-        return Err(ClosureError::Reversed { joint: joint.name.clone() });
-    }
+pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) -> Result<Place, ClosureError> {
+    check_drives(loops.mechanism, drives)?;
+    let start = loops.mechanism.start_poses();
+    let mut measured = loops.driven_coordinates(&loops.frames(&start, &[]));
     let values: Vec<f64> = drives.iter().map(|drive| drive.value).collect();
     let target = nearest_values(loops, &measured, &values);
+    let found = close_from_afar(loops, start.clone(), &measured).and_then(|poses| match reversed(loops, &poses) {
+        Some(joint) => Err(ClosureError::Reversed { joint }),
+        None => Ok(poses),
+    });
+    let poses = match found {
+        Ok(poses) => poses,
+        Err(error @ (ClosureError::FewDigits(_) | ClosureError::Reversed { .. })) => return Err(error),
+        Err(error) if starts == Starts::AsGiven => return Err(error),
+        Err(error) => {
+            let nearby = closed_nearby(loops, &start, &target);
+            measured.clone_from(&target);
+            nearby.ok_or_else(|| why_open(loops, &start, error))?
+        }
+    };
     let frames = loops.frames(&poses, &[]);
     let borders = match regular(loops, &frames) {
         Some(_) => Borders::default(),
@@ -84,7 +111,20 @@ pub(crate) fn check_drives(mechanism: &SpatialMechanism, drives: &[DriveValue]) 
     Err(ClosureError::BadDrives { drives: expected, values })
 }
 
-fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
+/// The first joint whose axes point against each other though they are to be parallel.
+fn reversed(loops: &Loops, poses: &[Pose]) -> Option<String> {
+    let joints = loops.mechanism.joints().iter().zip(loops.frames(poses, &[]));
+    let found = joints.into_iter().find(|(joint, at)| is_reversed(&joint.kind.rows(), at));
+    found.map(|(joint, _)| joint.name.clone())
+}
+
+/// Whether there is such a joint.
+pub(crate) fn is_any_reversed(loops: &Loops, poses: &[Pose]) -> bool {
+    reversed(loops, poses).is_some()
+}
+
+/// Closes the loops with the drives at given values, by steps of least squares and least length.
+pub(crate) fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
     let mut is_last = false;
     let mut left = Vec::new();
     for _ in 0..MAX_STEPS {
@@ -110,7 +150,11 @@ fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Resul
         poses = loops.moved(&poses, &step);
         if is_last {
             let open = open_joint(loops, &left);
-            return if size <= CLOSED { Ok(poses) } else { Err(ClosureError::Contradiction(open)) };
+            return match size {
+                size if size <= CLOSED => Ok(poses),
+                size if size <= FEW_DIGITS => Err(ClosureError::FewDigits(open)),
+                _ => Err(ClosureError::Contradiction(open)),
+            };
         }
         is_last = length < LAST_STEP;
     }

@@ -1,6 +1,6 @@
 //! Positions along a cycle of the drives.
 
-use crate::closure::assembly::{assembled, check_drives};
+use crate::closure::assembly::{Starts, assembled, check_drives};
 use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
@@ -23,8 +23,18 @@ pub struct Cycle {
 /// is a small part of it and the determinant of the bordered loop equations has kept its sign. So no other branch is taken unseen; where two
 /// meet, or a drive comes to its end, the cycle stops with the place.
 pub fn cycle(mechanism: &SpatialMechanism, inputs: &[f64], drives: &dyn Fn(f64) -> Vec<DriveValue>) -> Cycle {
+    cycle_from(mechanism, inputs, drives, Starts::Nearby)
+}
+
+/// The same with a choice of starts.
+pub(crate) fn cycle_from(
+    mechanism: &SpatialMechanism,
+    inputs: &[f64],
+    drives: &dyn Fn(f64) -> Vec<DriveValue>,
+    starts: Starts,
+) -> Cycle {
     let mut positions = Vec::with_capacity(inputs.len());
-    let stopped = collect(mechanism, inputs, drives, &mut positions).err();
+    let stopped = collect(mechanism, inputs, drives, starts, &mut positions).err();
     Cycle { positions, stopped }
 }
 
@@ -32,6 +42,7 @@ fn collect(
     mechanism: &SpatialMechanism,
     inputs: &[f64],
     drives: &dyn Fn(f64) -> Vec<DriveValue>,
+    starts: Starts,
     positions: &mut Vec<Position>,
 ) -> Result<(), ClosureError> {
     let Some(first) = inputs.first() else { return Ok(()) };
@@ -40,7 +51,7 @@ fn collect(
         check_drives(mechanism, &drives(*input))?;
     }
     let values = |input: f64| drives(input).iter().map(|drive| drive.value).collect::<Vec<f64>>();
-    let start = assembled(&loops, &drives(*first))?;
+    let start = assembled(&loops, &drives(*first), starts)?;
     let mut place = Place { input: *first, ..start };
     positions.push(Position::new(&loops, &drives(*first), &place));
     for input in inputs.iter().skip(1) {

@@ -41,6 +41,15 @@ pub enum ClosureError {
     DoesNotClose(OpenJoint),
     /// The parts do not fit: they cannot reach each other, or redundant rows contradict each other.
     Contradiction(OpenJoint),
+    /// The parts fit, but for what numbers with few digits are off: redundant rows contradict each other by little.
+    FewDigits(OpenJoint),
+    /// The joints close without the drives, and not with them.
+    DrivesDoNotFit {
+        /// The joint of the first drive.
+        joint: String,
+        /// Number of drives that hold what others or the joints hold.
+        repeated: usize,
+    },
     /// The start poses close a joint with axes that point against each other.
     Reversed {
         /// The joint.
@@ -74,6 +83,13 @@ pub enum ClosureError {
         /// The rank here.
         here: usize,
     },
+    /// Redundant rows, which agree so far, contradict each other from here on.
+    Diverges {
+        /// Where.
+        place: DrivePlace,
+        /// Whether drives take part in them.
+        is_of_drives: bool,
+    },
     /// The motion could not be followed with the shortest step.
     NotFollowed {
         /// Where.
@@ -85,10 +101,15 @@ impl ClosureError {
     /// The joint at fault, where there is one.
     pub fn joint(&self) -> Option<&str> {
         match self {
-            Self::DoesNotClose(open) | Self::Contradiction(open) => Some(&open.joint),
-            Self::Reversed { joint } | Self::Locked { joint, .. } | Self::ChangePoint { joint, .. } => Some(joint),
-            Self::DriveHeld { place } => Some(&place.driven_joint),
-            Self::BadDrives { .. } | Self::RankChanges { .. } | Self::NotFollowed { .. } => None,
+            Self::DoesNotClose(open) | Self::Contradiction(open) | Self::FewDigits(open) => Some(&open.joint),
+            Self::Reversed { joint }
+            | Self::Locked { joint, .. }
+            | Self::ChangePoint { joint, .. }
+            | Self::DrivesDoNotFit { joint, .. } => Some(joint),
+            Self::DriveHeld { place } | Self::Diverges { place, .. } | Self::NotFollowed { place } => {
+                Some(place.driven_joint.as_str()).filter(|joint| !joint.is_empty())
+            }
+            Self::BadDrives { .. } | Self::RankChanges { .. } => None,
         }
     }
 }
@@ -123,11 +144,25 @@ impl fmt::Display for ClosureError {
             Self::BadDrives { drives, values } => {
                 write!(out, "the mechanism has {drives} drives and takes as many finite values, not {values}")
             }
-            Self::DoesNotClose(open) => write!(out, "the loops do not close from the start poses: {open}"),
-            Self::Contradiction(open) => write!(
+            Self::DoesNotClose(open) | Self::Contradiction(open) => write!(
                 out,
-                "the parts do not fit: as near as they come, {open}; lengths are too short or too long, or joints that hold the \
-                 same motion contradict each other"
+                "no position was found in which all joints close: as near as the search came, {open}; dimensions do not fit, joints that hold the \
+                 same motion contradict each other, or bodies start too far off: [assembly] guess says where they are"
+            ),
+            Self::FewDigits(open) => write!(
+                out,
+                "the joints fit to a few digits only: as near as they come, {open}; constraints that repeat each other need dimensions that fit to \
+                 nine digits: write one as an expression of the others"
+            ),
+            Self::DrivesDoNotFit { repeated, .. } if *repeated > 0 => write!(
+                out,
+                "the joints close, but not with the drives: {} what others or the joints hold",
+                if *repeated == 1 { "one of them holds".to_owned() } else { format!("{repeated} of them hold") }
+            ),
+            Self::DrivesDoNotFit { .. } => write!(
+                out,
+                "the joints close, but no position was found with the drives where they start: a start is out of reach, or bodies start too far off: \
+                 [assembly] guess says where they are"
             ),
             Self::Reversed { joint } => {
                 write!(
@@ -154,6 +189,14 @@ impl fmt::Display for ClosureError {
                     "at {place} the loop equations have rank {here}, and {before} before: what follows is not determined"
                 )
             }
+            Self::Diverges { place, is_of_drives: true } => {
+                write!(out, "the motion ends at {place}: a drive holds what another one or the joints hold")
+            }
+            Self::Diverges { place, is_of_drives: false } => write!(
+                out,
+                "the motion ends at {place}: constraints that repeat each other contradict each other from there on; they need dimensions that fit to \
+                 nine digits: write one as an expression of the others"
+            ),
             Self::NotFollowed { place } => write!(out, "the motion cannot be followed beyond {place}"),
         }
     }

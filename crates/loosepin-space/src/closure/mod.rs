@@ -3,17 +3,18 @@
 //! Unknowns are 6 quasi-velocities for each body that moves, v/L and ω in ground axes, L the characteristic length; rows that are lengths are
 //! divided by L. So singular values can be compared. Rank is counted with the relative threshold [`RANK_THRESHOLD`].
 
-mod assembly;
+pub(crate) mod assembly;
 pub(crate) mod bordered;
-mod cycle;
+pub(crate) mod cycle;
 pub(crate) mod error;
 pub(crate) mod loops;
 pub(crate) mod newton;
+mod other_starts;
 pub(crate) mod position;
 pub(crate) mod singular;
 mod sparse_lu;
 pub(crate) mod step;
 
-pub use assembly::assemble;
+pub use assembly::{assemble, starts_as_given};
 pub use cycle::{Cycle, cycle};
 pub use singular::RANK_THRESHOLD;

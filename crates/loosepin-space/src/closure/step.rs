@@ -2,7 +2,7 @@
 
 use crate::closure::bordered::{Bordered, Borders};
 use crate::closure::error::{ClosureError, DrivePlace};
-use crate::closure::loops::Loops;
+use crate::closure::loops::{Loops, PlacedRow};
 use crate::closure::newton::{close, largest};
 use crate::closure::singular::{RANK_THRESHOLD, ratio, singular_values};
 use crate::geometry::pose::Pose;
@@ -122,6 +122,11 @@ fn diagnose(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Clos
     let (counted, rank) = (values.rank(RANK_THRESHOLD), loops.unknowns() - at.borders.right.len());
     if counted > rank {
         return ClosureError::RankChanges { place, before: rank, here: counted };
+    }
+    if !at.borders.left.is_empty() && (rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR) {
+        let is_of_drive = |(row, entry): (&PlacedRow, &f64)| row.drive.is_some() && entry.abs() > SILENT_DRIVE;
+        let is_of_drives = at.borders.left.iter().any(|stress| loops.rows.iter().zip(stress).any(is_of_drive));
+        return ClosureError::Diverges { place, is_of_drives };
     }
     if rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR {
         return ClosureError::NotFollowed { place };

@@ -3,10 +3,11 @@
 use super::error::SamplingError;
 use super::part::{PartOfOutput, SampledPart};
 use crate::accuracy::PoseAccuracy;
+use crate::closure::assembly::Starts;
 use crate::closure::bordered::Bordered;
+use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::closure::{Cycle, cycle};
 use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::drive::DriveValue;
@@ -81,6 +82,7 @@ pub(super) fn followed(
     mechanism: &SpatialMechanism,
     turns: &[f64],
     drives: &dyn Fn(f64) -> Vec<DriveValue>,
+    starts: Starts,
 ) -> Result<(Vec<Position>, Vec<usize>), SamplingError> {
     let (mut inputs, mut places) = (vec![0.0], Vec::with_capacity(turns.len()));
     for turn in turns {
@@ -90,7 +92,7 @@ pub(super) fn followed(
         inputs.push(*turn);
         places.push(inputs.len() - 1);
     }
-    let Cycle { positions, stopped } = cycle(mechanism, &inputs, drives);
+    let Cycle { positions, stopped } = cycle_from(mechanism, &inputs, drives, starts);
     match stopped {
         None => Ok((positions, places)),
         Some(why) => {
@@ -113,7 +115,8 @@ impl Nominal {
         }
         let mechanism = model.mechanism(values)?;
         let turn_s = model.cycle_input(values)?.turn_s;
-        let (positions, numbers) = followed(&mechanism, turns, &|turn| drives_at(model, values, turn_s, turn))?;
+        let drives = |turn: f64| drives_at(model, values, turn_s, turn);
+        let (positions, numbers) = followed(&mechanism, turns, &drives, Starts::Nearby)?;
         let mut places = Vec::with_capacity(turns.len());
         let loops = Loops::new(&mechanism);
         for (turn, number) in turns.iter().zip(&numbers) {

@@ -13,6 +13,7 @@ use super::turn_sample::TurnSample;
 use super::turn_sampler::TurnSampler;
 use crate::accuracy::plays::Plays;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
+use crate::closure::assembly::Starts;
 use crate::closure::error::OpenJoint;
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
@@ -109,7 +110,9 @@ impl TurnSampler {
     ) -> Result<Vec<Position>, SamplingError> {
         let mechanism = self.model.with_starts(mechanism, values);
         let turns: Vec<f64> = self.motion.places.iter().map(|place| place.turn).collect();
-        let (positions, places) = followed(&mechanism, &turns, &|turn| drives_at(&self.model, values, turn_s, turn))?;
+        let drives = |turn: f64| drives_at(&self.model, values, turn_s, turn);
+        // Another assembly is none of this mechanism.
+        let (positions, places) = followed(&mechanism, &turns, &drives, Starts::AsGiven)?;
         Ok(places.into_iter().map(|place| positions[place].clone()).collect())
     }
 }

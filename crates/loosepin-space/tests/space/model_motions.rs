@@ -141,7 +141,7 @@ fn a_motion_needs_a_turn() {
     for (text, expected) in [
         (without_cycle, "the file has no [cycle]"),
         (stands_still, "drive 'crank': speed is zero, so the turns of its drive cannot be counted"),
-        (too_short, "the loops do not close from the start poses"),
+        (too_short, "the joints close, but no position was found with the drives where they start"),
     ] {
         let model = SpatialModel::from_text("model.toml", &text).unwrap();
         let diagnostics = model.motion_record(&model.quantities.nominal()).unwrap_err();

@@ -91,14 +91,14 @@ fn axes_that_are_not_parallel_contradict_each_other() {
             Marker::along(3, v(0.12, 0.0, 0.0), Vec3::Z).unwrap(),
         )
         .mechanism();
-    let Err(ClosureError::Contradiction(open)) = assemble(&mechanism, &turning(0.0)) else { panic!() };
+    let Err(ClosureError::FewDigits(open)) = assemble(&mechanism, &turning(0.0)) else { panic!() };
     assert!(open.apart > 1e-7 && open.apart < 1e-4, "{open}");
-    let message = ClosureError::Contradiction(open.clone()).to_string();
+    let message = ClosureError::FewDigits(open.clone()).to_string();
     // To three digits, as people read it.
     let apart = format!("{:.2e}", open.apart).parse().unwrap();
     let expected = format!(
-        "the parts do not fit: as near as they come, joint '{}' is {} apart; lengths are too short or too long, or joints \
-         that hold the same motion contradict each other",
+        "the joints fit to a few digits only: as near as they come, joint '{}' is {} apart; constraints that repeat each other need dimensions \
+         that fit to nine digits: write one as an expression of the others",
         open.joint,
         format_value(apart, Dimension::ANGLE)
     );

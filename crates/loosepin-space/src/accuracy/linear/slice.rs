@@ -251,8 +251,8 @@ mod tests {
     use super::{Near, dot, inner_point, largest, on_plane};
     use crate::accuracy::linear::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
-    use crate::accuracy::random::random;
     use crate::play::block::PlayPart;
+    use crate::random::random;
 
     /// What an interior point method leaves.
     const TOLERANCE: f64 = 1e-10;

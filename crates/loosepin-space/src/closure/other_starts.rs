@@ -1,0 +1,67 @@
+//! Closed positions where the start poses lead to none: from other poses around them, and why there is none.
+
+use crate::closure::assembly::{close_from_afar, is_any_reversed};
+use crate::closure::error::ClosureError;
+use crate::closure::loops::Loops;
+use crate::closure::singular::{RANK_THRESHOLD, singular_values};
+use crate::geometry::pose::Pose;
+use crate::geometry::vector::Vec3;
+use crate::random::random;
+
+/// How far bodies are turned, rad, and moved, over the characteristic length, in each round: at most so far along each axis.
+const ROUNDS: [f64; 4] = [0.3, 0.8, 1.6, 3.0];
+/// Poses that are tried in each round.
+const STARTS: usize = 6;
+/// Part of a turn that a body is moved as well.
+const MOVED: f64 = 0.2;
+
+/// Closed poses near the start poses with the drives at `drives`: of those that some starts around them lead to, the nearest. The same ones at each
+/// call.
+pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Option<Vec<Pose>> {
+    let mut state = 1;
+    ROUNDS.iter().find_map(|size| {
+        let found = (0..STARTS).filter_map(|_| {
+            let other = changed(loops, start, *size, &mut state);
+            close_from_afar(loops, other, drives).ok().filter(|poses| !is_any_reversed(loops, poses))
+        });
+        let found: Vec<Vec<Pose>> = found.collect();
+        found.into_iter().min_by(|a, b| distance(loops, start, a).total_cmp(&distance(loops, start, b)))
+    })
+}
+
+fn changed(loops: &Loops, start: &[Pose], size: f64, state: &mut u64) -> Vec<Pose> {
+    let mut vector = || Vec3::new(random(state), random(state), random(state)) * size;
+    let mut poses = start.to_vec();
+    for pose in poses.iter_mut().skip(1) {
+        let turn = vector();
+        *pose = pose.moved(vector() * (MOVED * loops.length_m), turn);
+    }
+    poses
+}
+
+/// Sum of squares of turns, rad, and of displacements over the characteristic length.
+fn distance(loops: &Loops, from: &[Pose], to: &[Pose]) -> f64 {
+    let each = from.iter().zip(to).map(|(from, to)| {
+        let (a, b) = (from.orientation, to.orientation);
+        let half = libm::acos((a.w * b.w + a.vector.dot(b.vector)).abs().min(1.0));
+        let moved = (to.position_m - from.position_m).length() / loops.length_m;
+        4.0 * half * half + moved * moved
+    });
+    each.sum()
+}
+
+/// The error to be reported: if the joints close without the drives, it is the drives that contradict them.
+pub(crate) fn why_open(loops: &Loops, start: &[Pose], found: ClosureError) -> ClosureError {
+    let mut joints = loops.clone();
+    joints.rows.retain(|row| row.drive.is_none());
+    let drives = loops.mechanism.drives();
+    let Some(first) = drives.first() else { return found };
+    match close_from_afar(&joints, start.to_vec(), &[]) {
+        Ok(poses) => {
+            let rank = |own: &Loops| singular_values(own, &own.frames(&poses, &[])).rank(RANK_THRESHOLD);
+            let joint = loops.mechanism.joints()[first.joint].name.clone();
+            ClosureError::DrivesDoNotFit { joint, repeated: rank(&joints) + drives.len() - rank(loops) }
+        }
+        Err(_) => found,
+    }
+}
