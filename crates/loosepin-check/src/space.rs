@@ -2,7 +2,7 @@
 
 use loosepin_space::{
     IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position, RedundantDirection,
-    SpatialMechanism, SpatialModel, assemble, mobility,
+    SpatialMechanism, SpatialModel, assemble, mobility, starts_as_given,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;

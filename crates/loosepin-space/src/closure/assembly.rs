@@ -79,7 +79,7 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) ->
         Err(error) => {
             let nearby = closed_nearby(loops, &start, &target);
             measured.clone_from(&target);
-            nearby.ok_or_else(|| why_open(loops, &start, error))?
+            nearby.map_err(|nearly| nearly.unwrap_or_else(|| why_open(loops, &start, error)))?
         }
     };
     let frames = loops.frames(&poses, &[]);

@@ -175,7 +175,7 @@ impl fmt::Display for ClosureError {
                 write!(out, "the drive locks at {place}: joint '{joint}' is in its dead position")
             }
             Self::DriveHeld { place } => {
-                write!(out, "the drive cannot move from {place}: the joints hold it, and what is left moves without it")
+                write!(out, "the drive cannot move from {place}: the joints or other drives hold it")
             }
             Self::ChangePoint { place, joint } => {
                 write!(

@@ -17,16 +17,28 @@ const MOVED: f64 = 0.2;
 
 /// Closed poses near the start poses with the drives at `drives`: of those that some starts around them lead to, the nearest. The same ones at each
 /// call.
-pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Option<Vec<Pose>> {
-    let mut state = 1;
-    ROUNDS.iter().find_map(|size| {
-        let found = (0..STARTS).filter_map(|_| {
-            let other = changed(loops, start, *size, &mut state);
-            close_from_afar(loops, other, drives).ok().filter(|poses| !is_any_reversed(loops, poses))
-        });
-        let found: Vec<Vec<Pose>> = found.collect();
-        found.into_iter().min_by(|a, b| distance(loops, start, a).total_cmp(&distance(loops, start, b)))
-    })
+///
+/// # Errors
+/// What is open where the joints nearly close, if they do anywhere.
+pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Result<Vec<Pose>, Option<ClosureError>> {
+    let (mut state, mut nearly) = (1, None);
+    for size in ROUNDS {
+        let mut closed: Vec<Vec<Pose>> = Vec::new();
+        for _ in 0..STARTS {
+            let other = changed(loops, start, size, &mut state);
+            match close_from_afar(loops, other, drives) {
+                Ok(poses) if !is_any_reversed(loops, &poses) => closed.push(poses),
+                Err(error @ ClosureError::FewDigits(_)) => nearly = nearly.or(Some(error)),
+                _ => {}
+            }
+        }
+        let distance = |poses: &[Pose]| distance(loops, start, poses);
+        let nearest = closed.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if let Some(poses) = nearest {
+            return Ok(poses);
+        }
+    }
+    Err(nearly)
 }
 
 fn changed(loops: &Loops, start: &[Pose], size: f64, state: &mut u64) -> Vec<Pose> {

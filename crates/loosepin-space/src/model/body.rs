@@ -23,7 +23,7 @@ record! {
     pub(super) struct SpatialGroundTable for ReadsNumbers, planned PLANNED;
     /// named points in the frame of the ground
     optional points: Entry<'t> = Kind::Values(&LENGTHS), "{ o = [\"0 mm\", \"100 mm\", \"120 mm\"] }";
-    /// named axes in the frame of the ground: x, y, z, three numbers, or from one point to another
+    /// named axes in the frame of the ground: x, y, z, three numbers or expressions, or from one point to another
     optional axes: Entry<'t> = Kind::Values(&NAMED_AXIS), "{ hinge = [0.6, 0.8, 0] }";
 }
 
@@ -40,7 +40,7 @@ record! {
         Kind::List(&quantity(D::INERTIA, Rule::Finite)), "[\"1e-4 kg m^2\", \"2e-4 kg m^2\", \"2e-4 kg m^2\"]";
     /// named points in the frame of the body
     optional points: Entry<'t> = Kind::Values(&LENGTHS), "{ pin = [\"50 mm\", \"0 mm\", \"0 mm\"] }";
-    /// named axes in the frame of the body: x, y, z, three numbers, or from one point to another
+    /// named axes in the frame of the body: x, y, z, three numbers or expressions, or from one point to another
     optional axes: Entry<'t> = Kind::Values(&NAMED_AXIS), "{ hinge = { from = \"a\", to = \"b\" } }";
 }
 

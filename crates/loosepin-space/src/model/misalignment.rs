@@ -33,7 +33,7 @@ record! {
 record! {
     /// errors of manufacture of both sides of a joint: their directions
     pub(super) struct Tilts for ReadsNumbers;
-    /// error of manufacture: rotation vector of the bearing on its body, along the same directions; the first two tilt the axis, the third turns about it; none if omitted
+    /// error of manufacture: rotation vector of the bearing on its body, along the same directions; the first two tilt the axis, the third turns about it; none if omitted, and an input of a study only where it is written
     optional bearing_tilt: Entry<'t> = ANGLES, "[\"0.2 mrad\", \"0 mrad\", \"0 mrad\"]";
     /// error of manufacture: rotation vector of the journal on its body, likewise
     optional journal_tilt: Entry<'t> = ANGLES, "[\"0 mrad\", \"0.2 mrad\", \"0 mrad\"]";

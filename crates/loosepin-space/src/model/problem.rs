@@ -106,6 +106,10 @@ problems! {
         NotSampled { why: String } => Code::CannotClose,
             says("{why}"),
             hint("give the joints more play, or smaller tilts and shifts");
+        /// Play at a dead centre.
+        ReachesDeadCentre { at: String } => Code::SingularPosition,
+            says("at {at} play takes the mechanism to a dead centre, where it can go over to its other assembly: there is no bound"),
+            hint("take less play, or a motion that stays farther from the dead centre; `loosepin motion` shows what play does there");
         Exists { file: String } => Code::FileExists,
             says("{file} already exists"),
             hint("give another folder, or delete the file");

@@ -28,6 +28,10 @@ impl SpatialModel {
                 let at = self.input_words(self.input_at(values, *turn));
                 of_output(&SpatialMotionProblem::AtRest { output: output.clone(), at }, output)
             }
+            SamplingError::DeadCentre { turn } => {
+                let at = self.input_words(self.input_at(values, *turn));
+                Diagnostic::error(&SpatialMotionProblem::ReachesDeadCentre { at }, self.place("cycle"))
+            }
             other => {
                 let place = other.joint().and_then(|joint| self.place(&format!("joint.{joint}")));
                 Diagnostic::error(&SpatialMotionProblem::NotSampled { why: other.to_string() }, place)

@@ -1,5 +1,6 @@
 //! Mechanisms in space against closed forms, independent programs and identities. A test's name says where its numbers come from.
 
+mod assembly_search;
 mod build;
 mod chains;
 mod closed_forms;

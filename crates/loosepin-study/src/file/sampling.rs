@@ -36,7 +36,7 @@ record! {
         )];
     /// number of points in the box of the intervals
     optional outer: usize = count(1, MAX_OUTER as u64), "64", or 64;
-    /// number of samples of the random inputs at each point
+    /// number of samples of the random inputs at each point; where it is omitted, more if a requirement needs them
     optional inner: usize = count(2, MAX_INNER), "256", or 256;
     /// number of independent randomisations; the sampling error is estimated from them
     optional replicates: usize = count(2, 1024), "4", or 4;

@@ -79,7 +79,7 @@ impl SpatialResponse {
         if poses > MAX_POSES as f64 {
             return Err(PrepareError::TooManyPoses { poses });
         }
-        let Places { turns, grid } = Places::new(recorded_turns, poses as usize, &plan);
+        let Places { turns, grid } = Places::new(study, poses as usize, &plan);
         let mut parts: Vec<SampledPart> = Vec::new();
         let mut reads = Vec::with_capacity(plan.columns.len());
         for column in &plan.columns {
@@ -203,9 +203,10 @@ struct Places {
 
 impl Places {
     /// `rows` steps over the recorded turns, and the poses that are asked for between them.
-    fn new(recorded_turns: f64, rows: usize, plan: &ColumnPlan) -> Self {
+    fn new(study: &Study, rows: usize, plan: &ColumnPlan) -> Self {
+        let recorded_turns = study.cycle.recorded_turns;
         // A whole number of turns ends where it began; what does not has half the weight at its ends.
-        let is_closed = recorded_turns.fract() == 0.0;
+        let is_closed = recorded_turns.fract() == 0.0 && !matches!(study.cycle.span, CycleSpan::Duration(_));
         let last = rows - usize::from(is_closed);
         let of_cycle: Vec<f64> = (0..=last).map(|row| recorded_turns * row as f64 / rows as f64).collect();
         let asked = plan.columns.iter().filter_map(|column| match column.spot {
