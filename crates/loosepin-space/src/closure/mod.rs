@@ -7,6 +7,7 @@ pub(crate) mod assembly;
 pub(crate) mod bordered;
 pub(crate) mod cycle;
 pub(crate) mod error;
+mod from_afar;
 pub(crate) mod loops;
 pub(crate) mod newton;
 mod other_starts;

@@ -1,7 +1,7 @@
 //! Closed positions where the start poses lead to none: from other poses around them, and why there is none.
 
-use crate::closure::assembly::{close_from_afar, is_any_reversed};
 use crate::closure::error::ClosureError;
+use crate::closure::from_afar::{close_from_afar, is_any_reversed};
 use crate::closure::loops::Loops;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::geometry::pose::Pose;
