@@ -57,7 +57,9 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
             format!("{error} The table of bounds shows those of the other answers, which are included as well.")
         }
         Some(error) => error,
-        None if headline.is_some() && mixed().count() > 0 && mixed().all(|bound| endless(&bound)) => "A bound without an end has no numerical error.".to_owned(),
+        None if headline.is_some() && mixed().count() > 0 && mixed().all(|bound| endless(&bound)) => {
+            "A bound without an end has no numerical error.".to_owned()
+        }
         None => "The table of bounds shows the numerical error of each of them.".to_owned(),
     };
     if inner > 0 {

@@ -142,9 +142,7 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<
     let tag = Tag::bound(bound, "upper witness");
     let missing = no_end_words(bound, result, writer);
     let upper_witness = match &missing {
-        _ if bound.upper.widened_si.is_finite() => {
-            writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs)
-        }
+        _ if bound.upper.widened_si.is_finite() => writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs),
         Some(missing) => missing.clone(),
         None => NO_ERROR.to_owned(),
     };
