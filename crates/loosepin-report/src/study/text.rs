@@ -36,7 +36,9 @@ fn answer_section(answer: &StudyAnswer) -> Section {
     let mut section = Section::new("answer", "");
     if let Some(verdict) = answer.verdict {
         section.push(Content::sentences([verdict_headline(verdict)]));
-        section.push(Content::sentences(answer.failed.clone()));
+        if let Some(failed) = &answer.failed {
+            section.push(Content::sentences([failed.clone()]));
+        }
         section.push_close(Content::points(answer.requirements.iter().chain(&answer.caveats).cloned()));
     }
     let caveats = if answer.verdict.is_some() { &[][..] } else { &answer.caveats };

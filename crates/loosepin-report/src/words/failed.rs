@@ -4,7 +4,7 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::bound::{finished_value, has_no_end};
 use crate::words::few_samples::too_few_samples;
-use crate::words::wording::{count, counted, is_by_surrogate};
+use crate::words::wording::{count, is_by_surrogate};
 use loosepin_result::study::{BoundRecord, Guarantee, StudyResult, Treatment};
 
 /// From this share of failed runs on, an answer begins with them.

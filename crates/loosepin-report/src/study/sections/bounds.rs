@@ -142,12 +142,11 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<
     let tag = Tag::bound(bound, "upper witness");
     let missing = no_end_words(bound, result, writer);
     let upper_witness = match &missing {
-        _ if bound.upper.widened_si.is_finite() => writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs),
-        Some(missing) => missing.clone(),
-        None => NO_ERROR.to_owned(),
+        Some(missing) if bound.upper.widened_si.is_infinite() => missing.clone(),
+        _ => writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs),
     };
     // A page has the places in a table of their own.
-    let missing = missing.map_or_else(Text::default, |missing| Text::from(". ").quiet(missing));
+    let missing = missing.map_or_else(Text::default, |missing| Text::from(" ").quiet(missing));
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
     let both = if same_wording(&lower, &upper) {
