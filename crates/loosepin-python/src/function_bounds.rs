@@ -216,12 +216,13 @@ pub fn answer<'py>(
 
 fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResult<Bound<'py, PyList>> {
     let records = pairs.iter().map(|pair| {
+        let [lower, upper] = pair.ends();
         let record = PyDict::new(py);
         record.set_item("column", pair.column)?;
         record.set_item("statistic", pair.statistic.word())?;
         record.set_item("parameter", pair.statistic.parameter())?;
-        record.set_item("lower", end(py, &pair.lower, names)?)?;
-        record.set_item("upper", end(py, &pair.upper, names)?)?;
+        record.set_item("lower", end(py, &lower, names)?)?;
+        record.set_item("upper", end(py, &upper, names)?)?;
         let (guarantee, confidence) = pair.guarantee().word_and_confidence();
         record.set_item("guarantee", guarantee)?;
         record.set_item("confidence", confidence)?;

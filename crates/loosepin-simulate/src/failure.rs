@@ -216,6 +216,14 @@ problems! {
         NoPosition { why: String, hint: &'static str } => Code::CannotClose,
             says("{why}"),
             hint("{hint}");
+        /// Parts of a mechanism in space that do not fit with all their play.
+        CannotBePutTogether { why: String, hint: &'static str } => Code::CannotClose,
+            says("{why}"),
+            hint("{hint}");
+        /// Play takes a mechanism in space to a dead centre.
+        DeadCentre { why: String, hint: &'static str } => Code::CannotClose,
+            says("{why}"),
+            hint("{hint}");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
             says("implicit steps need a flexible body in absolute nodal coordinates, and this mechanism has none"),
@@ -239,7 +247,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 37] = [
+const CODES: [&str; 39] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -277,6 +285,8 @@ const CODES: [&str; 37] = [
     "not_resting",
     "spring_without_direction",
     "no_position",
+    "cannot_be_put_together",
+    "dead_centre",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -341,6 +351,8 @@ impl RunFailure {
             Self::NotResting { .. } => 34,
             Self::SpringWithoutDirection { .. } => 35,
             Self::NoPosition { .. } => 36,
+            Self::CannotBePutTogether { .. } => 37,
+            Self::DeadCentre { .. } => 38,
         }
     }
 
@@ -389,9 +401,12 @@ impl RunFailure {
             }
             Self::SettledOpen { path } => Diagnostic::error(self, model.place(path)),
             Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Diagnostic::error(self, model.place("wear")),
-            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes | Self::NoPosition { .. } => {
-                Diagnostic::error(self, None)
-            }
+            Self::NothingIsFree
+            | Self::NotSettled
+            | Self::ImplicitWithoutNodes
+            | Self::NoPosition { .. }
+            | Self::CannotBePutTogether { .. }
+            | Self::DeadCentre { .. } => Diagnostic::error(self, None),
         }
     }
 }

@@ -17,6 +17,8 @@ pub enum Guarantee {
     },
     /// Not confirmed everywhere, or by too few samples: the true range is at least about this wide.
     Inner,
+    /// None: runs failed, and each of them may have had any value. The number is that of the finished runs.
+    FinishedRuns,
 }
 
 impl Guarantee {
@@ -28,6 +30,7 @@ impl Guarantee {
             Self::Optimised => 1,
             Self::Sampled { .. } => 2,
             Self::Inner => 3,
+            Self::FinishedRuns => 4,
         };
         if rank(other) > rank(self) { other } else { self }
     }
@@ -39,6 +42,7 @@ impl Guarantee {
             Self::Optimised => ("optimised", None),
             Self::Sampled { confidence } => ("sampled", Some(confidence)),
             Self::Inner => ("inner", None),
+            Self::FinishedRuns => ("finished_runs", None),
         }
     }
 }

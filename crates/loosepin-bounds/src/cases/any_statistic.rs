@@ -102,7 +102,14 @@ fn failed_runs_leave_it_unbounded() {
     }
     let problem = problem(&[STANDARD_NORMAL], &[(-1.0, 1.0)], &[DEVIATION]);
     let found = evaluate(problem, &Fails).unwrap();
-    assert!(found.pairs[0].unbounded_by_failures && found.pairs[0].lower.value > 0.5);
+    let pair = &found.pairs[0];
+    assert!(pair.unbounded_by_failures && pair.lower.value > 0.5);
+    // What is shown has no end, and keeps what the finished runs have.
+    assert_eq!(pair.guarantee(), crate::Guarantee::FinishedRuns);
+    let ends = pair.ends();
+    assert_eq!(ends.each_ref().map(|end| end.widened), [f64::NEG_INFINITY, f64::INFINITY]);
+    let found = [&pair.lower, &pair.upper].map(|end| (end.value, end.error));
+    assert_eq!(ends.map(|end| (end.value, end.error)), found);
 }
 
 /// Bounds of mixtures and of random sets are only checked to be non-negative.

@@ -108,7 +108,18 @@ impl BoundPair {
 
     /// Weaker guarantee of the two ends: failed runs may have had any response, so that of means and deviations no bound exists then.
     pub fn guarantee(&self) -> Guarantee {
-        if self.unbounded_by_failures { Guarantee::Inner } else { self.lower.guarantee.weaker(self.upper.guarantee) }
+        let of_ends = self.lower.guarantee.weaker(self.upper.guarantee);
+        if self.unbounded_by_failures { of_ends.weaker(Guarantee::FinishedRuns) } else { of_ends }
+    }
+
+    /// Both ends as they are shown and stored. Where failed runs leave no bound, the widened ends are without end; values and errors stay those
+    /// of the finished runs.
+    pub fn ends(&self) -> [Bound; 2] {
+        let end = |bound: &Bound, direction: Direction| match self.unbounded_by_failures {
+            true => Bound { widened: direction.sign() * f64::INFINITY, ..bound.clone() },
+            false => bound.clone(),
+        };
+        [end(&self.lower, Direction::Minimum), end(&self.upper, Direction::Maximum)]
     }
 }
 

@@ -100,6 +100,14 @@ fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
     let share =
         summary["counts"]["failed"].as_f64().expect("a count") / summary["counts"]["runs"].as_f64().expect("a count");
     assert!((0.02..0.3).contains(&share), "{share}");
+    // The mean of the finished runs is called that, and the answer begins with those that failed.
+    let mean = &summary["bounds"][0];
+    assert_eq!((&mean["statistic"]["kind"], &mean["guarantee"]["kind"]), (&"mean".into(), &"finished_runs".into()));
+    assert_eq!(mean["upper"]["widened_si"], "inf");
+    assert!(mean["upper"]["value_si"].as_f64().is_some_and(f64::is_finite), "{mean}");
+    let (first, _) =
+        resumed.output.split_once(" has no bound, since a failed run may have had any value").expect("an answer");
+    assert!(first.contains(" % of the runs failed (") && first.contains("the links cannot close."), "{first}");
 }
 
 #[test]

@@ -63,7 +63,8 @@ class Bound(Record):
     upper: BoundEnd
     """The greatest value."""
     guarantee: str
-    """"enclosure", "optimised", "sampled" or "inner" (the true range is at least this wide)."""
+    """"enclosure", "optimised", "sampled", "inner" (the true range is at least this wide) or "finished_runs" (failed runs leave no bound of a
+    mean or deviation: values are those of the finished runs)."""
     confidence: float | None
     """Confidence of the sampling error, if the guarantee has one."""
 

@@ -4,6 +4,7 @@ use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{between, largest, output_summaries, smallest};
 use crate::words::error::error_sentence;
+use crate::words::failed::failed_sentence;
 use crate::words::force::{JointForces, study_sentences};
 use crate::words::turn::turns_sentence;
 use crate::words::wording::{
@@ -18,6 +19,8 @@ use loosepin_text::units::SiUnit;
 
 /// The answer, for pages and terminals alike.
 pub(crate) struct StudyAnswer {
+    /// How many runs failed, before all else, where that is a main fact.
+    pub failed: Option<String>,
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
     /// Caveats that may overturn the verdict, or else the numbers of the answer.
@@ -67,7 +70,8 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
     let error = error_sentence(result, &answers, writer);
-    StudyAnswer { requirements, caveats, headline, further, conditions, error, details, verdict }
+    let failed = failed_sentence(result, writer);
+    StudyAnswer { failed, requirements, caveats, headline, further, conditions, error, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
@@ -427,9 +431,14 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
 /// Difference in width from the mixed band, as far as its error resolves it; empty if both hardly differ.
 fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
-    let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {
+    let is_known = |width: f64| width > 0.0 && width.is_finite();
+    let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && is_known(*mixed)) else {
         return String::new();
     };
+    // Beside a band without an end no width compares.
+    if !band.width_si().is_finite() {
+        return String::new();
+    }
     let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
     let tag = Tag::band(comparison, band, "width compared with the mixed band");
     let by = writer.with_tag(&tag).percent(wider.abs(), Rounding::Nearest);

@@ -3,6 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::words::bound::bound_value;
+use crate::words::failed::{finished_words, why_no_end, why_quantile_has_no_end};
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{
     deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words,
@@ -213,17 +214,29 @@ fn statistic_sentence(result: &StudyResult, first: &BoundRecord, writer: &Number
     let words = |bound: &BoundRecord| statistic_words(bound.statistic, &unit, writer);
     let asked: Vec<&BoundRecord> = result.bounds.iter().filter(|bound| is_of_same(bound, first)).collect();
     if let [only] = asked[..] {
-        return format!("The {} of {output} ({place}) {}.", words(only), ends_words(only, writer));
+        return format!("The {} of {output} ({place}) {}.", words(only), ends_words(result, only, writer));
     }
     let parts: Vec<String> =
-        asked.into_iter().map(|bound| format!("the {} {}", words(bound), ends_words(bound, writer))).collect();
+        asked.into_iter().map(|bound| format!("the {} {}", words(bound), ends_words(result, bound, writer))).collect();
     format!("For {output} ({place}), {}.", listed(&parts))
 }
 
-/// "lies between 1 and 2 mm", or "is 100 %" where both ends are shown as one number.
-fn ends_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
+/// "lies between 1 and 2 mm", or "is 100 %" where both ends are shown as one number. An end that is infinite is none, and the reason stands
+/// with it where failed runs are the reason.
+fn ends_words(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let why = why_no_end(result, bound, writer).map_or_else(String::new, |why| format!(", since {why}"));
+    if bound.guarantee == Guarantee::FinishedRuns {
+        let found = finished_words(bound, [" (over the finished runs it lies between ", " and "], writer);
+        return format!("has no bound{why}{}", found.map_or_else(String::new, |found| found + ")"));
+    }
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
+    match (bound.lower.widened_si.is_infinite(), bound.upper.widened_si.is_infinite()) {
+        (true, true) => return format!("has no bound{why}"),
+        (false, true) => return format!("is at least {lower} and has no upper bound{why}"),
+        (true, false) => return format!("is at most {upper} and has no lower bound{why}"),
+        (false, false) => {}
+    }
     if same_wording(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
 }
 
@@ -241,7 +254,8 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
         let reason = too_few_samples(result, &curve.probabilities, writer);
-        let reason = reason.unwrap_or_else(|| "some quantiles have none".to_owned());
+        let failed = || why_quantile_has_no_end(result, &curve.probabilities, writer).map(str::to_owned);
+        let reason = reason.or_else(failed).unwrap_or_else(|| "some quantiles have none".to_owned());
         return format!("At each angle of {drive}, the {subject} has no bound: {reason}.");
     }
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;

@@ -36,10 +36,14 @@ fn answer_section(answer: &StudyAnswer) -> Section {
     let mut section = Section::new("answer", "");
     if let Some(verdict) = answer.verdict {
         section.push(Content::sentences([verdict_headline(verdict)]));
+        if let Some(failed) = &answer.failed {
+            section.push(Content::sentences([failed.clone()]));
+        }
         section.push_close(Content::points(answer.requirements.iter().chain(&answer.caveats).cloned()));
     }
     let caveats = if answer.verdict.is_some() { &[][..] } else { &answer.caveats };
-    let outputs = [&answer.headline].into_iter().chain(&answer.further).chain(&answer.conditions);
+    let failed = answer.failed.iter().filter(|_| answer.verdict.is_none());
+    let outputs = failed.chain([&answer.headline]).chain(&answer.further).chain(&answer.conditions);
     section.push(Content::sentences(outputs.cloned()));
     let details = caveats.iter().chain([&answer.error]).chain(&answer.details);
     section.push_close(Content::points(details.cloned()));

@@ -3,7 +3,7 @@
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{OutputSummary, largest, smallest};
-use crate::words::bound::bound_error;
+use crate::words::bound::{error_found, has_no_end};
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{count, is_by_surrogate};
 use loosepin_result::study::{
@@ -23,7 +23,15 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
         let (error, of_band) = match summary {
             OutputSummary::Bound(bound) => {
                 let is_known = bound.lower.error.total_si().max(bound.upper.error.total_si()).is_finite();
-                (is_known.then(|| bound_error(bound, writer))?, None)
+                let is_of_finished_runs = bound.guarantee == Guarantee::FinishedRuns;
+                let is_known = is_known && (is_of_finished_runs || !has_no_end(bound));
+                let error = is_known.then(|| error_found(bound, writer))?;
+                if is_of_finished_runs {
+                    return Some(format!(
+                        "Numerical error of the numbers over the finished runs: at most {error}, included in them."
+                    ));
+                }
+                (error, None)
             }
             OutputSummary::Largest(..) | OutputSummary::Curve(_) => {
                 let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
@@ -49,6 +57,9 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
             format!("{error} The table of bounds shows those of the other answers, which are included as well.")
         }
         Some(error) => error,
+        None if headline.is_some() && mixed().count() > 0 && mixed().all(|bound| endless(&bound)) => {
+            "A bound without an end has no numerical error.".to_owned()
+        }
         None => "The table of bounds shows the numerical error of each of them.".to_owned(),
     };
     if inner > 0 {

@@ -3,6 +3,7 @@
 
 pub(crate) mod bound;
 pub(crate) mod error;
+pub(crate) mod failed;
 pub(crate) mod few_samples;
 pub(crate) mod force;
 pub(crate) mod glossary;

@@ -2,6 +2,7 @@
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
+use crate::words::bound::NO_ERROR;
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
     BoundRecord, Deviation, Guarantee, InputDescription, InputKind, NumberKind, OutputDescription, PathError,
@@ -87,6 +88,10 @@ pub(crate) fn has_errors(comparison: &TreatmentComparison) -> bool {
 
 /// The larger numerical error of the ends of a band.
 pub(crate) fn band_error(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    // An end that is infinite has no error.
+    if band.width_si().is_infinite() && band.error_si().is_some_and(f64::is_finite) {
+        return NO_ERROR.to_owned();
+    }
     let tag = Tag::band(comparison, band, "error");
     band.error_si().map_or_else(String::new, |error| writer.with_tag(&tag).error(error, &comparison.unit))
 }
@@ -130,6 +135,7 @@ pub(crate) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> St
             )
         }
         Guarantee::Inner => "may be too narrow: not confirmed".to_owned(),
+        Guarantee::FinishedRuns => "none: found over the finished runs only".to_owned(),
     }
 }
 

@@ -49,7 +49,11 @@ impl SpatialModel {
     fn moved(&self, values: &Values, is_proven: bool) -> Result<SpatialMotionRecord, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.positions(&mechanism, values)?;
+        let found = cycle(&mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
+        if let Some(error) = found.stopped {
+            return Err(self.not_with_ideal_joints(values, &error));
+        }
+        let positions = found.positions;
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
         let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
         let mut courses: Vec<Course> = courses.collect::<Result<_, _>>().map_err(|error| self.diagnostic(&error))?;
@@ -145,6 +149,15 @@ impl SpatialModel {
     /// Why loops do not close, at the joint.
     pub fn not_closed(&self, error: &ClosureError) -> Diagnostics {
         self.open(error).into()
+    }
+
+    /// The same, with the play that it would take where constraints repeat others.
+    fn not_with_ideal_joints(&self, values: &Values, error: &ClosureError) -> Diagnostics {
+        let by_play = self.assembly(values).ok().and_then(|assembly| assembly.sentence());
+        let Some(by_play) = by_play else { return self.not_closed(error) };
+        let problem = SpatialMotionProblem::NotWithIdealJoints { why: error.to_string(), by_play };
+        let place = error.joint().and_then(|joint| self.place(&format!("joint.{joint}")));
+        Diagnostic::error(&problem, place).into()
     }
 
     pub(super) fn open(&self, error: &ClosureError) -> Diagnostic {

@@ -83,6 +83,10 @@ problems! {
         DoesNotClose { why: String } => Code::CannotClose,
             says("{why}"),
             hint("check lengths and axes; [assembly] guess says where bodies start");
+        /// Loops that do not close with ideal joints: what the play of the joints makes of that.
+        NotWithIdealJoints { why: String, by_play: String } => Code::CannotClose,
+            says("{why}"),
+            hint("this is the motion with ideal joints; {by_play}");
         NoAnswer {
             /// The output, or the motion, in words.
             subject: String,

@@ -65,8 +65,8 @@ pub enum SamplingError {
         turn: f64,
         /// The row that is farthest from closing with ideal joints.
         open: OpenJoint,
-        /// Redundant rows that contradict each other.
-        rows: usize,
+        /// Constraints that repeat others, as many as `loosepin check` counts there.
+        repeated: usize,
         /// By what all plays would have to be multiplied, to first order; `None` where no play helps, or there is none.
         needed: Option<f64>,
     },
@@ -160,10 +160,14 @@ impl fmt::Display for SamplingError {
                 )
             }
             Self::DoesNotClose { turn, why } => write!(out, "at {turn} turns: {why}"),
-            Self::CannotBeAssembled { turn, open, rows, needed } => {
+            Self::CannotBeAssembled { turn, open, repeated, needed } => {
+                let constraints = match repeated {
+                    1 => "1 constraint of the joints repeats others and contradicts them".to_owned(),
+                    many => format!("{many} constraints of the joints repeat others and contradict them"),
+                };
                 write!(
                     out,
-                    "at {turn} turns the mechanism cannot be put together: {rows} of its rows contradict the others, {open} with ideal joints; "
+                    "at {turn} turns the mechanism cannot be put together: {constraints}, {open} with ideal joints; "
                 )?;
                 match needed {
                     Some(factor) => write!(out, "all plays would have to be {factor:.3} times as large"),

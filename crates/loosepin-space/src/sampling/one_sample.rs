@@ -210,7 +210,8 @@ impl Sample<'_> {
             reserve => Err(SamplingError::CannotBeAssembled {
                 turn: place.turn,
                 open: open_joint(&self.loops, base, &apart),
-                rows: apart.iter().filter(|apart| apart.abs() > CLOSED).count(),
+                // Which of them are open depends on the basis of the redundant directions.
+                repeated: apart.len(),
                 needed: reserve.map(|reserve| 1.0 / reserve.factor),
             }),
         }

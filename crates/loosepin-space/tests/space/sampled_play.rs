@@ -89,9 +89,15 @@ fn analytic_a_shaft_in_bearings_that_are_not_in_line() {
     // The least play is δ l/(2D): 0.8 mm needs 16/15 of it.
     for sampler in [&sampler, &exact] {
         let error = sampler.sample(&with(&model, &[("body.ground.points.b.y", 8e-4)])).unwrap_err();
-        let SamplingError::CannotBeAssembled { needed: Some(needed), turn, .. } = error else { panic!("{error}") };
+        let text = error.to_string();
+        let SamplingError::CannotBeAssembled { needed: Some(needed), turn, repeated, .. } = error else {
+            panic!("{error}")
+        };
         assert_close(needed, 16.0 / 15.0, 1e-6);
         assert_eq!(turn, 0.0);
+        // Of the 5 + 4 constraints of the joints and that of the drive, a body has 6 to lose: the 4 of the second bearing repeat others.
+        assert_eq!(repeated, 4);
+        assert!(text.contains(": 4 constraints of the joints repeat others and contradict them, joint '"), "{text}");
     }
     // Ideal bearings do not allow even the smallest offset.
     let ideal = sampler.with_play_side(PlaySide::None).unwrap();
@@ -257,4 +263,19 @@ fn identity_drawn_places_of_journals_are_in_their_play_and_spread_as_it_says() {
             assert_close(square.sqrt(), expected, tolerance * expected);
         }
     }
+}
+
+#[test]
+fn a_motion_that_does_not_close_says_how_much_play_it_would_take() {
+    let model = model(SHAFT);
+    // The least play is δ l/(2D): 0.8 mm needs 16/15 of it, 0.6 mm 4/5.
+    let hint = |offset_m: f64| {
+        let found = model.motion_record(&with(&model, &[("body.ground.points.b.y", offset_m)])).unwrap_err();
+        found.to_string()
+    };
+    let found = hint(8e-4);
+    assert!(found.contains("the parts do not fit: as near as they come, joint '"), "{found}");
+    assert!(found.contains("the parts do not fit: 1.067 times all plays would be needed at motor = "), "{found}");
+    let found = hint(6e-4);
+    assert!(found.contains("the parts fit by their play: 0.8 of all plays is needed at motor = "), "{found}");
 }

@@ -59,7 +59,10 @@ fn outcome(
     ended: &RoundsEnd,
 ) -> Option<AccuracyOutcome> {
     let widening = |end: &BoundEnd| {
-        let widening_si = (end.widened_si - end.value_si).abs();
+        // Failed runs leave no bound of a mean: what was asked for is how well that of the finished runs is known.
+        let is_of_finished_runs = end.value_si.is_finite() && end.widened_si.is_infinite();
+        let widening_si =
+            if is_of_finished_runs { end.error.total_si() } else { (end.widened_si - end.value_si).abs() };
         if widening_si.is_nan() { f64::INFINITY } else { widening_si }
     };
     // What has no bound is as far from the target as can be.

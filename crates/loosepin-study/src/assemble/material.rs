@@ -191,7 +191,7 @@ impl Material<'_> {
     }
 
     fn within_range(&self, pair: &BoundPair) -> [BoundEnd; 2] {
-        let mut ends = [&pair.lower, &pair.upper].map(|bound| self.end(bound));
+        let mut ends = pair.ends().map(|bound| self.end(&bound));
         cut_to_range(&mut ends, self.range(pair.column, pair.statistic));
         ends
     }

@@ -276,7 +276,13 @@ fn failure(error: SamplingError) -> RunFailure {
         }
         _ => "the values differ too much from those of the model, or they do not fit together",
     };
-    RunFailure::NoPosition { why: error.to_string(), hint }
+    let why = error.to_string();
+    // What differs in kind is counted by itself.
+    match error {
+        SamplingError::CannotBeAssembled { .. } => RunFailure::CannotBePutTogether { why, hint },
+        SamplingError::DeadCentre { .. } => RunFailure::DeadCentre { why, hint },
+        _ => RunFailure::NoPosition { why, hint },
+    }
 }
 
 #[cfg(test)]

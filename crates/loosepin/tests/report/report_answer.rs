@@ -15,7 +15,7 @@ use loosepin::study::result::{
 };
 use loosepin::units::SiUnit;
 
-use super::report_fixture::{self, study::worn_pin};
+use super::report_fixture::{self, study::with_failed_runs, study::worn_pin};
 
 /// The text on one line, so that a sentence can be looked for wherever it was wrapped.
 fn one_line(text: &str) -> String {
@@ -454,6 +454,49 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     );
     result.counts.failed = 0;
     assert_says(&result, "17536 runs, none failed.");
+}
+
+#[test]
+fn failed_runs_come_first_and_what_they_leave_is_no_bound() {
+    let result = with_failed_runs();
+    let text = one_line(&study_text(&result));
+    let place = |sentence: &str| text.find(sentence).unwrap_or_else(|| panic!("'{sentence}' is not in: {text}"));
+    // 276/2944 is 9.375 %.
+    let failed = place("9.4 % of the runs failed (276 of 2944): the mechanism cannot be put together.");
+    let mean = place(
+        "the mean has no bound, since a failed run may have had any value (over the finished runs it lies between 0.09 mm and 0.41 mm)",
+    );
+    let quantile = place(
+        "the 95 % quantile is at least 0.2 mm and has no upper bound, since so many runs failed that the quantile may be among them.",
+    );
+    assert!(failed < mean && mean < quantile, "{text}");
+    place("Numerical error of the numbers over the finished runs: at most 0.01 mm, included in them.");
+    let table = place("no bound: a failed run may have had any value; finished runs: 0.09 mm to 0.41 mm");
+    place("no bound: so many runs failed that the quantile may be among them");
+    assert!(table > quantile);
+    for wrong in
+        ["the mean lies between", "increase 'inner'", "and ∞", "narrower than the mixed", "wider than the mixed"]
+    {
+        assert!(!text.contains(wrong), "'{wrong}' is in: {text}");
+    }
+    let page = one_line(&study_page(&result).replace('\u{a0}', " "));
+    let shown = |sentence: &str| page.find(sentence).unwrap_or_else(|| panic!("'{sentence}' is not in: {page}"));
+    assert!(shown("9.4 % of the runs failed (276 of 2 944)") < shown("the mean has no bound, since a failed run"));
+    shown("none: found over the finished runs only");
+    assert!(!page.contains("the mean lies between") && !page.contains("increase 'inner'"));
+}
+
+#[test]
+fn failed_runs_that_leave_every_bound_are_no_headline() {
+    let mut result = worn_pin();
+    // 3 of 17536.
+    assert!(!study_text(&result).contains("of the runs failed"));
+    result.counts.failed = 176;
+    assert_says(&result, "1.1 % of the runs failed (176 of 17536).");
+    let further = result.failures[0].clone();
+    (result.failures[0].code, result.failures[0].count) = ("cannot_close".to_owned(), 100);
+    result.failures.push(further);
+    assert_says(&result, "(176 of 17536), most of them for one reason: the links cannot close.");
 }
 
 /// Y = X + u, X standard normal, u in [-1, 1], central 95 % band (method: exact case), in millimetres.

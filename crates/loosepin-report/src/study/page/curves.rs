@@ -11,6 +11,7 @@ use crate::medium::script_data::round_to_digits;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::answer::requirement_words;
+use crate::words::failed::why_quantile_has_no_end;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use loosepin_result::study::{
@@ -151,7 +152,9 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         format!("is largest at {angle}, {reach} from zero")
     } else {
         let reason = too_few_samples(result, &curve.probabilities, writer);
-        format!("has no end at some angles: {}", reason.as_deref().unwrap_or("some quantiles have none"))
+        let failed = why_quantile_has_no_end(result, &curve.probabilities, writer);
+        let reason = reason.as_deref().or(failed).unwrap_or("some quantiles have none");
+        format!("has no end at some angles: {reason}")
     };
     Chart {
         y_label: format!("{} of {}", deviation_words(curve.of), curve.output),

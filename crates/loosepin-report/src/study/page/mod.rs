@@ -157,6 +157,7 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
                 (verdict_headline(verdict))
             }
         }
+        @if let Some(failed) = &answer.failed { p.headline { (failed) } }
         @for requirement in &answer.requirements { p { (requirement) } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }

@@ -2,7 +2,8 @@
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
-use crate::words::bound::{bound_error, bound_value, error_parts};
+use crate::words::bound::{NO_ERROR, bound_error, bound_value, error_parts};
+use crate::words::failed::{finished_words, why_no_end};
 use crate::words::wording::{
     MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
     reading_beside, response_words, statistic_words,
@@ -88,8 +89,10 @@ fn places(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
     let columns =
         ["Statistic", "Lower bound at", "Upper bound at", "Error from", "Guarantee"].map(Column::words).into();
     let row = |bound: &BoundRecord| -> Vec<Cell> {
-        let witness = |part: &str, end: &BoundEnd| {
-            writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs)
+        // What is attained is a number of the finished runs.
+        let witness = |part: &str, end: &BoundEnd| match end.value_si.is_infinite() {
+            true => NO_ERROR.to_owned(),
+            false => writer.with_tag(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs),
         };
         vec![
             statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
@@ -128,9 +131,22 @@ fn without_unit<'t>(lower: &'t str, upper: &str) -> &'t str {
     }
 }
 
+/// Why failed runs leave no end, and what the finished runs give: "no bound: a failed run may have had any value; finished runs: 0 to 1 mm".
+fn no_end_words(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Option<String> {
+    let why = why_no_end(result, bound, writer)?;
+    let found = finished_words(bound, ["; finished runs: ", " to "], writer).unwrap_or_default();
+    Some(format!("no bound: {why}{found}"))
+}
+
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
     let tag = Tag::bound(bound, "upper witness");
-    let upper_witness = writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs);
+    let missing = no_end_words(bound, result, writer);
+    let upper_witness = match &missing {
+        Some(missing) if bound.upper.widened_si.is_infinite() => missing.clone(),
+        _ => writer.with_tag(&tag).witness(&bound.upper.witness, &result.inputs),
+    };
+    // A page has the places in a table of their own.
+    let missing = missing.map_or_else(Text::default, |missing| Text::from(" ").quiet(missing));
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
     let both = if same_wording(&lower, &upper) {
@@ -138,8 +154,9 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<
     } else {
         format!("{} to {upper}", without_unit(&lower, &upper))
     };
+    let statistic = statistic_words(bound.statistic, &output_unit(result, &bound.output), writer);
     vec![
-        statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
+        Text::from(statistic).on(Medium::Page, missing).into(),
         both.into(),
         lower.into(),
         upper.into(),

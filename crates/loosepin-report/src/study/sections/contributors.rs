@@ -71,11 +71,14 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
     push_figure(&mut section, writer, || legend(writer));
     for one in &result.contributors {
         let tag = Tag::contributors(one, "band width", "");
-        let heading = format!(
-            "Sensitivity: how much narrower the {} band ({} wide) becomes without one input",
-            band_probability(writer),
-            writer.with_tag(&tag).value(one.band_width_si, &one.unit)
-        );
+        let band = band_probability(writer);
+        let heading = match one.band_width_si.is_finite() {
+            true => format!(
+                "Sensitivity: how much narrower the {band} band ({} wide) becomes without one input",
+                writer.with_tag(&tag).value(one.band_width_si, &one.unit)
+            ),
+            false => format!("Sensitivity: the {band} band has no known width, so no share of it is known"),
+        };
         section.push_on(Medium::Terminal, Content::Heading(heading.into()));
         section.push(Content::Table(table(result, one, writer)));
     }

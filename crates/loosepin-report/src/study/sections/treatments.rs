@@ -54,7 +54,10 @@ fn is_learned(result: &StudyResult) -> bool {
 }
 
 fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Table {
-    let band_ends = || comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+    let band_ends = || {
+        let ends = comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+        ends.filter(|end_si| end_si.is_finite())
+    };
     let (from, to) = padded(band_ends().fold(f64::INFINITY, f64::min), band_ends().fold(f64::NEG_INFINITY, f64::max));
     let promised = comparison.promised_coverage;
     let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
@@ -132,7 +135,9 @@ fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, t
     };
     let lower = rounded("lower", band.lower_si, Rounding::Down);
     let upper = rounded("upper", band.upper_si, Rounding::Up);
-    let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
+    // A band without an end goes to the edge.
+    let drawn = [band.lower_si.max(from), band.upper_si.min(to)];
+    let width = percent_of(drawn[1] - drawn[0], 0.0, to - from);
     let text = format!("{lower} to {upper}");
     let html = html! {
         svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
@@ -141,7 +146,7 @@ fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, t
                 @let zero = percent_of(0.0, from, to);
                 line.zero x1=(zero) x2=(zero) y1="0" y2="20" {}
             }
-            rect class=(colour(band.treatment)) x=(percent_of(band.lower_si, from, to)) y="4" width=(width) height="12"
+            rect class=(colour(band.treatment)) x=(percent_of(drawn[0], from, to)) y="4" width=(width) height="12"
                 rx="2" {}
         }
         span.range { (text) }

@@ -49,7 +49,7 @@ impl Texts {
 }
 
 fn fixtures() -> Vec<StudyResult> {
-    vec![study::worn_pin(), study::with_list()]
+    vec![study::worn_pin(), study::with_list(), study::with_failed_runs()]
 }
 
 #[test]

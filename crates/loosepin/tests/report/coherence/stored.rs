@@ -220,6 +220,8 @@ impl Found<'_> {
             let [of_lower, of_upper] = [lower.error.total_si(), upper.error.total_si()];
             self.of_bound(tag("lower"), lower.widened_si, bound);
             self.of_bound(tag("upper"), upper.widened_si, bound);
+            self.of_bound(tag("finished lower"), lower.value_si - of_lower, bound);
+            self.of_bound(tag("finished upper"), upper.value_si + of_upper, bound);
             self.of_bound(tag("upper error"), of_upper, bound);
             self.of_bound(tag("error"), of_lower.max(of_upper), bound);
             // An end is its value, moved outwards by its error; a small difference of large numbers has few digits.

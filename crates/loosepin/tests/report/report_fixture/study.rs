@@ -617,3 +617,39 @@ fn allocation() -> Option<AllocationRecord> {
         runs: 49_152,
     })
 }
+
+/// A study of which 276 of 2944 runs failed: its mean is that of the finished runs, and its quantile may be among the failed ones. Its mixed band
+/// has no end.
+pub fn with_failed_runs() -> StudyResult {
+    let mut result = worn_pin();
+    (result.counts.runs, result.counts.failed, result.counts.inner) = (2944, 276, 128);
+    let failure = &mut result.failures[0];
+    (failure.code, failure.count) = ("cannot_be_put_together".to_owned(), 276);
+    failure.words = "at 0 turns the mechanism cannot be put together: 6 constraints of the joints repeat others and contradict them, joint \
+                     'cross_2' is 0.122 mm apart with ideal joints; all plays would have to be 1.286 times as large"
+        .to_owned();
+    result.requirements.clear();
+    result.curves.clear();
+    result.percentiles.clear();
+    result.cuts.clear();
+    let mean = result.bounds.iter().find(|bound| bound.statistic == Statistic::Mean).cloned();
+    let mut mean = mean.expect("a mean");
+    let mut quantile = BoundRecord { statistic: Statistic::Quantile(0.95), ..mean.clone() };
+    mean.guarantee = Guarantee::FinishedRuns;
+    (mean.lower.value_si, mean.upper.value_si) = (1e-4, 4e-4);
+    for end in [&mut mean.lower, &mut mean.upper] {
+        end.error = NumericalError { sampling_si: 1e-5, ..NumericalError::default() };
+    }
+    (mean.lower.widened_si, mean.upper.widened_si) = (f64::NEG_INFINITY, f64::INFINITY);
+    (quantile.lower.value_si, quantile.lower.widened_si) = (2e-4, 2e-4);
+    (quantile.upper.value_si, quantile.upper.widened_si) = (f64::INFINITY, f64::INFINITY);
+    (quantile.lower.error, quantile.upper.error) = (NumericalError::default(), NumericalError::default());
+    result.bounds = vec![mean, quantile];
+    result.contributors.truncate(1);
+    for band in &mut result.treatments[0].bands {
+        if band.treatment != Treatment::IntervalOnly {
+            band.upper_si = f64::INFINITY;
+        }
+    }
+    result
+}
