@@ -76,7 +76,7 @@ fn csv(study: &Study, rows: &MechanismRows) -> String {
     let units: Vec<ReadableUnit> = study
         .random
         .iter()
-        .map(|input| ReadableUnit::default_for(study.model.quantities()[input.quantity].dimension))
+        .map(|input| ReadableUnit::default_for(input.dimension(&study.model)))
         .collect();
     let head = rows
         .columns

@@ -140,7 +140,7 @@ fn double_loop_runs(result: &StudyResult) -> u64 {
 
 /// Whether anything scatters with a known distribution.
 fn has_scatter(result: &StudyResult) -> bool {
-    result.inputs.iter().any(|input| input.kind == InputKind::Random)
+    result.inputs.iter().any(|input| input.kind.is_random())
 }
 
 /// The double loop: values of what is unknown, samples of what scatters at each of them.

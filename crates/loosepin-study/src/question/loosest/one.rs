@@ -277,8 +277,7 @@ pub fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
         AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => (Loosened::Fit, SiUnit::LENGTH),
         AllowedInput::StandardDeviation(index) => {
-            let dimension = table[study.random[index].quantity].dimension;
-            (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
+            (Loosened::StandardDeviation, study.random[index].unit(&study.model))
         }
     }
 }
