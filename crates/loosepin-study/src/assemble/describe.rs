@@ -4,13 +4,13 @@ use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, EpistemicSubject, PLAY, RandomInput, Study, UncertainParameter, journal_words};
 use crate::response::outputs::OutputSource;
-use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
+use loosepin_mechanics::model::{JointId, PlayId};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription, PathOutput,
 };
 use loosepin_text::document::listed;
-use loosepin_text::units::{Dimension, SiUnit, format_number};
+use loosepin_text::units::{SiUnit, format_number};
 use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
 
 /// The uncertain inputs as they are shown: as [`inputs`], all numbers that the places of journals are drawn from as one input.
@@ -136,15 +136,6 @@ fn uncertain_words(input: &RandomInput, study: &Study) -> String {
         format!("; its {} unknown, {known_words}", uncertain.parameter.words())
     };
     input.parameters.iter().map(words).collect()
-}
-
-fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
-    table[id].dimension
-}
-
-/// The SI unit of a quantity, `1` for a pure number.
-pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
-    SiUnit::of_dimension(table[id].dimension)
 }
 
 /// The recorded cycle of every run.

@@ -27,8 +27,8 @@ use std::sync::Arc;
 
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, RandomInput, RandomSubject, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
-    UncertainParameter,
+    EpistemicSubject, RandomInput, RandomSubject, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation,
+    StudySurrogate, UncertainParameter,
 };
 pub use evaluated::{EvaluatedModel, EvaluationProblem};
 pub use evaluated_name::{NameProblem, NamedPlace, NamedQuestion};

@@ -55,7 +55,9 @@ impl StudyReader {
     pub fn add_play(&mut self) {
         let Some(model) = self.model.spatial().filter(|_| self.model.has_play()) else { return };
         if let Some(distribution) = self.journals {
-            let Ok(variable) = RandomVariable::try_new(Distribution::Uniform { lower: 0.0, upper: 1.0 }) else { return };
+            let Ok(variable) = RandomVariable::try_new(Distribution::Uniform { lower: 0.0, upper: 1.0 }) else {
+                return;
+            };
             let numbers = model.uniforms_of_joints(distribution).into_iter().flat_map(|(joint, count)| {
                 let place = format!("joint.{joint}.journal");
                 (1..=count).map(move |number| (place.clone(), number))

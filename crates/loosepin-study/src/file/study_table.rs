@@ -1,9 +1,9 @@
 //! A study file as a whole: the keys that questions share, then the tables of single questions.
 
 use super::input::EpistemicTable;
+use super::play::JOURNALS;
 use super::sampling::{SamplingTable, StudyCycleTable};
 use super::surrogate::SURROGATE;
-use super::play::JOURNALS;
 use super::words::{READINGS, words};
 use crate::file::measurements::measured::ReadingTable;
 use crate::file::measurements::motion::MotionTable;

@@ -208,7 +208,11 @@ impl SpatialResponse {
 }
 
 /// The sampler for places of the journals that are drawn; samples without such places have them in the middle.
-fn drawing(sampler: TurnSampler, distribution: PlayDistribution, nominal: &Values) -> Result<TurnSampler, PrepareError> {
+fn drawing(
+    sampler: TurnSampler,
+    distribution: PlayDistribution,
+    nominal: &Values,
+) -> Result<TurnSampler, PrepareError> {
     let sampler = sampler.with_play_distribution(distribution);
     // Whether plays must meet conditions together does not depend on where the journals are.
     let anywhere = vec![0.5; sampler.uniforms_per_sample()];

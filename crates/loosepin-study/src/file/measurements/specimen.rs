@@ -112,13 +112,11 @@ impl StudyReader {
                     name: column.name.clone(),
                     nearest: nearest_name(&column.name, known.iter().map(String::as_str)).map(str::to_owned),
                 },
-                Some(input) if input.dimension(&self.model) != column.dimension => {
-                    SpecimenProblem::ColumnDimension {
-                        name: column.name.clone(),
-                        found: column.dimension,
-                        due: input.dimension(&self.model),
-                    }
-                }
+                Some(input) if input.dimension(&self.model) != column.dimension => SpecimenProblem::ColumnDimension {
+                    name: column.name.clone(),
+                    found: column.dimension,
+                    due: input.dimension(&self.model),
+                },
                 Some(_) => continue,
             };
             is_right = false;

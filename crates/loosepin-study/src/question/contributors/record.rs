@@ -110,7 +110,8 @@ fn of_columns(
         .iter()
         .enumerate()
         .map(|(group, members)| {
-            let mut paths: Vec<String> = members.iter().map(|&input| study.random[input].whole_path().to_owned()).collect();
+            let mut paths: Vec<String> =
+                members.iter().map(|&input| study.random[input].whole_path().to_owned()).collect();
             paths.dedup();
             let total = range(&indices, |indices| indices.total[group]);
             let shares = still
