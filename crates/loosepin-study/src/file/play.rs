@@ -34,7 +34,11 @@ impl StudyReader {
     /// Reads where the journals are. Runs in the plane have contact forces that decide it.
     pub fn read_journals(&mut self, written: Option<&Entry<'_>>) {
         let Some(entry) = written else { return };
-        let Some(journals) = self.reader.choice(entry, &JOURNALS) else { return };
+        let Some(journals) = self.reader.choice(entry, &JOURNALS) else {
+            // No question is refused for what a word that cannot be read may have said.
+            self.journals = Some(PlayDistribution::Inside);
+            return;
+        };
         let problem = if self.model.spatial().is_none() {
             StudyProblem::JournalsInPlane
         } else if !self.model.has_play() {

@@ -7,7 +7,7 @@ use crate::words::force::{JointForces, min_impact_speed_words};
 use crate::words::trust::nominal_sentences;
 use crate::words::turn::share_of_runs;
 use crate::words::wording::{UNKNOWN_INPUTS, count, counted, has_unknown, is_by_surrogate, listed};
-use loosepin_result::study::{FailureGroup, InputKind, JointImpacts, Purpose, StudyResult};
+use loosepin_result::study::{FailureGroup, JointImpacts, Purpose, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
