@@ -350,7 +350,8 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     format!(
         "{runs}, {failed} Assumptions: the model as written, {}{journals}, {cycle}.",
         match random {
-            0 => "no random input".to_owned(),
+            0 if journals.is_empty() => "no random input".to_owned(),
+            0 => "no other random input".to_owned(),
             some => {
                 let inputs = counted(some as u64, "random input", &writer.with_tag(&Tag::Count("random inputs")));
                 format!(

@@ -11,6 +11,7 @@
 
 use crate::silent::{run, run_on};
 use crate::space::{COUPLER_M, rocker_rad};
+use loosepin::report::study_text;
 use loosepin::space::SpatialModel;
 use loosepin::study::Study;
 use loosepin::study::result::{BoundRecord, InputKind, StudyResult};
@@ -167,6 +168,11 @@ fn drawn_places_are_one_input_with_its_assumption_and_one_contributor_of_each_jo
     let [input] = &result.inputs[..] else { panic!("{:?}", result.inputs) };
     assert_eq!((input.path.as_str(), &input.kind), ("play", &InputKind::DrawnPlay));
     assert_eq!(input.words, "journals anywhere in their play, all places alike, held over the turn");
+    // The text has one line of assumptions.
+    let text = study_text(&result);
+    let lines = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(lines.matches(&input.words).count(), 1, "{text}");
+    assert!(lines.contains(&format!("the model as written, no other random input, {}", input.words)), "{text}");
     let mut paths: Vec<String> = result.contributors[0].random.iter().map(|own| own.paths.join(" ")).collect();
     paths.sort();
     assert_eq!(paths, ["joint.crank_ball.journal", "joint.rocker_ball.journal"]);
