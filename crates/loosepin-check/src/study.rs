@@ -2,8 +2,8 @@
 
 use loosepin_mechanics::model::{ContactId, JointId, Model, QuantityError, QuantityId, Values};
 use loosepin_study::{
-    Budget, CorrelationMeasure, CostEstimate, EpistemicInput, EpistemicSubject, PromiseCost, Study, StudyError,
-    default_threads, distribution_words, estimate_cost,
+    Budget, CorrelationMeasure, CostEstimate, EpistemicInput, EpistemicSubject, PLAY, PromiseCost, Study, StudyError,
+    default_threads, distribution_words, estimate_cost, journal_words,
 };
 use loosepin_text::article::{Article, Content, Fact, Section};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
@@ -55,10 +55,12 @@ pub fn article_in_space(study: &Study) -> Result<Article, Diagnostics> {
     let mut sections = vec![of_model(study), inputs(study), Section::of_sentences("questions", [questions(study)])];
     if study.has_questions() {
         let positions = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
-        let run = format!(
-            "A run: {} positions, loops closed exactly, without dynamics; at each the journals are anywhere in their play",
-            format_number(positions.round())
-        );
+        let journals = match study.journals {
+            Some(_) => "the journals keep the places that are drawn for the run",
+            None => "at each the journals are anywhere in their play",
+        };
+        let positions = format_number(positions.round());
+        let run = format!("A run: {positions} positions, loops closed exactly, without dynamics; {journals}");
         sections.push(planned(study, run)?);
     }
     Ok(Article { title: study.name.clone(), sections })
@@ -161,12 +163,14 @@ fn format_percent(share: f64) -> String {
 
 /// Random inputs with their distributions, and unknown inputs as intervals, lists and other structures.
 fn inputs(study: &Study) -> Section {
-    let dimension = |id: QuantityId| study.model.quantities()[id].dimension;
-    let random = study.random.iter().map(|input| {
-        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
+    let of_model = study.random.iter().filter(|input| input.quantity().is_some());
+    let random = of_model.map(|input| {
+        let shown = distribution_words(input.variable.distribution(), input.dimension(&study.model));
         let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
         Fact::new(&input.path, [format!("{shown}{origin}")])
     });
+    let journals = study.journals.map(|distribution| Fact::new(PLAY, [journal_words(distribution).to_owned()]));
+    let random: Vec<Fact> = random.chain(journals).collect();
     let correlations = study.correlation.iter().flat_map(|correlation| &correlation.stated).map(|each| {
         let [first, second] = [each.first, each.second].map(|input| &study.random[input].path);
         let measure = match each.measure {
@@ -176,8 +180,8 @@ fn inputs(study: &Study) -> Section {
         Fact::nameless(format!("{first} with {second}: {measure} correlation {}", format_number(each.value)))
     });
     let unknown = study.epistemic.iter().map(|input| Fact::new(&input.path, [known_words(study, input)]));
-    let heading = counted_or_no(study.random.len(), "random input", "random inputs");
-    let mut section = Section::of_facts("inputs", heading, random.chain(correlations));
+    let heading = counted_or_no(random.len(), "random input", "random inputs");
+    let mut section = Section::of_facts("inputs", heading, random.into_iter().chain(correlations));
     section.push(Content::Heading(unknown_heading(study).into()));
     section.push_close(Content::Facts(unknown.collect()));
     section

@@ -80,9 +80,10 @@ impl<'s> Rig<'s> {
             push_input(study, &input.path, quantity, interval_si, is_interval, false, (&mut plays, &mut others));
         }
         for input in &study.random {
+            let Some(quantity) = input.quantity() else { continue };
             let interval_si = holding(input, study, random_share);
-            middle.push((input.quantity, 0.5 * (interval_si[0] + interval_si[1])));
-            push_input(study, &input.path, input.quantity, interval_si, false, true, (&mut plays, &mut others));
+            middle.push((quantity, 0.5 * (interval_si[0] + interval_si[1])));
+            push_input(study, &input.path, quantity, interval_si, false, true, (&mut plays, &mut others));
         }
         if plays.is_empty() {
             let place = Place::new(study.source(), place_of_table(study, "epistemic"));

@@ -73,11 +73,8 @@ impl SpecimenStudy {
 
 /// The rows as a table with units.
 fn csv(study: &Study, rows: &MechanismRows) -> String {
-    let units: Vec<ReadableUnit> = study
-        .random
-        .iter()
-        .map(|input| ReadableUnit::default_for(study.model.quantities()[input.quantity].dimension))
-        .collect();
+    let units: Vec<ReadableUnit> =
+        study.random.iter().map(|input| ReadableUnit::default_for(input.dimension(&study.model))).collect();
     let head = rows
         .columns
         .iter()

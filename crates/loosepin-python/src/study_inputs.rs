@@ -11,7 +11,7 @@ pub fn of(study: &study::Study) -> Vec<StudyInput> {
     let nominal = study.model.quantities().nominal();
     let random = study.random.iter().map(|input| {
         let [lower, upper] = [0.0, 1.0].map(|probability| input.variable.quantile(probability));
-        (true, lower, upper, Some(nominal[input.quantity]), None)
+        (true, lower, upper, input.quantity().map(|quantity| nominal[quantity]), None)
     });
     let unknown = study.epistemic.iter().map(|input| {
         let [lower, upper] = input.variable.ends();

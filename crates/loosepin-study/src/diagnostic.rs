@@ -123,6 +123,9 @@ impl StudyError {
             Self::Prepare(PrepareError::TooManyTurns { table, key, .. }) => {
                 Diagnostic::error(self, Some(place_within(table, Some(key), study)))
             }
+            Self::Prepare(PrepareError::JournalsTogether { .. }) => {
+                Diagnostic::error(self, Some(place_within("journals", None, study)))
+            }
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
                 Diagnostic::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
             }

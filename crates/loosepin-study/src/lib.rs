@@ -31,10 +31,10 @@ pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
     Deviation, EpistemicInput, EpistemicSubject, EvaluatedModel, EvaluationProblem, Limit, MAX_POSES, MAX_RUNS,
     MIN_SPECIMEN_ROWS, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject,
-    NameProblem, NamedPlace, NamedQuestion, Push, RandomInput, RandomProblem, RareMethod, ReadingScatter, Reduction,
-    Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation, Study, StudyProblem,
-    StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study, signed_parts, states_nominal,
-    study_schema, takes_mean_of_model,
+    NameProblem, NamedPlace, NamedQuestion, PLAY, Push, RandomInput, RandomProblem, RandomSubject, RareMethod,
+    ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
+    Study, StudyProblem, StudySurrogate, UncertainParameter, Where, journal_words, named_model, number_and_unit,
+    says_study, signed_parts, states_nominal, study_schema, takes_mean_of_model,
 };
 pub use iso_286::FitError;
 pub use model::{Clearance, StudyModel};

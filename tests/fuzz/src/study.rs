@@ -28,7 +28,7 @@ pub fn read(bytes: &[u8]) -> Option<Study> {
     let study = read.map_err(|diagnostics| show(&diagnostics)).ok()?;
     assert!(!study.random.is_empty() || !study.epistemic.is_empty());
     for input in &study.random {
-        let dimension = study.model.quantities()[input.quantity].dimension;
+        let dimension = input.dimension(&study.model);
         assert!(!distribution_words(input.variable.distribution(), dimension).is_empty());
         for probability in [0.001, 0.37, 0.999] {
             let value = input.variable.quantile(probability);

@@ -413,7 +413,7 @@ fn digits_within(kind: &InputKind, value_si: f64) -> usize {
             elements.iter().map(|element| element.upper_si).fold(f64::NEG_INFINITY, f64::max) - lower
         }
         InputKind::Fuzzy { cuts } => cuts.first().map_or(f64::NAN, |cut| cut.upper_si - cut.lower_si),
-        InputKind::Random | InputKind::Play | InputKind::Choice { .. } => f64::NAN,
+        InputKind::Random | InputKind::DrawnPlay | InputKind::Play | InputKind::Choice { .. } => f64::NAN,
     };
     let ahead = (value_si.abs() / width).log10().ceil();
     if ahead.is_finite() { (ahead.max(0.0) as usize + 3).clamp(PLAIN_DIGITS, INPUT_DIGITS) } else { PLAIN_DIGITS }

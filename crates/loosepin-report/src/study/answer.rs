@@ -113,7 +113,7 @@ fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> S
         .filter_map(|input| {
             let name = plain_name(&input.path, &result.inputs);
             match &input.kind {
-                InputKind::Random => None,
+                InputKind::Random | InputKind::DrawnPlay => None,
                 InputKind::Play => Some("every place of the journals in their play".to_owned()),
                 InputKind::Interval { lower_si, upper_si } | InputKind::SecondOrder { lower_si, upper_si } => {
                     Some(format!(
@@ -343,6 +343,8 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
+    let journals = result.inputs.iter().filter(|input| input.kind == InputKind::DrawnPlay);
+    let journals: String = journals.map(|input| format!(", {}", input.words)).collect();
     let turns = |number: f64| turns(number, result.cycle.drive_speed_rad_s, writer);
     let cycle = if result.cycle.method.is_empty() {
         format!("loops closed at each position of {}, without dynamics", turns(result.cycle.recorded_turns))
@@ -350,9 +352,10 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         format!("{} of start-up, {} recorded", turns(result.cycle.transient_turns), turns(result.cycle.recorded_turns))
     };
     format!(
-        "{runs}, {failed} Assumptions: the model as written, {}, {cycle}.",
+        "{runs}, {failed} Assumptions: the model as written, {}{journals}, {cycle}.",
         match random {
-            0 => "no random input".to_owned(),
+            0 if journals.is_empty() => "no random input".to_owned(),
+            0 => "no other random input".to_owned(),
             some => {
                 let inputs = counted(some as u64, "random input", &writer.with_tag(&Tag::Count("random inputs")));
                 format!(

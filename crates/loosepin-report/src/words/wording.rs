@@ -154,7 +154,7 @@ pub(crate) const UNKNOWN_INPUTS: &str = "unknown inputs";
 
 /// Whether anything is known as an interval, a list or so.
 pub(crate) fn has_unknown(inputs: &[InputDescription]) -> bool {
-    inputs.iter().any(|input| input.kind != InputKind::Random)
+    inputs.iter().any(|input| !input.kind.is_random())
 }
 
 /// Note on bounds that are put together from several intervals.

@@ -60,11 +60,20 @@ pub enum InputKind {
     },
     /// The places of the journals of a mechanism in space: anywhere in their play, at each position.
     Play,
+    /// The places of the journals of a mechanism in space, drawn for each sample and held over the turn.
+    DrawnPlay,
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.
         of: Vec<String>,
     },
+}
+
+impl InputKind {
+    /// Whether it scatters from part to part with a known distribution.
+    pub fn is_random(&self) -> bool {
+        matches!(self, Self::Random | Self::DrawnPlay)
+    }
 }
 
 /// A focal element.

@@ -192,7 +192,7 @@ impl SpatialModel {
         let kind = joint.form.with_pitch(|pitch_m| values[pitch_m]);
         let bearing = self.marker(&joint.bearing, values, &joint.name, "bearing")?;
         let journal = self.marker(&joint.journal, values, &joint.name, "journal")?;
-        let play = joint.play.map(|play| spatial_play(play, values));
+        let play = joint.play.map(|play| play.with(values));
         Ok(Joint { play, ..Joint::new(joint.name.clone(), kind, bearing, journal) })
     }
 
@@ -219,21 +219,24 @@ fn unit(direction: Direction, values: &Values, path: impl Fn() -> String) -> Res
     direction.vector(values).normalised().ok_or_else(|| SpatialModelError::NoDirection { path: path() })
 }
 
-fn spatial_play(play: ModelPlay, values: &Values) -> SpatialPlay {
-    match play {
-        ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => RevolutePlay {
-            bearing_length_m: values[bearing_length_m],
-            radial_clearance_m: values[radial_clearance_m],
-            axial_clearance_m: values[axial_clearance_m],
-        }
-        .into(),
-        ModelPlay::Shaft { bearing_length_m, radial_clearance_m } => CylindricalPlay {
-            bearing_length_m: values[bearing_length_m],
-            radial_clearance_m: values[radial_clearance_m],
-        }
-        .into(),
-        ModelPlay::Ball { radial_clearance_m } => {
-            SphericalPlay { radial_clearance_m: values[radial_clearance_m] }.into()
+impl ModelPlay {
+    /// The play with these values.
+    pub(crate) fn with(self, values: &Values) -> SpatialPlay {
+        match self {
+            Self::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => RevolutePlay {
+                bearing_length_m: values[bearing_length_m],
+                radial_clearance_m: values[radial_clearance_m],
+                axial_clearance_m: values[axial_clearance_m],
+            }
+            .into(),
+            Self::Shaft { bearing_length_m, radial_clearance_m } => CylindricalPlay {
+                bearing_length_m: values[bearing_length_m],
+                radial_clearance_m: values[radial_clearance_m],
+            }
+            .into(),
+            Self::Ball { radial_clearance_m } => {
+                SphericalPlay { radial_clearance_m: values[radial_clearance_m] }.into()
+            }
         }
     }
 }

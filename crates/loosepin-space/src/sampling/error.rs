@@ -89,7 +89,7 @@ pub enum SamplingError {
         /// Number of the conditions.
         conditions: usize,
     },
-    /// Not as many numbers in [0, 1) as places of the journals are drawn from.
+    /// Not as many numbers in [0, 1] as places of the journals are drawn from.
     BadUniforms {
         /// As many are expected.
         expected: usize,
@@ -186,7 +186,7 @@ impl fmt::Display for SamplingError {
                  one"
             ),
             Self::BadUniforms { expected, found } => {
-                write!(out, "places of the journals are drawn from {expected} numbers in [0, 1); {found} were given")
+                write!(out, "places of the journals are drawn from {expected} numbers in [0, 1]; {found} were given")
             }
         }
     }

@@ -105,7 +105,7 @@ impl TurnSampler {
         self.sampled(values, None)
     }
 
-    /// One sample with the journals in places that are drawn from uniform numbers in [0, 1) and that they keep over the turn, loops closed
+    /// One sample with the journals in places that are drawn from uniform numbers in [0, 1] and that they keep over the turn, loops closed
     /// exactly. Smallest and largest numbers are alike: what these places make.
     ///
     /// # Errors
@@ -114,7 +114,7 @@ impl TurnSampler {
     /// together.
     pub fn sample_with_play(&self, values: &Values, uniforms: &[f64]) -> Result<TurnSample, SamplingError> {
         let expected = self.uniforms_per_sample();
-        let found = uniforms.iter().filter(|uniform| (0.0..1.0).contains(*uniform)).count();
+        let found = uniforms.iter().filter(|uniform| (0.0..=1.0).contains(*uniform)).count();
         if found != expected || uniforms.len() != expected {
             return Err(SamplingError::BadUniforms { expected, found });
         }

@@ -360,7 +360,7 @@ fn what_cannot_be_sampled_is_said() {
     assert!(matches!(error, SamplingError::DoesNotClose { .. }) && error.joint().is_some(), "{error}");
     let error = sampler.sample(&with(&model, &[("parameter.crank_radius", 1e3)])).unwrap_err();
     assert!(matches!(error, SamplingError::DoesNotClose { .. }), "{error}");
-    for uniforms in [vec![0.5; 3], vec![1.0; 8], vec![f64::NAN; 8]] {
+    for uniforms in [vec![0.5; 3], vec![1.1; 8], vec![f64::NAN; 8]] {
         let error = sampler.sample_with_play(&nominal, &uniforms).unwrap_err();
         assert!(matches!(error, SamplingError::BadUniforms { expected: 8, .. }), "{error}");
     }

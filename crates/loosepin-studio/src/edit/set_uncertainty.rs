@@ -118,7 +118,10 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     let (InputFile::Study(before), InputFile::Study(after)) = (before, after) else { return Ok(()) };
     let paths = |study: &Study, table: &str| -> BTreeSet<String> {
         match table {
-            RANDOM => study.random.iter().map(|input| input.path.clone()).collect(),
+            RANDOM => {
+                let of_model = study.random.iter().filter(|input| input.quantity().is_some());
+                of_model.map(|input| input.path.clone()).collect()
+            }
             _ => study.epistemic.iter().map(|input| input.path.clone()).collect(),
         }
     };

@@ -2,26 +2,41 @@
 
 use super::material::Material;
 use crate::distribution_words::distribution_words;
-use crate::file::{CorrelationMeasure, EpistemicSubject, RandomInput, Study, UncertainParameter};
+use crate::file::{CorrelationMeasure, EpistemicSubject, PLAY, RandomInput, Study, UncertainParameter, journal_words};
 use crate::response::outputs::OutputSource;
-use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
+use loosepin_mechanics::model::{JointId, PlayId};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription, PathOutput,
 };
 use loosepin_text::document::listed;
-use loosepin_text::units::{Dimension, SiUnit, format_number};
+use loosepin_text::units::{SiUnit, format_number};
 use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
+
+/// The uncertain inputs as they are shown: as [`inputs`], all numbers that the places of journals are drawn from as one input.
+pub fn shown_inputs(study: &Study) -> Vec<InputDescription> {
+    let mut shown = inputs(study);
+    let is_of_model = |input: &&RandomInput| input.quantity().is_some();
+    let of_model = study.random.iter().filter(is_of_model).count();
+    let journals = study.journals.map(|distribution| InputDescription {
+        path: PLAY.to_owned(),
+        kind: InputKind::DrawnPlay,
+        unit: SiUnit::NONE,
+        words: journal_words(distribution).to_owned(),
+    });
+    // They are the last of the random ones.
+    shown.splice(of_model..study.random.len(), journals);
+    shown
+}
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
-    let table = &study.model.quantities();
     let random = study.random.iter().map(|input| InputDescription {
         path: input.path.clone(),
         kind: InputKind::Random,
-        unit: unit(table, input.quantity),
+        unit: input.unit(&study.model),
         words: {
-            let words = distribution_words(input.variable.distribution(), dimension(table, input.quantity));
+            let words = distribution_words(input.variable.distribution(), input.dimension(&study.model));
             let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
             words + &origin + &uncertain_words(input, study)
         },
@@ -121,15 +136,6 @@ fn uncertain_words(input: &RandomInput, study: &Study) -> String {
         format!("; its {} unknown, {known_words}", uncertain.parameter.words())
     };
     input.parameters.iter().map(words).collect()
-}
-
-fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
-    table[id].dimension
-}
-
-/// The SI unit of a quantity, `1` for a pure number.
-pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
-    SiUnit::of_dimension(table[id].dimension)
 }
 
 /// The recorded cycle of every run.

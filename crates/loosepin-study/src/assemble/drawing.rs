@@ -28,7 +28,7 @@ pub struct Pictures {
 pub fn pictures(material: &Material<'_>) -> Pictures {
     let (study, response) = (material.study, material.response);
     let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
-    let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal()[input.quantity]).collect();
+    let nominal = nominal_quantities(study, response);
     let mut nominal_row = vec![f64::NAN; response.row_length()];
     if response.run(&nominal, &middle, &mut nominal_row).is_err() {
         nominal_row.fill(f64::NAN);
@@ -122,9 +122,14 @@ fn thin(drawing: &mut Drawing, offset_rad: f64) {
     }
 }
 
+/// The random inputs as they are nominally, without the places of journals.
+fn nominal_quantities(study: &Study, response: &StudyResponse) -> Vec<f64> {
+    study.random.iter().filter_map(|input| Some(response.nominal()[input.quantity()?])).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{ORBIT_SAMPLES, pictures};
+    use super::{ORBIT_SAMPLES, nominal_quantities, pictures};
     use crate::assemble::few_runs::FewRuns;
     use loosepin_result::simulation::PoseTable;
     use loosepin_simulate::{Plan, simulate, simulate_poses};
@@ -150,7 +155,7 @@ mod tests {
         let material = runs.material(&runs.bounds.pairs);
         let (study, response) = (material.study, material.response);
         let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
-        let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal()[input.quantity]).collect();
+        let nominal = nominal_quantities(study, response);
         let values = response.values(&nominal, &middle).unwrap();
         let (cycle, settings) = (study.cycle.clone(), *response.planar().unwrap().settings());
         let plan = Plan {

@@ -25,9 +25,9 @@ impl Case {
         let study_path = folder.join("study.toml");
         let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
         let of_study = |study: &Study| -> Vec<Scatter> {
-            let random = study.random.iter().map(|input| Scatter {
-                quantity: input.quantity,
-                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+            let random = study.random.iter().filter_map(|input| {
+                let standard_deviation_si = input.largest_standard_deviation(&study.epistemic);
+                Some(Scatter { quantity: input.quantity()?, standard_deviation_si })
             });
             random.collect()
         };

@@ -70,7 +70,7 @@ impl StudyReader {
                 if entry.is_table() { reader.reader.any_keys(entry).is_empty() } else { entry.is_empty_list() }
             })
         };
-        if is_empty(self, &[&root.random, &root.epistemic]) {
+        if is_empty(self, &[&root.random, &root.epistemic]) && self.journals.is_none() {
             let is_in_space = self.model.spatial().is_some();
             self.reader.report(&StudyProblem::NothingUncertain { is_in_space }, root.table.span);
         }
@@ -114,11 +114,11 @@ impl StudyReader {
         let span_of = |table: &Option<Entry<'_>>, path: &str| {
             entry_of(table, path).map_or(root.table.span, |entry| entry.key_span)
         };
-        let random = self.random.iter().filter(|_| is_series).map(|input| {
+        let random = self.random.iter().filter(|_| is_series).filter_map(|input| {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
-            (span_of(&root.random, &input.path), &input.path, input.quantity, all, input.origin.is_some())
+            Some((span_of(&root.random, &input.path), &input.path, input.quantity()?, all, input.origin.is_some()))
         });
         let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
         let epistemic = self.epistemic.iter().filter(is_between).filter_map(|input| {
@@ -204,10 +204,11 @@ impl StudyReader {
 
     /// Says that too many of the values `drawn` leave a joint without play, all other values being those of the file.
     fn share_without_play(&self, input: &RandomInput, drawn: &[f64]) -> Option<StudyProblem> {
+        let quantity = input.quantity()?;
         let quantities = &self.model.quantities();
-        let plays = self.plays_of(input.quantity);
+        let plays = self.plays_of(quantity);
         let lost = |value_si: f64| {
-            let values = quantities.evaluate(&[(input.quantity, value_si)]).ok()?;
+            let values = quantities.evaluate(&[(quantity, value_si)]).ok()?;
             plays.iter().copied().find(|&id| values[id] == 0.0)
         };
         let all: Vec<(f64, QuantityId)> = if plays.is_empty() {
@@ -219,18 +220,19 @@ impl StudyReader {
         let &(value_si, clearance) = all.first().filter(|_| is_too_much)?;
         Some(StudyProblem::ClearanceTouchesZero {
             path: input.path.clone(),
-            end: format_value(value_si, quantities[input.quantity].dimension),
+            end: format_value(value_si, quantities[quantity].dimension),
             clearance: quantities[clearance].path.clone(),
             is_member: true,
         })
     }
 
     fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
+        let quantity = input.quantity()?;
         let quantities = &self.model.quantities();
         let mut values = quantities.nominal();
         let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
         let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
-        let is_independent = quantities.is_independent(input.quantity);
+        let is_independent = quantities.is_independent(quantity);
         if let Some(problem) = self.share_without_play(input, &drawn) {
             return Some(problem);
         }
@@ -238,7 +240,7 @@ impl StudyReader {
             let epistemic = self.epistemic.iter();
             let mut set: Vec<(QuantityId, f64)> =
                 epistemic.filter_map(|input| Some((input.quantity()?, input.variable.at(fraction)))).collect();
-            set.push((input.quantity, f64::NAN));
+            set.push((quantity, f64::NAN));
             let mut possible = |value_si: f64| {
                 if let Some(last) = set.last_mut() {
                     last.1 = value_si;
@@ -250,7 +252,7 @@ impl StudyReader {
             let mut impossible = 0;
             let mut first = None;
             for &value_si in &drawn {
-                let tried = if is_own_rule { quantities[input.quantity].check(value_si) } else { possible(value_si) };
+                let tried = if is_own_rule { quantities[quantity].check(value_si) } else { possible(value_si) };
                 if let Err(error) = tried {
                     impossible += 1;
                     first.get_or_insert(error);

@@ -10,9 +10,30 @@ use loosepin_uncertainty::{
 };
 
 impl RandomInput {
+    /// The quantity, where it is one.
+    pub fn quantity(&self) -> Option<QuantityId> {
+        match self.subject {
+            RandomSubject::Quantity(quantity) => Some(quantity),
+            RandomSubject::Journal { .. } => None,
+        }
+    }
+
+    /// Its path; of a number that the place of a journal is drawn from, that of the place.
+    pub fn whole_path(&self) -> &str {
+        match &self.subject {
+            RandomSubject::Quantity(_) => &self.path,
+            RandomSubject::Journal { place } => place,
+        }
+    }
+
+    /// Dimension of its values; a pure number for the place of a journal.
+    pub fn dimension(&self, model: &StudyModel) -> Dimension {
+        self.quantity().map_or(Dimension::NUMBER, |quantity| model.quantities()[quantity].dimension)
+    }
+
     /// The unit of its values.
     pub fn unit(&self, model: &StudyModel) -> SiUnit {
-        SiUnit::of_dimension(model.quantities()[self.quantity].dimension)
+        SiUnit::of_dimension(self.dimension(model))
     }
 
     /// Parameters of the distributions of `random` that are epistemic inputs.
@@ -89,19 +110,31 @@ pub struct StudySurrogate {
     pub is_alone: bool,
 }
 
-/// A quantity that scatters with a known distribution.
+/// Something that scatters with a known distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RandomInput {
-    /// Path in the model.
+    /// Path in the model; of the place of a journal its own.
     pub path: String,
-    /// The quantity.
-    pub quantity: QuantityId,
+    /// What scatters.
+    pub subject: RandomSubject,
     /// Its distribution, SI, uncertain parameters in the middle.
     pub variable: RandomVariable,
     /// Source of the distribution, in words, if it is not stated itself: a tolerance, a fit, a sample.
     pub origin: Option<String>,
     /// Parameters of the distribution that are epistemic inputs.
     pub parameters: Vec<UncertainParameter>,
+}
+
+/// What a random input is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RandomSubject {
+    /// A number of the model.
+    Quantity(QuantityId),
+    /// One of the numbers from 0 to 1 from which the place of a journal in its play is drawn, in a mechanism in space.
+    Journal {
+        /// Path of the place as a whole.
+        place: String,
+    },
 }
 
 /// A parameter of a distribution that is an epistemic input.

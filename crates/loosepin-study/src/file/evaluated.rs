@@ -154,6 +154,7 @@ impl Study {
             readings: file.readings,
             percentiles: PERCENTILES.to_vec(),
             random: Vec::new(),
+            journals: None,
             correlation: None,
             specimen: None,
             epistemic,

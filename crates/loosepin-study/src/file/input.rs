@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
+use super::description::{EpistemicInput, EpistemicSubject, RandomInput, RandomSubject};
 use super::evidence::{ElementTable, FuzzyTable};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
@@ -61,7 +61,8 @@ impl StudyReader {
             let table = self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| RandomTable::of(self, table));
             let Some(table) = table else { continue };
             let Some((variable, parameters, origin)) = self.random_input(&entry, &table, quantity) else { continue };
-            self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin, parameters });
+            let (path, subject) = (entry.name.to_owned(), RandomSubject::Quantity(quantity));
+            self.random.push(RandomInput { path, subject, variable, origin, parameters });
         }
     }
 
@@ -76,7 +77,7 @@ impl StudyReader {
                 continue;
             }
             let Some(quantity) = self.input(&entry, EPISTEMIC_EXAMPLE) else { continue };
-            if self.random.iter().any(|input| input.quantity == quantity) {
+            if self.random.iter().any(|input| input.quantity() == Some(quantity)) {
                 self.report(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
             let Some(known) = EpistemicTable::read(self, &entry) else { continue };

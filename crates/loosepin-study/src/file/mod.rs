@@ -27,8 +27,8 @@ use std::sync::Arc;
 
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, RandomInput, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
-    UncertainParameter,
+    EpistemicSubject, RandomInput, RandomSubject, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation,
+    StudySurrogate, UncertainParameter,
 };
 pub use evaluated::{EvaluatedModel, EvaluationProblem};
 pub use evaluated_name::{NameProblem, NamedPlace, NamedQuestion};
@@ -39,7 +39,7 @@ pub use measurements::measurement::{
 pub use measurements::motion::MotionProblem;
 pub use measurements::specimen::MIN_ROWS as MIN_SPECIMEN_ROWS;
 pub use measurements::specimen_problem::SpecimenProblem;
-pub(crate) use play::PLAY;
+pub use play::{PLAY, journal_words};
 pub use problem::StudyProblem;
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};
@@ -191,7 +191,7 @@ impl Study {
     pub fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
         let stated = self.correlation.iter().flat_map(|correlation| &correlation.stated);
         stated
-            .map(|each| {
+            .filter_map(|each| {
                 let [first, second] = [each.first, each.second].map(|input| &self.random[input]);
                 let linear = match each.measure {
                     CorrelationMeasure::Linear => each.value,
@@ -199,7 +199,7 @@ impl Study {
                         CorrelationSeries::new(&first.variable, &second.variable).linear(each.normal)
                     }
                 };
-                ScatterCorrelation { first: first.quantity, second: second.quantity, linear }
+                Some(ScatterCorrelation { first: first.quantity()?, second: second.quantity()?, linear })
             })
             .chain(self.correlations_of_rows())
             .collect()
@@ -255,6 +255,7 @@ fn read(
     if let Some(entry) = epistemic {
         file.read_epistemic(entry);
     }
+    file.read_journals(root.journals.as_ref());
     file.add_play();
     let correlation = file.read_correlations(root.correlation.as_ref());
     let (correlation, specimen) = file.read_specimen([root.specimen.as_ref(), random], correlation);
@@ -305,6 +306,7 @@ fn read(
         readings: file.readings,
         percentiles,
         random: file.random,
+        journals: file.journals,
         correlation,
         specimen,
         epistemic: file.epistemic,

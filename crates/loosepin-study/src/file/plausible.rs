@@ -27,11 +27,12 @@ impl StudyReader {
     }
 
     fn wild_scatter(&self, input: &RandomInput) -> Option<StudyProblem> {
+        let quantity = input.quantity()?;
         let quantities = &self.model.quantities();
         let values = quantities.nominal();
-        let (nominal_m, least_m) = (values[input.quantity], SMALL_OFFSET * self.model.largest_extent_m(&values));
-        let is_length = quantities[input.quantity].dimension == Dimension::LENGTH;
-        if !is_length || nominal_m == 0.0 || self.model.has_play_from(input.quantity) {
+        let (nominal_m, least_m) = (values[quantity], SMALL_OFFSET * self.model.largest_extent_m(&values));
+        let is_length = quantities[quantity].dimension == Dimension::LENGTH;
+        if !is_length || nominal_m == 0.0 || self.model.has_play_from(quantity) {
             return None;
         }
         let (path, length) = (input.path.clone(), |value_m: f64| format_value(value_m, Dimension::LENGTH));

@@ -1,21 +1,79 @@
 //! The places of the journals of a mechanism in space.
 
-use super::description::{Deviation, EpistemicInput, EpistemicSubject};
+use super::description::{Deviation, EpistemicInput, EpistemicSubject, RandomInput, RandomSubject};
 use super::problem::StudyProblem;
 use super::questions::ask::Asked;
 use super::questions::location::Where;
 use super::reader::StudyReader;
+use crate::file::measurements::specimen_problem::SpecimenProblem;
+use loosepin_space::PlayDistribution;
 use loosepin_text::document::Entry;
-use loosepin_uncertainty::Members;
+use loosepin_uncertainty::{Distribution, Members, RandomVariable};
 
 /// Path of the input that stands for the places of all journals.
-pub(crate) const PLAY: &str = "play";
+pub const PLAY: &str = "play";
+
+/// Where the journals are, as a file says it; `None` where it is not known.
+pub(super) const JOURNALS: [(&str, Option<PlayDistribution>); 3] = [
+    ("unknown", None),
+    ("uniform-in-play", Some(PlayDistribution::Inside)),
+    ("uniform-on-rims", Some(PlayDistribution::OnTheRim)),
+];
+
+/// What is assumed of journals that are drawn, in words.
+pub fn journal_words(distribution: PlayDistribution) -> &'static str {
+    match distribution {
+        PlayDistribution::Inside => "journals anywhere in their play, all places alike, held over the turn",
+        PlayDistribution::OnTheRim => {
+            "journals on the rims of their play, balls on the surface, all places there alike, held over the turn"
+        }
+    }
+}
 
 impl StudyReader {
-    /// Adds the places of the journals, where a model in space has play: anything between what they make smallest and largest, at each position.
-    /// Runs in the plane have contact forces that decide where a journal is.
+    /// Reads where the journals are. Runs in the plane have contact forces that decide it.
+    pub fn read_journals(&mut self, written: Option<&Entry<'_>>) {
+        let Some(entry) = written else { return };
+        let Some(journals) = self.reader.choice(entry, &JOURNALS) else {
+            // No question is refused for what a word that cannot be read may have said.
+            self.journals = Some(PlayDistribution::Inside);
+            return;
+        };
+        let problem = if self.model.spatial().is_none() {
+            StudyProblem::JournalsInPlane
+        } else if !self.model.has_play() {
+            StudyProblem::JournalsWithoutPlay
+        } else {
+            if journals.is_some() && self.has_rows {
+                let what = "journals at places that are drawn";
+                self.reader.report(&SpecimenProblem::Beside { what }, entry.span);
+            }
+            self.journals = journals;
+            return;
+        };
+        self.reader.report(&problem, entry.key_span);
+    }
+
+    /// Adds the places of the journals, where a model in space has play: drawn as the file says, or else anything between what they make
+    /// smallest and largest, at each position.
     pub fn add_play(&mut self) {
-        if self.model.spatial().is_none() || !self.model.has_play() {
+        let Some(model) = self.model.spatial().filter(|_| self.model.has_play()) else { return };
+        if let Some(distribution) = self.journals {
+            let Ok(variable) = RandomVariable::try_new(Distribution::Uniform { lower: 0.0, upper: 1.0 }) else {
+                return;
+            };
+            let numbers = model.uniforms_of_joints(distribution).into_iter().flat_map(|(joint, count)| {
+                let place = format!("joint.{joint}.journal");
+                (1..=count).map(move |number| (place.clone(), number))
+            });
+            let drawn = numbers.map(|(place, number)| RandomInput {
+                path: format!("{place}.{number}"),
+                subject: RandomSubject::Journal { place },
+                variable: variable.clone(),
+                origin: Some("the place of a journal in its play is drawn from it".to_owned()),
+                parameters: Vec::new(),
+            });
+            self.random.extend(drawn);
             return;
         }
         // The middle stands for nominal parts. Everything that is asked is largest and smallest at the ends (`check_sides`), so that nothing between
@@ -26,9 +84,10 @@ impl StudyReader {
         }
     }
 
-    /// Whether a deviation depends on places of journals that no force decides.
+    /// Whether a deviation depends on places of journals that nothing decides.
     fn has_unknown_play(&self, deviation: Deviation) -> bool {
-        self.model.spatial().is_some() && self.model.has_play() && deviation != Deviation::Dimensional
+        let is_unknown = self.model.spatial().is_some() && self.model.has_play() && self.journals.is_none();
+        is_unknown && deviation != Deviation::Dimensional
     }
 
     /// Refuses statistics whose largest value is not where all mechanisms have their journals on one side: what is monotone in a number has its

@@ -186,7 +186,16 @@ problems! {
         /// A statistic that is not largest where all mechanisms have their journals on one side.
         NotOfOneSide { entry: String } => Code::AskNotPossible,
             says("{entry} has no bound here: the journals of each mechanism may be on another side of their play"),
-            hint("ask for a mean, quantiles or probabilities of one side, for the largest magnitude over the cycle, or of = \"dimensional\"");
+            hint("ask for a mean, quantiles or probabilities of one side, for the largest magnitude over the cycle, or of = \"dimensional\"; or \
+                  assume that all places are alike: journals = \"uniform-in-play\" at the top of the study");
+        /// Places of journals where contact forces decide them.
+        JournalsInPlane => Code::AskNotPossible,
+            says("'journals' is for models in space: in the plane, contact forces decide where a journal is in its play"),
+            hint("remove it");
+        /// Places of journals that have none.
+        JournalsWithoutPlay => Code::AskNotPossible,
+            says("'journals' says where journals are in their play, and no joint of the model has play"),
+            hint("remove it, or give a joint play in the model file");
         /// A start-up of positions that do not depend on what was before.
         NoStartUp { entry: String } => Code::AskNotPossible,
             says("{entry}: positions in space do not depend on what was before, so that there is no start-up"),

@@ -7,6 +7,7 @@ use crate::response::outputs::StudyOutput;
 use crate::response::study_outputs::study_outputs;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_result::study::Deviation;
+use loosepin_space::PlayDistribution;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Problem, Source, Span};
 use loosepin_text::document::{Entry, Reader, Reads};
 use loosepin_text::units::Dimension;
@@ -21,6 +22,8 @@ pub struct StudyReader {
     /// Outputs of the model.
     pub outputs: Vec<StudyOutput>,
     pub random: Vec<RandomInput>,
+    /// Where the journals of a model in space are in their play, where they are drawn.
+    pub journals: Option<PlayDistribution>,
     pub epistemic: Vec<EpistemicInput>,
     /// The one that answers first; never empty.
     pub readings: Vec<Reading>,
@@ -51,6 +54,7 @@ impl StudyReader {
             outputs: study_outputs(&model),
             model,
             random: Vec::new(),
+            journals: None,
             epistemic: Vec::new(),
             readings: vec![Reading::FixedButUnknown],
             tables: Vec::new(),

@@ -70,13 +70,13 @@ impl StudyReader {
     }
 
     fn input_ends(&self, small: f64) -> Vec<(QuantityId, [f64; 2])> {
-        let random = self.random.iter().map(|input| {
+        let random = self.random.iter().filter_map(|input| {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let variables = input.variables(&self.epistemic, corners);
             let low = variables.iter().map(|variable| variable.quantile(small)).fold(f64::INFINITY, f64::min);
             let high =
                 variables.iter().map(|variable| variable.quantile(1.0 - small)).fold(f64::NEG_INFINITY, f64::max);
-            (input.quantity, [low, high])
+            Some((input.quantity()?, [low, high]))
         });
         let known = |input: &EpistemicInput| Some((input.quantity()?, input.variable.ends()));
         random.chain(self.epistemic.iter().filter_map(known)).collect()

@@ -14,6 +14,7 @@ use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Cycle;
 use loosepin_result::study::{Budget, Together};
+use loosepin_space::PlayDistribution;
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_uncertainty::EpistemicParameter;
 
@@ -40,8 +41,10 @@ pub struct Study {
     pub readings: Vec<Reading>,
     /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
     pub percentiles: Vec<f64>,
-    /// Random inputs in file order.
+    /// Random inputs in file order, then the places of journals that are drawn.
     pub random: Vec<RandomInput>,
+    /// Where the journals of a mechanism in space are in their play; `None` if that is not known, and in the plane, where contact forces decide.
+    pub journals: Option<PlayDistribution>,
     /// How the random inputs go together; `None` if they are independent.
     pub correlation: Option<Correlation>,
     /// The rows that take the place of the distributions of all random inputs; `None` if these are as stated.

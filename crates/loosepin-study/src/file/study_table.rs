@@ -1,6 +1,7 @@
 //! A study file as a whole: the keys that questions share, then the tables of single questions.
 
 use super::input::EpistemicTable;
+use super::play::JOURNALS;
 use super::sampling::{SamplingTable, StudyCycleTable};
 use super::surrogate::SURROGATE;
 use super::words::{READINGS, words};
@@ -45,6 +46,9 @@ record! {
     /// unknown (epistemic) inputs: quantities known only as intervals, and quantities and laws known only as lists, by their paths in the
     /// model
     optional epistemic: Entry<'t> = Kind::Tables { keys: &EpistemicTable::KEYS, except: &[] }, "";
+    /// where the journals of a model in space are in their play: anywhere at each position, or at places that are drawn for each mechanism and
+    /// held over the turn, with all places in the play alike or all places on its rims alike (of balls on the surface); unknown if omitted
+    optional journals: Entry<'t> = Kind::Choice(&words(&JOURNALS)), "\"uniform-in-play\"";
     /// correlated random inputs; all others are independent
     optional correlation: Entry<'t> = Kind::List(&Kind::Table(&CorrelationTable::KEYS)), "";
     /// a measured mechanism: rows of values instead of the distributions under `[random]`; if omitted, any mechanism of the series

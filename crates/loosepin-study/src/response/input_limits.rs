@@ -22,11 +22,11 @@ pub(crate) struct InputLimits {
 impl Study {
     /// The limits of all random inputs and of the unknown numbers.
     pub(crate) fn input_limits(&self) -> Vec<InputLimits> {
-        let random = self.random.iter().map(|input| {
+        let random = self.random.iter().filter_map(|input| {
             let variables = input.variables(&self.epistemic, |known| known.ends().to_vec());
             let all = variables.iter().map(limits_of).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1), a.2.min(b.2)));
             let (low_si, high_si, share) = all.unwrap_or_else(|| limits_of(&input.variable));
-            InputLimits { path: input.path.clone(), quantity: input.quantity, low_si, high_si, share }
+            Some(InputLimits { path: input.path.clone(), quantity: input.quantity()?, low_si, high_si, share })
         });
         let unknown = self.epistemic.iter().filter_map(|input| {
             let [low_si, high_si] = input.variable.ends();

@@ -1,7 +1,16 @@
 //! What the values of uncertain inputs are for.
 
-use crate::file::{EpistemicSubject, Study};
+use crate::file::{EpistemicSubject, RandomSubject, Study};
 use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
+
+/// Target of the value of a random input.
+#[derive(Debug, Clone, Copy)]
+enum RandomTarget {
+    /// To a number of the model.
+    Quantity(QuantityId),
+    /// To the place of a journal in its play.
+    Journal,
+}
 
 /// Target of the value of an epistemic input.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +28,7 @@ enum EpistemicTarget {
 /// What the values of uncertain inputs are for, in their order.
 #[derive(Debug, Clone)]
 pub(crate) struct InputTargets {
-    random: Vec<QuantityId>,
+    random: Vec<RandomTarget>,
     epistemic: Vec<EpistemicTarget>,
 }
 
@@ -32,7 +41,11 @@ impl InputTargets {
             EpistemicSubject::Law { laws, .. } => EpistemicTarget::Law(laws.len()),
             EpistemicSubject::Play => EpistemicTarget::Play,
         });
-        Self { random: study.random.iter().map(|input| input.quantity).collect(), epistemic: epistemic.collect() }
+        let random = study.random.iter().map(|input| match input.subject {
+            RandomSubject::Quantity(quantity) => RandomTarget::Quantity(quantity),
+            RandomSubject::Journal { .. } => RandomTarget::Journal,
+        });
+        Self { random: random.collect(), epistemic: epistemic.collect() }
     }
 
     /// Which combination of laws these epistemic inputs choose, the law of the first contact changing fastest.
@@ -53,7 +66,13 @@ impl InputTargets {
         own.filter(|(input, _)| matches!(input, EpistemicTarget::Play)).map(|(_, &value)| value).next().unwrap_or(0.0)
     }
 
-    /// Whether the places of the journals are an input.
+    /// The numbers that the places of the journals are drawn from; none where these are unknown, or `random` ends before them.
+    pub fn journals(&self, random: &[f64]) -> Vec<f64> {
+        let own = self.random.iter().zip(random);
+        own.filter(|(input, _)| matches!(input, RandomTarget::Journal)).map(|(_, &value)| value).collect()
+    }
+
+    /// Whether the places of the journals are an unknown input.
     pub fn has_play(&self) -> bool {
         self.epistemic.iter().any(|input| matches!(input, EpistemicTarget::Play))
     }
@@ -75,7 +94,10 @@ impl InputTargets {
         random: &[f64],
         epistemic: &[f64],
     ) -> Result<Values, QuantityError> {
-        let random = self.random.iter().copied().zip(random.iter().copied());
+        let random = self.random.iter().zip(random).filter_map(|(input, &value)| match *input {
+            RandomTarget::Quantity(quantity) => Some((quantity, value)),
+            RandomTarget::Journal => None,
+        });
         let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
             EpistemicTarget::Quantity(quantity) => Some((quantity, value)),
             EpistemicTarget::Parameter | EpistemicTarget::Law(_) | EpistemicTarget::Play => None,

@@ -210,7 +210,7 @@ pub fn check_turns(transient: f64, recorded: f64) -> Result<(), PrepareError> {
 fn check_drive(study: &Study, model: &Model) -> Result<(), PrepareError> {
     let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
     let Some(Steady { speed, start }) = model.drives[drive.0].law.steady() else { return Ok(()) };
-    let random = study.random.iter().map(|input| {
+    let random = study.random.iter().filter_map(|input| {
         let corners = |known: &EpistemicVariable| known.ends().to_vec();
         let range = input
             .variables(&study.epistemic, corners)
@@ -218,7 +218,7 @@ fn check_drive(study: &Study, model: &Model) -> Result<(), PrepareError> {
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[lower, upper], variable| {
                 [lower.min(variable.quantile(1e-9)), upper.max(variable.quantile(1.0 - 1e-9))]
             });
-        (&input.path, input.quantity, range)
+        Some((&input.path, input.quantity()?, range))
     });
     let epistemic =
         study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?, input.variable.ends())));

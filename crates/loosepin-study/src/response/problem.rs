@@ -22,6 +22,12 @@ problems! {
             says("'{path}' changes where drives are at a place of the cycle: every sample must be at the same places to be compared with the \
                   ideal motion"),
             hint("where the cycle counts the turns of a single drive, its speed may be uncertain");
+        /// Places of the journals are to be drawn one by one, and must meet conditions together.
+        JournalsTogether { conditions: usize } => Code::AskNotPossible,
+            says("constraints of this mechanism repeat each other, so that its journals must meet {conditions} {} together for the loops to \
+                  close: their places cannot be drawn one by one", if *conditions == 1 { "condition" } else { "conditions" }),
+            hint("leave 'journals' out, so that bounds hold wherever they are; or change the joints so that no constraint repeats others: \
+                  `loosepin check` of the model names them");
         /// The speed of the drive may change its sign.
         SpeedThroughZero { path: String } => Code::AskNotPossible,
             says("'{path}' may be zero or change its sign: the turns of such a drive cannot be counted"),

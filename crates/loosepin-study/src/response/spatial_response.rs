@@ -6,6 +6,8 @@
 //! ```text
 //! column = lower + (upper - lower) (1 + play)/2
 //! ```
+//!
+//! Where the places of the journals are drawn, both ends are what these places make.
 
 use crate::file::{Deviation, MAX_POSES, Study};
 use crate::response::columns::{ColumnPlan, Location};
@@ -19,7 +21,9 @@ use crate::response::problem::PrepareError;
 use crate::response::recent_ends::{EndsOfSample, RecentEnds};
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_simulate::RunFailure;
-use loosepin_space::{AccuracyError, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler};
+use loosepin_space::{
+    AccuracyError, PlayDistribution, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler,
+};
 use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
 
 /// A prepared study of a mechanism in space.
@@ -100,19 +104,22 @@ impl SpatialResponse {
             reads.push(Read { part, place });
         }
         // Play is counted to first order unless somebody asks what it makes: that needs a search.
-        let is_of_dimensions = plan.columns.iter().all(|column| column.deviation == Deviation::Dimensional);
-        let side = if is_of_dimensions { PlaySide::FirstOrder } else { PlaySide::Exact };
+        let is_searched = plan.columns.iter().any(|column| column.deviation != Deviation::Dimensional);
+        let side = if is_searched && study.journals.is_none() { PlaySide::Exact } else { PlaySide::FirstOrder };
         let prepared = |values: &Values| {
             let sampler = TurnSampler::new(model, values, &turns, &parts)?;
             if side == PlaySide::FirstOrder { Ok(sampler) } else { sampler.with_play_side(side) }
         };
-        let sampler = prepared(&nominal).map_err(|error| {
+        let mut sampler = prepared(&nominal).map_err(|error| {
             // Where the values of the model alone have no answer either, its file is at fault.
             match prepared(&of_model) {
                 Ok(_) => failure(error).into(),
                 Err(error) => refused(model, &of_model, &error),
             }
         })?;
+        if let Some(distribution) = study.journals {
+            sampler = drawing(sampler, distribution, &nominal)?;
+        }
         let ideal = &sampler.nominal().ideal_si;
         let at_pose = |read: &Read| read.place.map_or(f64::NAN, |place| ideal[read.part * turns.len() + place]);
         let targets = InputTargets::new(study);
@@ -140,7 +147,7 @@ impl SpatialResponse {
         self.targets.values(&self.quantities, random, epistemic)
     }
 
-    /// The row of a run: its columns, then its extras.
+    /// The row of a run: its columns, then its extras. Where journals are drawn and `random` ends before their numbers, they are in the middle.
     ///
     /// # Errors
     /// A value breaks its rule; the loops do not close.
@@ -163,10 +170,15 @@ impl SpatialResponse {
         Ok(row)
     }
 
-    /// The ends of the columns, with the loops closed for these inputs. They do not depend on where in their play the journals are.
+    /// The ends of the columns, with the loops closed for these inputs. They do not depend on where in their play the journals are, where that is
+    /// not known.
     fn close(&self, random: &[f64], epistemic: &[f64]) -> EndsOfSample {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = self.sampler.sample(&values).map_err(failure)?;
+        let sample = match &self.targets.journals(random)[..] {
+            [] => self.sampler.sample(&values),
+            drawn => self.sampler.sample_with_play(&values, drawn),
+        };
+        let sample = sample.map_err(failure)?;
         let columns = self.reads.iter().zip(&self.plan.columns);
         Ok(columns.map(|(read, column)| self.ends(&sample, read, column.deviation, column.spot)).collect())
     }
@@ -193,6 +205,21 @@ impl SpatialResponse {
             (place, _) => at(place.unwrap_or_default()),
         }
     }
+}
+
+/// The sampler for places of the journals that are drawn; samples without such places have them in the middle.
+fn drawing(
+    sampler: TurnSampler,
+    distribution: PlayDistribution,
+    nominal: &Values,
+) -> Result<TurnSampler, PrepareError> {
+    let sampler = sampler.with_play_distribution(distribution);
+    // Whether plays must meet conditions together does not depend on where the journals are.
+    let anywhere = vec![0.5; sampler.uniforms_per_sample()];
+    if let Err(SamplingError::ConditionsOnPlay { conditions }) = sampler.sample_with_play(nominal, &anywhere) {
+        return Err(PrepareError::JournalsTogether { conditions });
+    }
+    sampler.with_play_side(PlaySide::None).map_err(|error| failure(error).into())
 }
 
 /// Places at which a motion is looked at, in turns, and those of the cycle among them with their weights.
@@ -233,7 +260,7 @@ fn nearest(turns: &[f64], at: f64) -> usize {
 
 /// Every sample must have its drives at the same places.
 fn check_drives(study: &Study, model: &SpatialModel) -> Result<(), PrepareError> {
-    let random = study.random.iter().map(|input| (&input.path, input.quantity));
+    let random = study.random.iter().filter_map(|input| Some((&input.path, input.quantity()?)));
     let epistemic = study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?)));
     let counted = match study.cycle.span {
         CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => Some(drive.0),

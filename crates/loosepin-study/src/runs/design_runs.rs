@@ -2,7 +2,7 @@
 
 use crate::drafts::progress::Progress;
 use crate::error::StudyError;
-use crate::file::{EpistemicInput, EpistemicSubject, MAX_RUNS, Study};
+use crate::file::{EpistemicInput, EpistemicSubject, MAX_RUNS, RandomInput, RandomSubject, Study};
 use crate::planning::problem::problem;
 use crate::response::extras::RunExtras;
 use crate::response::problem::PrepareError;
@@ -107,8 +107,12 @@ impl DesignRuns {
         self.problem.inputs_at(point).concat()
     }
 
-    /// Whether a number may be the value of an input: any finite one, of a law its place in the list of laws.
+    /// Whether a number may be the value of an input: any finite one, of a law its place in the list of laws, of the place of a journal one from
+    /// 0 to 1.
     pub fn is_value(&self, input: usize, value: f64) -> bool {
+        if let Some(RandomInput { subject: RandomSubject::Journal { .. }, .. }) = self.study.random.get(input) {
+            return (0.0..=1.0).contains(&value);
+        }
         let epistemic = input.checked_sub(self.study.random.len()).and_then(|place| self.study.epistemic.get(place));
         value.is_finite()
             && epistemic.is_none_or(|known| match &known.subject {
@@ -227,7 +231,7 @@ impl DesignRuns {
         if let Some((_, known)) = others.iter().find(|(known, _)| known == plays) {
             return known.clone();
         }
-        let random = self.study.random.iter().map(|input| Some(input.quantity)).zip(&inputs.random);
+        let random = self.study.random.iter().map(RandomInput::quantity).zip(&inputs.random);
         let epistemic = self.study.epistemic.iter().map(EpistemicInput::quantity).zip(&inputs.epistemic);
         let values = random.chain(epistemic).filter_map(|(quantity, &value)| Some((quantity?, value)));
         let at: Vec<(QuantityId, f64)> =

@@ -128,9 +128,9 @@ impl InputFile {
             InputFile::Study(study) => study
                 .random
                 .iter()
-                .map(|input| Scatter {
-                    quantity: input.quantity,
-                    standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+                .filter_map(|input| {
+                    let standard_deviation_si = input.largest_standard_deviation(&study.epistemic);
+                    Some(Scatter { quantity: input.quantity()?, standard_deviation_si })
                 })
                 .collect(),
         }

@@ -255,7 +255,7 @@ impl Judge<'_> {
                 (&self.study.epistemic[input].path, self.study.epistemic[input].quantity())
             }
             AllowedInput::FitScatter(input) | AllowedInput::StandardDeviation(input) => {
-                (&self.study.random[input].path, Some(self.study.random[input].quantity))
+                (&self.study.random[input].path, self.study.random[input].quantity())
             }
         };
         let unit = quantity.map_or(SiUnit::NONE, |id| SiUnit::of_dimension(self.model.quantities[id].dimension));

@@ -8,7 +8,8 @@ use loosepin_text::units::SiUnit;
 
 /// The command that makes a run again.
 pub(crate) fn run_command(study: &Study, inputs: &RunInputs) -> String {
-    let random = study.random.iter().zip(&inputs.random);
+    // Places of journals are not set: a motion shows what all of them do.
+    let random = study.random.iter().zip(&inputs.random).filter(|(input, _)| input.quantity().is_some());
     let mut settings: Vec<String> =
         random.map(|(input, &value)| number_setting(&input.path, &input.unit(&study.model), value)).collect();
     for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {

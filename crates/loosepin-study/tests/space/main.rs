@@ -126,6 +126,117 @@ fn the_input_that_a_study_adds_is_no_quantity_and_no_parameter() {
     assert_eq!(paths, ["parameter.play", "play"]);
 }
 
+/// Where a diagnostic stands: file, line and column.
+fn position(found: &Diagnostic) -> (String, usize, usize) {
+    let place = found.place.as_ref().unwrap_or_else(|| panic!("{found}"));
+    let (line, column) = place.line_and_column();
+    (place.source.name().to_owned(), line, column)
+}
+
+/// A shaft in two bearings, which hold it twice over.
+const SHAFT: &str = r#"
+name = "shaft"
+geometry = "space"
+[body.ground]
+points = { a = ["0 mm", "0 mm", "0 mm"], b = ["0 mm", "0 mm", "150 mm"] }
+[body.shaft]
+points = { a = ["0 mm", "0 mm", "0 mm"], b = ["0 mm", "0 mm", "150 mm"], tip = ["10 mm", "0 mm", "400 mm"] }
+[joint.fixed]
+kind = "revolute"
+bearing = "ground.a"
+journal = "shaft.a"
+radial_clearance = "50 um"
+bearing_length = "20 mm"
+axial_clearance = "0.1 mm"
+[joint.loose]
+kind = "cylindrical"
+bearing = "ground.b"
+journal = "shaft.b"
+radial_clearance = "50 um"
+bearing_length = "20 mm"
+[drive.motor]
+joint = "fixed"
+speed = "60 rpm"
+start_angle = "0 deg"
+[cycle]
+drive = "motor"
+[output.tip]
+path_of = "shaft.tip"
+"#;
+
+#[test]
+fn drawn_journals_are_refused_at_their_key_where_they_make_no_sense() {
+    let journals = "journals = \"uniform-in-play\"\n";
+    let at_key = || ("study.toml".to_owned(), 3, 1);
+    let found = refused(&format!("journals = \"uniform\"\n{INPUTS}{ASK}"));
+    assert!(found.message.contains("journals") && found.to_string().contains("uniform-in-play"), "{found}");
+    assert_eq!(position(&found), ("study.toml".to_owned(), 3, 12));
+    // No joint has play.
+    let ideal = [("radial_clearance = \"0.2 mm\"\n", "")];
+    let inputs = "[random]\n\"body.crank.points.pin.x\" = { normal = { standard_deviation = \"0.05 mm\" } }\n";
+    let found = read(&ideal, &format!("{journals}{inputs}{ASK}")).expect_err("no play").sorted()[0].clone();
+    assert_eq!(found.message, "'journals' says where journals are in their play, and no joint of the model has play");
+    assert_eq!(position(&found), at_key());
+    // Rows of a measured specimen take the place of all random inputs.
+    let rows = "[specimen]\nmechanisms = \"rows.csv\"\n";
+    let found = read(&[], &format!("{journals}{inputs}{rows}{ASK}")).expect_err("rows");
+    let found = found.sorted()[0].clone();
+    assert!(found.message.starts_with("journals at places that are drawn cannot be used with [specimen]"), "{found}");
+    assert_eq!(position(&found), ("study.toml".to_owned(), 3, 12));
+    // In the plane contact forces decide.
+    let planar = include_str!("../../../../cases/slider_crank_worn_pin/model.toml");
+    let planar = StudyModel::from_source(Source::new("model.toml", planar)).unwrap_or_else(|found| panic!("{found}"));
+    let ask = "[[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n";
+    let text = format!(
+        "name = \"s\"\nmodel = \"model.toml\"\n{journals}[epistemic]\n\"joint.gudgeon.radial_clearance\" = {{ interval = [\"0.1 mm\", \"0.5 mm\"] }}\n{ask}"
+    );
+    let found = Study::from_text("study.toml", &text, planar).expect_err("planar").sorted()[0].clone();
+    assert_eq!(
+        found.message,
+        "'journals' is for models in space: in the plane, contact forces decide where a journal is in its play"
+    );
+    assert_eq!(position(&found), at_key());
+}
+
+#[test]
+fn drawn_journals_that_must_meet_conditions_together_are_refused_before_the_runs() {
+    let model = SpatialModel::from_text("model.toml", SHAFT).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let text = "name = \"s\"\nmodel = \"model.toml\"\njournals = \"uniform-on-rims\"\n[[ask]]\noutput = \"tip\"\ncomponent = \"y\"\n\
+                of = \"clearance\"\nreduce = \"maximum\"\nstatistics = [\"standard_deviation\"]\n";
+    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let found = estimate_cost(&study).expect_err("conditions").diagnostic(&study);
+    // Four rows of nine and of the drive are held twice.
+    assert_eq!(
+        found.message,
+        "constraints of this mechanism repeat each other, so that its journals must meet 4 conditions together for the loops to close: their \
+         places cannot be drawn one by one"
+    );
+    assert!(found.hint.as_deref().is_some_and(|hint| hint.starts_with("leave 'journals' out")), "{found}");
+    assert_eq!(position(&found), ("study.toml".to_owned(), 3, 1));
+}
+
+#[test]
+fn drawn_journals_take_the_place_of_the_unknown_input_and_are_enough_to_be_uncertain() {
+    let ask = ASK.replace("\"mean\"", "\"standard_deviation\"");
+    let of = |journals: &str| {
+        read(&[], &format!("journals = \"{journals}\"\n{ask}")).map(|study| {
+            let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
+            (random, study.epistemic.len())
+        })
+    };
+    let numbers = |count: usize| (1..=count).map(|number| format!("joint.ball.journal.{number}")).collect::<Vec<_>>();
+    assert_eq!(of("uniform-in-play").unwrap_or_else(|found| panic!("{found}")), (numbers(3), 0));
+    assert_eq!(of("uniform-on-rims").unwrap_or_else(|found| panic!("{found}")), (numbers(2), 0));
+    let found = of("unknown").expect_err("one side");
+    assert!(found.to_string().contains("journals = \"uniform-in-play\" at the top of the study"), "{found}");
+    // What is written is what is meant where nothing is written.
+    let without = read(&[], &format!("{INPUTS}{ASK}")).unwrap_or_else(|found| panic!("{found}"));
+    let unknown =
+        read(&[], &format!("journals = \"unknown\"\n{INPUTS}{ASK}")).unwrap_or_else(|found| panic!("{found}"));
+    let paths = |study: &Study| study.epistemic.iter().map(|input| input.path.clone()).collect::<Vec<_>>();
+    assert_eq!((paths(&without), unknown.journals), (paths(&unknown), None));
+}
+
 #[test]
 fn tilts_that_the_file_does_not_write_come_with_the_line_to_add() {
     let of = |path: &str| {

@@ -7,6 +7,7 @@ mod allowed_together;
 mod any_statistic;
 mod contact_law_lists;
 mod drafts;
+mod drawn_journals;
 mod efforts;
 mod epistemic_inputs;
 mod exact_bounds;

@@ -8,7 +8,7 @@ use loosepin::templates::{SPATIAL_TEMPLATES, find_template};
 use std::sync::atomic::AtomicBool;
 
 const MM: f64 = 1e-3;
-const COUPLER_M: f64 = 0.25;
+pub(crate) const COUPLER_M: f64 = 0.25;
 
 /// Angle of the rocker of the four-bar with two balls for a coupler of this length, rad (shared notes of the project, closed form): D is the
 /// vector from the pin of the crank to the pivot, e2 and a2 are the direction from which the angle counts and the axis.
@@ -16,7 +16,7 @@ const COUPLER_M: f64 = 0.25;
 /// ```text
 /// P = 2k D·e2,  Q = 2k D·(a2×e2),  S = L² - k² - D·D,   ψ = atan2(Q, P) + acos(S/sqrt(P² + Q²))
 /// ```
-fn rocker_rad(crank_rad: f64, coupler_m: f64) -> f64 {
+pub(crate) fn rocker_rad(crank_rad: f64, coupler_m: f64) -> f64 {
     const CRANK_M: f64 = 0.05;
     const ROCKER_M: f64 = 0.12;
     let pivot_m = [0.22, 0.04, 0.06];

@@ -99,6 +99,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
         InputKind::Evidence { is_scattering: true, .. } => "probability box",
         InputKind::Fuzzy { .. } => "fuzzy number",
         InputKind::Play => "places of journals",
+        InputKind::DrawnPlay => "random places of journals",
         InputKind::Choice { .. } => "one of a list",
     }
 }

@@ -66,6 +66,7 @@ fn range_si(kind: &InputKind) -> Option<[f64; 2]> {
         // The first cut is the widest.
         InputKind::Fuzzy { cuts } => cuts.first().map(|cut| [cut.lower_si, cut.upper_si]),
         InputKind::Random
+        | InputKind::DrawnPlay
         | InputKind::Play
         | InputKind::Choice { .. }
         | InputKind::Evidence { .. }
@@ -128,7 +129,7 @@ fn record(
     writer: &NumberWriter,
 ) -> Option<WhatIf> {
     let is_known =
-        |input: &InputDescription| input.kind == InputKind::Random || is_list(input) || range_si(&input.kind).is_some();
+        |input: &InputDescription| input.kind.is_random() || is_list(input) || range_si(&input.kind).is_some();
     if !result.inputs.iter().all(is_known) {
         return None;
     }

@@ -7,7 +7,7 @@ use crate::words::force::{JointForces, min_impact_speed_words};
 use crate::words::trust::nominal_sentences;
 use crate::words::turn::share_of_runs;
 use crate::words::wording::{UNKNOWN_INPUTS, count, counted, has_unknown, is_by_surrogate, listed};
-use loosepin_result::study::{FailureGroup, InputKind, JointImpacts, Purpose, StudyResult};
+use loosepin_result::study::{FailureGroup, JointImpacts, Purpose, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
@@ -140,7 +140,7 @@ fn double_loop_runs(result: &StudyResult) -> u64 {
 
 /// Whether anything scatters with a known distribution.
 fn has_scatter(result: &StudyResult) -> bool {
-    result.inputs.iter().any(|input| input.kind == InputKind::Random)
+    result.inputs.iter().any(|input| input.kind.is_random())
 }
 
 /// The double loop: values of what is unknown, samples of what scatters at each of them.

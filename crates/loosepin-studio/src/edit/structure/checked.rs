@@ -90,7 +90,8 @@ fn check_study(old: &Texts, new: &Texts, due: &IntendedChange, before: Model, af
         (Study::draft_of_model(old_source, before, &path), Study::draft_of_model(new_source, after.clone(), &path))
     {
         let of = |study: &Study| -> BTreeMap<String, String> {
-            let random = study.random.iter().map(|input| (input.path.clone(), "random".to_owned()));
+            let of_model = study.random.iter().filter(|input| input.quantity().is_some());
+            let random = of_model.map(|input| (input.path.clone(), "random".to_owned()));
             let epistemic = study.epistemic.iter().map(|input| (input.path.clone(), "epistemic".to_owned()));
             random.chain(epistemic).collect()
         };

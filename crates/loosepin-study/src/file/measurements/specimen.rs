@@ -1,6 +1,6 @@
 //! The mechanism that was measured: rows of a joint sample in place of the distributions of the random inputs.
 
-use crate::file::description::{Correlation, RandomInput, SpecimenRows};
+use crate::file::description::{Correlation, SpecimenRows};
 use crate::file::measurements::specimen_problem::SpecimenProblem;
 use crate::file::problem::StudyProblem;
 use crate::file::reader::{StudyReader, adopt};
@@ -112,13 +112,11 @@ impl StudyReader {
                     name: column.name.clone(),
                     nearest: nearest_name(&column.name, known.iter().map(String::as_str)).map(str::to_owned),
                 },
-                Some(input) if self.model.quantities()[input.quantity].dimension != column.dimension => {
-                    SpecimenProblem::ColumnDimension {
-                        name: column.name.clone(),
-                        found: column.dimension,
-                        due: self.model.quantities()[input.quantity].dimension,
-                    }
-                }
+                Some(input) if input.dimension(&self.model) != column.dimension => SpecimenProblem::ColumnDimension {
+                    name: column.name.clone(),
+                    found: column.dimension,
+                    due: input.dimension(&self.model),
+                },
                 Some(_) => continue,
             };
             is_right = false;
@@ -150,7 +148,8 @@ impl StudyReader {
             let mut last = None;
             for set in &others {
                 let mut set = set.clone();
-                set.extend(self.random.iter().map(|input| input.quantity).zip(row_si.iter().copied()));
+                let of_row = self.random.iter().zip(row_si);
+                set.extend(of_row.filter_map(|(input, &value_si)| Some((input.quantity()?, value_si))));
                 match quantities.evaluate_into(&set, &mut values) {
                     Ok(()) => {
                         last = None;
@@ -179,8 +178,8 @@ impl StudyReader {
         match RandomVariable::try_new(Distribution::Empirical { values: values.into() }) {
             Ok(variable) => Some(variable),
             Err(error) => {
-                let RandomInput { path, quantity, .. } = &self.random[input];
-                let dimension = self.model.quantities()[*quantity].dimension;
+                let own = &self.random[input];
+                let (path, dimension) = (&own.path, own.dimension(&self.model));
                 let problem = StudyProblem::Distribution { entry: format!("column '{path}'"), error, dimension };
                 let place = sample.column_place(&sample.columns[order[input]]);
                 self.reader.diagnostics.push(Diagnostic::error(&problem, Some(place)));
@@ -199,10 +198,12 @@ impl Study {
         let columns: Vec<Vec<f64>> = (0..inputs).map(column).collect();
         let pairs = (0..inputs).flat_map(|second| (0..second).map(move |first| (first, second)));
         pairs
-            .map(|(first, second)| ScatterCorrelation {
-                first: self.random[first].quantity,
-                second: self.random[second].quantity,
-                linear: sample_correlation(&columns[first], &columns[second]),
+            .filter_map(|(first, second)| {
+                Some(ScatterCorrelation {
+                    first: self.random[first].quantity()?,
+                    second: self.random[second].quantity()?,
+                    linear: sample_correlation(&columns[first], &columns[second]),
+                })
             })
             .collect()
     }

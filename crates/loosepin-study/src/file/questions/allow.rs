@@ -166,7 +166,7 @@ impl StudyReader {
         let index = self.random.iter().position(|input| input.path == path)?;
         let input = &self.random[index];
         let is_normal = matches!(input.variable.distribution(), Distribution::Normal { .. });
-        let found = (AllowedInput::FitScatter(index), input.quantity);
+        let found = (AllowedInput::FitScatter(index), input.quantity()?);
         (is_normal && input.parameters.is_empty()).then_some(found)
     }
 
@@ -186,7 +186,7 @@ impl StudyReader {
             Distribution::Normal { .. } | Distribution::Lognormal { .. } | Distribution::TruncatedNormal { .. }
         );
         let is_known = input.parameters.iter().all(|own| own.parameter != Parameter::StandardDeviation);
-        let dimension = self.model.quantities()[input.quantity].dimension;
+        let dimension = input.dimension(&self.model);
         (has_deviation && is_known).then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
     }
 

@@ -126,14 +126,15 @@ impl StudyReader {
             Ok(quantity) => quantity,
             Err(error) => return self.refused(&error, entry.span),
         };
-        let place = self.random.iter().position(|input| input.quantity == quantity);
+        let place = self.random.iter().position(|input| input.quantity() == Some(quantity));
         if place.is_none() {
             let words = entry.path.describe();
             if self.epistemic.iter().any(|input| input.quantity() == Some(quantity)) {
                 self.reader.report(&RandomProblem::Epistemic { entry: words, path }, entry.span);
             } else if !had_errors {
                 // After an error above it may be one that could not be read.
-                let known = self.random.iter().map(|input| input.path.clone()).collect();
+                let of_model = self.random.iter().filter(|input| input.quantity().is_some());
+                let known = of_model.map(|input| input.path.clone()).collect();
                 self.reader.report(&RandomProblem::NotRandom { entry: words, path, known }, entry.span);
             }
         }

@@ -36,9 +36,10 @@ impl StudyReader {
 
     /// The probability that the lower or upper tail of an input is impossible, all other values being those of the file.
     fn impossible_tail(&self, input: &RandomInput) -> Option<StudyProblem> {
+        let quantity = input.quantity()?;
         let quantities = &self.model.quantities();
         let mut values = quantities.nominal();
-        let mut wrong = |value_si: f64| quantities.evaluate_into(&[(input.quantity, value_si)], &mut values).err();
+        let mut wrong = |value_si: f64| quantities.evaluate_into(&[(quantity, value_si)], &mut values).err();
         let tails: [fn(&RandomVariable, f64) -> f64; 2] =
             [|variable, p| variable.quantile(p), |variable, p| variable.quantile(1.0 - p)];
         let mut probability = 0.0;

@@ -1,6 +1,6 @@
 //! The runs that determine shares of the variance.
 
-use crate::file::Study;
+use crate::file::{RandomSubject, Study};
 use loosepin_bounds::{DoubleLoop, Purpose, RunInputs, SampleTable};
 use loosepin_uncertainty::contributors::{IndexPlan, IndexPlanError, Indices, independent_groups};
 use loosepin_uncertainty::hash;
@@ -82,13 +82,21 @@ impl ContributorPlan {
     }
 }
 
-/// Random inputs that are correlated belong together.
+/// Random inputs that are correlated belong together, and those of one journal.
 pub fn groups(study: &Study) -> Vec<Vec<usize>> {
     if study.specimen.is_some() {
         // A row is drawn whole.
         return vec![(0..study.random.len()).collect()];
     }
     let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
-    let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
+    let places = study.random.iter().map(|input| match &input.subject {
+        RandomSubject::Journal { place } => Some(place),
+        RandomSubject::Quantity(_) => None,
+    });
+    // The numbers that the place of a journal is drawn from belong together.
+    let places: Vec<Option<&String>> = places.collect();
+    let of_journals = (1..places.len()).filter(|&next| places[next].is_some() && places[next] == places[next - 1]);
+    let pairs: Vec<(usize, usize)> =
+        stated.map(|pair| (pair.first, pair.second)).chain(of_journals.map(|next| (next - 1, next))).collect();
     independent_groups(study.random.len(), &pairs)
 }

@@ -110,7 +110,9 @@ fn of_columns(
         .iter()
         .enumerate()
         .map(|(group, members)| {
-            let paths: Vec<String> = members.iter().map(|&input| study.random[input].path.clone()).collect();
+            let mut paths: Vec<String> =
+                members.iter().map(|&input| study.random[input].whole_path().to_owned()).collect();
+            paths.dedup();
             let total = range(&indices, |indices| indices.total[group]);
             let shares = still
                 .as_ref()
@@ -191,7 +193,10 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
     let scatter = study
         .random
         .iter()
-        .map(|input| Scatter { quantity: input.quantity, standard_deviation_si: input.variable.standard_deviation() })
+        .filter_map(|input| {
+            let standard_deviation_si = input.variable.standard_deviation();
+            Some(Scatter { quantity: input.quantity()?, standard_deviation_si })
+        })
         .collect();
     let plan = MotionPlan {
         span: study.cycle.span,

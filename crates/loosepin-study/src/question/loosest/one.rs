@@ -272,14 +272,10 @@ fn cheapest<E>(
 }
 
 pub fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
-    let table = &study.model.quantities();
     match allowance.input {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
         AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => (Loosened::Fit, SiUnit::LENGTH),
-        AllowedInput::StandardDeviation(index) => {
-            let dimension = table[study.random[index].quantity].dimension;
-            (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
-        }
+        AllowedInput::StandardDeviation(index) => (Loosened::StandardDeviation, study.random[index].unit(&study.model)),
     }
 }
 
