@@ -7,7 +7,7 @@ use crate::sampling::{model, part, with};
 use crate::searches::{drawn_loop, drawn_output, into_set};
 use loosepin_space::{
     PartOfOutput, PlaySide, PoseAccuracy, RevolutePlay, RotationOutput, SamplingError, SearchOptions, SpatialMechanism,
-    SpatialOutput, SphericalPlay, Vec3, assemble, cycle,
+    SpatialOutput, SphericalPlay, TurnSampler, Vec3, assemble, cycle,
 };
 
 const CLEARANCE_M: f64 = 2e-4;
