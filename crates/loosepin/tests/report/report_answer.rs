@@ -464,14 +464,14 @@ fn failed_runs_come_first_and_what_they_leave_is_no_bound() {
     // 276/2944 is 9.375 %.
     let failed = place("9.4 % of the runs failed (276 of 2944): the mechanism cannot be put together.");
     let mean = place(
-        "the mean has no bound, since a failed run may have had any value (over the finished runs it lies between 0.09 mm and 0.41 mm)",
+        "the mean has no bound, since a failed run may have had any value (over the finished runs it lies between 0.090 mm and 0.410 mm)",
     );
     let quantile = place(
-        "the 95 % quantile is at least 0.2 mm and has no upper bound, since so many runs failed that the quantile may be among them.",
+        "the 95 % quantile is at least 0.2000 mm and has no upper bound, since so many runs failed that the quantile may be among them.",
     );
     assert!(failed < mean && mean < quantile, "{text}");
     place("Numerical error of the numbers over the finished runs: at most 0.01 mm, included in them.");
-    let table = place("no bound: a failed run may have had any value; finished runs: 0.09 mm to 0.41 mm");
+    let table = place("no bound: a failed run may have had any value; finished runs: 0.090 mm to 0.410 mm");
     place("no bound: so many runs failed that the quantile may be among them");
     assert!(table > quantile);
     for wrong in
@@ -481,7 +481,7 @@ fn failed_runs_come_first_and_what_they_leave_is_no_bound() {
     }
     let page = one_line(&study_page(&result).replace('\u{a0}', " "));
     let shown = |sentence: &str| page.find(sentence).unwrap_or_else(|| panic!("'{sentence}' is not in: {page}"));
-    assert!(shown("9.4 % of the runs failed (276 of 2 944)") < shown("the mean has no bound, since a failed run"));
+    assert!(shown("9.4 % of the runs failed (276 of 2944)") < shown("the mean has no bound, since a failed run"));
     shown("none: found over the finished runs only");
     assert!(!page.contains("the mean lies between") && !page.contains("increase 'inner'"));
 }

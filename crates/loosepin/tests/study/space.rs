@@ -241,17 +241,19 @@ fn analytic_parts_that_do_not_fit_fail_and_leave_a_mean_and_a_high_quantile_with
     let model = SpatialModel::from_text("model.toml", SHAFT).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let words =
         loosepin::check::check_space(&model).map(|article| loosepin::report::article_text(&article, None)).unwrap();
-    let text = "name = \"shafts\"\nmodel = \"model.toml\"\n[cycle]\nsamples_per_turn = 8\n[sampling]\nouter = 4\ninner = 512\nreplicates = 4\n\
+    let text = "name = \"shafts\"\nmodel = \"model.toml\"\n[cycle]\nsamples_per_turn = 8\n[sampling]\nouter = 4\ninner = 512\nreplicates = 4\nmost_failed = 0.3\n\
                 [random]\n\"body.ground.points.b.y\" = { normal = { mean = \"0 mm\", standard_deviation = \"0.4 mm\" } }\n\
                 [[ask]]\noutput = \"tip\"\nof = \"total\"\nreduce = \"maximum\"\n\
                 statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.95 }]\n";
     let study = Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let result = run(&study).result;
     const FAILED: f64 = 0.060_801;
+    // Runs of worst cases, which are not drawn as the offsets scatter, fail more often.
     let share = result.counts.failed as f64 / result.counts.runs as f64;
-    assert!((share - FAILED).abs() < 0.015, "{share}");
-    let [failure] = &result.failures[..] else { panic!("{:?}", result.failures) };
-    assert_eq!((failure.code.as_str(), failure.count), ("cannot_be_put_together", result.counts.failed));
+    assert!(share > FAILED - 0.015 && share < 0.2, "{share}");
+    let failure = &result.failures[0];
+    assert_eq!(failure.code, "cannot_be_put_together");
+    assert!(2 * failure.count > result.counts.failed, "{:?}", result.failures);
     // The constraints are those that `check` counts.
     assert!(words.contains("4 constraints of the joints repeat others"), "{words}");
     assert!(failure.words.contains("4 constraints of the joints repeat others and contradict them"), "{failure:?}");
