@@ -395,7 +395,9 @@ fn analytic_of_what_fails_no_probability_and_no_quantile_is_known() {
     // Of the other column nothing was learned at all.
     assert!(found.groups[1].pairs.is_empty());
     assert_eq!([ends(&all[3]), ends(&all[4]), ends(&all[5])], [whole[0], whole[1], [0.0, f64::INFINITY]]);
-    assert!(all[3..].iter().all(|pair| pair.guarantee() == Guarantee::Inner && pair.lower.witness.is_none()));
+    let guarantees: Vec<Guarantee> = all[3..].iter().map(BoundPair::guarantee).collect();
+    assert_eq!(guarantees, [Guarantee::Inner, Guarantee::Inner, Guarantee::FinishedRuns]);
+    assert!(all[3..].iter().all(|pair| pair.lower.witness.is_none()));
 }
 
 #[test]

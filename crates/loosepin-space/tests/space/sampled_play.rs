@@ -274,7 +274,7 @@ fn a_motion_that_does_not_close_says_how_much_play_it_would_take() {
         found.to_string()
     };
     let found = hint(8e-4);
-    assert!(found.contains("the parts do not fit: as near as they come, joint '"), "{found}");
+    assert!(found.contains("all joints close: as near as the search came, joint '"), "{found}");
     assert!(found.contains("the parts do not fit: 1.067 times all plays would be needed at motor = "), "{found}");
     let found = hint(6e-4);
     assert!(found.contains("the parts fit by their play: 0.8 of all plays is needed at motor = "), "{found}");

@@ -4,6 +4,7 @@
 
 mod coherence;
 mod compare;
+mod failed_answers;
 mod figures;
 mod frontier;
 mod measured;
