@@ -1,6 +1,8 @@
 //! The page and the picture of a motion in space: points of the picture are those of the mechanism, and the page has all numbers.
 
-use loosepin::report::{Figure, figures, spatial_motion_page, spatial_motion_picture};
+use loosepin::report::{
+    Figure, figures, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
+};
 use loosepin::result::spatial_motion::SpatialMotionRecord;
 use loosepin::space::SpatialModel;
 
@@ -126,4 +128,19 @@ fn a_model_without_play_says_so_and_text_of_files_is_escaped() {
     let page = spatial_motion_page(&record(&text));
     assert!(page.contains("No joint has play.") && page.contains("a &lt;b&gt; &amp; c") && !page.contains("a <b>"));
     assert!(!page.contains("id=\"contributors\"") && !page.contains("worst-case."), "there is no worst case");
+}
+
+#[test]
+fn play_at_a_dead_centre_comes_first() {
+    let near = include_str!("../../../../docs/examples/rssr-near-dead-centre.toml");
+    let record = record(&near.replace("speed = \"20 deg/s\"", "speed = \"60.8 deg/s\""));
+    assert_eq!(record.dead_centre_samples, [12]);
+    let sentence = "Play takes the mechanism to a dead centre at 1000";
+    let sentences = spatial_motion_sentences(&record);
+    assert!(sentences[0].starts_with(sentence), "{sentences:?}");
+    assert!(sentences[1].starts_with("To first order, 1.731") && sentences[2].contains("found 7.475"), "{sentences:?}");
+    let text = spatial_motion_text(&record);
+    assert!(text.contains(sentence) && text.contains("no bound: more may be"), "{text}");
+    let far = spatial_motion_text(&self::record(near));
+    assert!(!far.contains("dead centre at"), "{far}");
 }

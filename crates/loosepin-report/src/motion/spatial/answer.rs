@@ -16,14 +16,17 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
         let ranges = std::iter::once(main).chain(others).filter_map(range);
         return ranges.chain(["No joint has play.".to_owned()]).chain(scattered(record, main)).collect();
     }
-    let mut sentences = vec![format!("{} is the largest worst case of play: {}.", worst(main), at(record, main))];
+    // Where first order says nothing, it does not come first.
+    let dead_centre = dead_centre_sentence(record, Medium::Page);
+    let order = if dead_centre.is_some() { "To first order, " } else { "" };
+    let mut sentences: Vec<String> = dead_centre.into_iter().collect();
+    sentences.push(format!("{order}{} is the largest worst case of play: {}.", worst(main), at(record, main)));
     let [up, down] =
         [main.worst.largest_si, main.worst.smallest_si].map(|own| shown_deviation(own, main, Medium::Page));
     sentences.push(format!(
         "It is to first order, to both sides alike. With loops closed exactly, a search found {up} and {down} there{}.",
         if main.ideal_si.is_empty() { ", along the longest displacement" } else { "" }
     ));
-    sentences.extend(dead_centre_sentence(record, Medium::Page));
     sentences.extend(contribution(main));
     sentences.extend(others.map(|output| format!("{}: {}.", worst(output), at(record, output))));
     sentences.extend(scattered(record, main));
