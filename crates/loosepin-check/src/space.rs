@@ -1,8 +1,9 @@
 //! Description of a mechanism in space.
 
+use loosepin_result::spatial_motion::OTHER_START;
 use loosepin_space::{
     IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position, RedundantDirection,
-    SpatialMechanism, SpatialModel, assemble, mobility, starts_as_given,
+    SpatialMechanism, SpatialModel, assemble, mobility,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
@@ -145,12 +146,8 @@ fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position
             lines.push(format!("the plays must meet {} together", counted(conditions, "condition")));
         }
     }
-    if !starts_as_given(mechanism, &start.drives) {
-        lines.push(
-            "the joints do not close from where bodies are placed at the start; of the positions found near there, this is the nearest; \
-             [assembly] guess says where bodies are"
-                .to_owned(),
-        );
+    if start.is_other_start {
+        lines.push(OTHER_START.to_owned());
     }
     if found.smallest_counted < NEARLY_REDUNDANT {
         lines.push(format!(

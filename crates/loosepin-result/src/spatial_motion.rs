@@ -6,6 +6,10 @@ use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
 use serde::{Deserialize, Serialize};
 
+/// What is said of a motion that begins elsewhere than the file places its bodies.
+pub const OTHER_START: &str = "the joints do not close from where bodies are placed at the start; of the positions found near there, this is the \
+                               nearest; [assembly] guess says where bodies are";
+
 /// The motion over a turn, with the worst cases of each output.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpatialMotionRecord {
@@ -30,6 +34,9 @@ pub struct SpatialMotionRecord {
     /// nothing there.
     #[serde(default)]
     pub dead_centre_samples: Vec<usize>,
+    /// Whether the motion begins elsewhere than the file places its bodies: [`OTHER_START`].
+    #[serde(default)]
+    pub is_other_start: bool,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
     /// The mechanism as it is drawn, in the same positions.

@@ -57,7 +57,7 @@ pub use accuracy::{
 pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace, OpenJoint};
 pub use closure::position::Position;
-pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle, starts_as_given};
+pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle};
 pub use geometry::pose::Pose;
 pub use geometry::quaternion::Quaternion;
 pub use geometry::rotation::Rotation;

@@ -30,10 +30,14 @@ use crate::closure::bordered::{Bordered, Weakest};
 
 /// Most steps of a descent; three are usual.
 const MAX_STEPS: usize = 40;
+/// Most parts of a step; some 30 are usual where it leads to a dead centre.
+const MAX_PARTS: usize = 200;
 /// Random starts where the first descent ends at no dead centre.
 const OTHER_STARTS: usize = 6;
 /// Share of σ² that 2 σ s·p may be for the dead centre to be far.
 const FAR: f64 = 0.1;
+/// Share from which other starts are tried.
+const NEAR: f64 = 0.5;
 /// Share of σ² of a step that is given up.
 const LAST_SHARE: f64 = 0.01;
 /// Part of a step from which the dead centre is near enough, and the shortest one.
@@ -97,22 +101,24 @@ impl PoseAccuracy<'_> {
             return None;
         }
         let none = NEARLY_NONE * fold.sigma;
+        let is_near = fold.largest_share(&self.set) > NEAR;
         let from_middle = self.descended(middle.clone(), fold, none);
-        from_middle.or_else(|| {
-            // As a descent ends where σ has a minimum, others begin elsewhere.
-            let options = SearchOptions { random_starts: OTHER_STARTS, ..SearchOptions::default() };
-            let starts = random_starts(self.set.variables(), &options);
-            starts.iter().find_map(|objective| {
-                let change = self.best_change(&middle, objective)?;
-                match self.followed(&middle, &change, none) {
-                    Followed::ToAFold(last) => Some(self.reached(last)),
-                    Followed::ToItsEnd(start) => {
-                        let fold = self.fold(&start);
-                        self.descended(start, fold, none)
-                    }
-                    Followed::Lost => None,
+        if from_middle.is_some() || !is_near {
+            return from_middle;
+        }
+        // As a descent ends where σ has a minimum, others begin elsewhere.
+        let options = SearchOptions { random_starts: OTHER_STARTS, ..SearchOptions::default() };
+        let starts = random_starts(self.set.variables(), &options);
+        starts.iter().find_map(|objective| {
+            let change = self.best_change(&middle, objective)?;
+            match self.followed(&middle, &change, none) {
+                Followed::ToAFold(last) => Some(self.reached(last)),
+                Followed::ToItsEnd(start) => {
+                    let fold = self.fold(&start);
+                    self.descended(start, fold, none)
                 }
-            })
+                Followed::Lost => None,
+            }
         })
     }
 
@@ -162,11 +168,14 @@ impl PoseAccuracy<'_> {
     /// Follows the loops along a change of the variables.
     fn followed(&self, from: &Placed, change: &[f64], none: f64) -> Followed {
         let (mut now, mut done, mut part) = (from.clone(), 0.0, 1.0);
-        while done < 1.0 {
+        for _ in 0..MAX_PARTS {
+            if done >= 1.0 {
+                return Followed::ToItsEnd(now);
+            }
             let next = f64::min(done + part, 1.0);
             let scaled = from.scaled.iter().zip(change).map(|(from, change)| from + next * change).collect();
             if let Some(placed) = self.placed(scaled, now.start()) {
-                (now, done) = (placed, next);
+                (now, done, part) = (placed, next, f64::min(2.0 * part, 1.0));
                 continue;
             }
             if part < SHORT_PART {
@@ -181,7 +190,7 @@ impl PoseAccuracy<'_> {
             }
             part *= 0.5;
         }
-        Followed::ToItsEnd(now)
+        Followed::Lost
     }
 
     /// The other assembly with the journals where they are, close to a dead centre: a = -2σ/β.

@@ -48,6 +48,12 @@ impl PoseAccuracy<'_> {
         Start { poses: &self.position.poses, system: &self.system, orientation: self.system.sign() }
     }
 
+    /// Whether the loops close on the branch of the ideal position with the journals in these places, m.
+    pub(crate) fn stays_at(&self, variables_m: &[f64]) -> bool {
+        let closed = self.close_at(&self.position.poses, variables_m, None);
+        closed.is_ok_and(|closed| closed.system.sign() == self.system.sign())
+    }
+
     /// Closes the loops, and moves the variables until redundant rows close as well: by the shortest change that leaves blocks on their
     /// borders there, cut back to the balls.
     pub(crate) fn placed(&self, mut scaled: Vec<f64>, from: Start<'_>) -> Option<Placed> {

@@ -75,7 +75,10 @@ impl PoseAccuracy<'_> {
         Ok(WorstCase {
             largest,
             smallest,
-            starts: objectives.len() + 1 + options.starts_m.len() + usize::from(dead_centre.is_some()),
+            starts: objectives.len()
+                + 1
+                + options.starts_m.len()
+                + usize::from(dead_centre.as_ref().is_some_and(|own| own.other.is_some())),
             agreeing: [of_largest, of_smallest],
             conditions: self.conditions(),
             reaches_dead_centre: dead_centre.is_some(),

@@ -36,11 +36,6 @@ pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<P
     Ok(Position::new(&loops, drives, &assembled(&loops, drives, Starts::Nearby)?))
 }
 
-/// Whether the start poses themselves lead to the position of [`assemble`], if there is one.
-pub fn starts_as_given(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> bool {
-    assembled(&Loops::new(mechanism), drives, Starts::AsGiven).is_ok()
-}
-
 /// The place of [`assemble`], at the input 0.
 pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) -> Result<Place, ClosureError> {
     check_drives(loops.mechanism, drives)?;
@@ -52,6 +47,7 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) ->
         Some(joint) => Err(ClosureError::Reversed { joint }),
         None => Ok(poses),
     });
+    let is_other_start = found.is_err();
     let poses = match found {
         Ok(poses) => poses,
         Err(error @ (ClosureError::FewDigits(_) | ClosureError::Reversed { .. })) => return Err(error),
@@ -77,7 +73,7 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) ->
         pairs.map(|(from, to)| if share >= 1.0 { *to } else { from + share * (to - from) }).collect()
     };
     let place = if measured == target { place } else { follow(loops, &place, 1.0, &between)? };
-    Ok(Place { input: 0.0, ..place })
+    Ok(Place { input: 0.0, is_other_start, ..place })
 }
 
 /// One finite value for each drive.

@@ -39,10 +39,20 @@ pub(crate) fn is_any_reversed(loops: &Loops, poses: &[Pose]) -> bool {
 }
 
 /// Closes the loops with the drives at given values, by steps of least squares and least length.
-pub(crate) fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
+pub(crate) fn close_from_afar(loops: &Loops, poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
+    close_within(loops, poses, drives, MAX_STEPS)
+}
+
+/// The same with at most so many steps.
+pub(crate) fn close_within(
+    loops: &Loops,
+    mut poses: Vec<Pose>,
+    drives: &[f64],
+    max_steps: usize,
+) -> Result<Vec<Pose>, ClosureError> {
     let mut is_last = false;
     let mut left = Vec::new();
-    for _ in 0..MAX_STEPS {
+    for _ in 0..max_steps {
         let frames = loops.frames(&poses, &[]);
         let residual: Vec<f64> = loops.residual(&frames, drives).iter().map(|value| -value).collect();
         let size = largest(&residual);
@@ -67,13 +77,18 @@ pub(crate) fn close_from_afar(loops: &Loops, mut poses: Vec<Pose>, drives: &[f64
             let open = open_joint(loops, &left);
             return match size {
                 size if size <= CLOSED => Ok(poses),
-                size if size <= FEW_DIGITS => Err(ClosureError::FewDigits(open)),
+                size if size <= FEW_DIGITS && has_redundant_rows(loops, &poses) => Err(ClosureError::FewDigits(open)),
                 _ => Err(ClosureError::Contradiction(open)),
             };
         }
         is_last = length < LAST_STEP;
     }
     Err(ClosureError::DoesNotClose(open_joint(loops, &left)))
+}
+
+fn has_redundant_rows(loops: &Loops, poses: &[Pose]) -> bool {
+    let values = singular_values(loops, &loops.frames(poses, &[]));
+    values.rank(LARGEST_THRESHOLD) < loops.rows.len()
 }
 
 /// The loop equations themselves, where they are as many as the unknowns and all singular values count, whatever the threshold.

@@ -16,6 +16,6 @@ pub(crate) mod singular;
 mod sparse_lu;
 pub(crate) mod step;
 
-pub use assembly::{assemble, starts_as_given};
+pub use assembly::assemble;
 pub use cycle::{Cycle, cycle};
 pub use singular::RANK_THRESHOLD;

@@ -1,7 +1,7 @@
 //! Closed positions where the start poses lead to none: from other poses around them, and why there is none.
 
 use crate::closure::error::ClosureError;
-use crate::closure::from_afar::{close_from_afar, is_any_reversed};
+use crate::closure::from_afar::{close_from_afar, close_within, is_any_reversed};
 use crate::closure::loops::Loops;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::geometry::pose::Pose;
@@ -10,8 +10,13 @@ use crate::random::random;
 
 /// How far bodies are turned, rad, and moved, over the characteristic length, in each round: at most so far along each axis.
 const ROUNDS: [f64; 4] = [0.3, 0.8, 1.6, 3.0];
-/// Poses that are tried in each round.
+/// Poses that are tried in each round, and fewer of large mechanisms, whose steps take milliseconds.
 const STARTS: usize = 6;
+const STARTS_OF_LARGE: usize = 2;
+/// Number of unknowns of a large mechanism.
+const LARGE: usize = 60;
+/// Most steps from each.
+const MAX_STEPS: usize = 30;
 /// Part of a turn that a body is moved as well.
 const MOVED: f64 = 0.2;
 
@@ -22,11 +27,12 @@ const MOVED: f64 = 0.2;
 /// What is open where the joints nearly close, if they do anywhere.
 pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Result<Vec<Pose>, Option<ClosureError>> {
     let (mut state, mut nearly) = (1, None);
+    let starts = if loops.unknowns() > LARGE { STARTS_OF_LARGE } else { STARTS };
     for size in ROUNDS {
         let mut closed: Vec<Vec<Pose>> = Vec::new();
-        for _ in 0..STARTS {
+        for _ in 0..starts {
             let other = changed(loops, start, size, &mut state);
-            match close_from_afar(loops, other, drives) {
+            match close_within(loops, other, drives, MAX_STEPS) {
                 Ok(poses) if !is_any_reversed(loops, &poses) => closed.push(poses),
                 Err(error @ ClosureError::FewDigits(_)) => nearly = nearly.or(Some(error)),
                 _ => {}
@@ -69,11 +75,11 @@ pub(crate) fn why_open(loops: &Loops, start: &[Pose], found: ClosureError) -> Cl
     let drives = loops.mechanism.drives();
     let Some(first) = drives.first() else { return found };
     match close_from_afar(&joints, start.to_vec(), &[]) {
-        Ok(poses) => {
+        Ok(poses) if !is_any_reversed(&joints, &poses) => {
             let rank = |own: &Loops| singular_values(own, &own.frames(&poses, &[])).rank(RANK_THRESHOLD);
             let joint = loops.mechanism.joints()[first.joint].name.clone();
-            ClosureError::DrivesDoNotFit { joint, repeated: rank(&joints) + drives.len() - rank(loops) }
+            ClosureError::DrivesDoNotFit { joint, repeated: (rank(&joints) + drives.len()).saturating_sub(rank(loops)) }
         }
-        Err(_) => found,
+        _ => found,
     }
 }

@@ -19,6 +19,8 @@ pub struct Position {
     pub rank: usize,
     /// Smallest singular value that counts over the largest, to about 1 %; small near change points and dead positions.
     pub singular_ratio: f64,
+    /// Whether the start poses lead to no closed position, so that the motion began at the nearest that was found around them.
+    pub is_other_start: bool,
     pub(crate) borders: Borders,
 }
 
@@ -31,6 +33,7 @@ impl Position {
             poses: place.poses.clone(),
             rank: loops.unknowns() - place.borders.right.len(),
             singular_ratio: place.singular_ratio,
+            is_other_start: place.is_other_start,
             borders: place.borders.clone(),
         }
     }

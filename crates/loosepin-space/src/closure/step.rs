@@ -34,6 +34,8 @@ pub(crate) struct Place {
     pub sign: f64,
     /// Smallest singular value of the bordered equations over the largest.
     pub singular_ratio: f64,
+    /// Whether the motion began elsewhere than the start poses lead to.
+    pub is_other_start: bool,
 }
 
 impl Place {
@@ -41,7 +43,7 @@ impl Place {
         let frames = loops.frames(&poses, &[]);
         let system = Bordered::new(loops, &frames, &borders);
         let singular_ratio = system.singular_ratio(loops, &frames, &borders);
-        Self { input, poses, borders, sign: system.sign(), singular_ratio }
+        Self { input, poses, borders, sign: system.sign(), singular_ratio, is_other_start: false }
     }
 }
 
@@ -98,6 +100,7 @@ fn attempt(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Optio
         borders,
         sign: at.sign,
         singular_ratio,
+        is_other_start: at.is_other_start,
     })
 }
 

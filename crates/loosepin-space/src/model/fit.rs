@@ -3,7 +3,8 @@
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{LeastPlay, PoseAccuracy};
-use crate::closure::assemble;
+use crate::closure::assembly::Starts;
+use crate::closure::cycle::cycle_from;
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -128,9 +129,12 @@ impl SpatialModel {
 
     fn turn_positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, ClosureError> {
         let Ok(input) = self.cycle_input(values) else {
-            return assemble(mechanism, &self.drive_values(values, 0.0)).map(|position| vec![position]);
+            let positions = cycle_from(mechanism, &[0.0], &|_| self.drive_values(values, 0.0), Starts::AsGiven);
+            return positions.stopped.map_or(Ok(positions.positions), Err);
         };
-        let found = crate::closure::cycle(mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
+        // Of another assembly it would say nothing.
+        let drives = |time_s: f64| self.drive_values(values, time_s);
+        let found = cycle_from(mechanism, &input.times_s(), &drives, Starts::AsGiven);
         found.stopped.map_or(Ok(found.positions), Err)
     }
 }

@@ -85,6 +85,7 @@ impl SpatialModel {
             }
         }
         let worst: Vec<usize> = courses.iter().map(|course| course.sample).collect();
+        let is_other_start = positions.first().is_some_and(|position| position.is_other_start);
         let picture = self.picture(&mechanism, values, &poses, traces, &worst);
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
@@ -94,7 +95,7 @@ impl SpatialModel {
         });
         let outputs = outputs.collect::<Result<_, _>>()?;
         let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
-        Ok(SpatialMotionRecord { is_proven, dead_centre_samples, ..record })
+        Ok(SpatialMotionRecord { is_proven, dead_centre_samples, is_other_start, ..record })
     }
 
     /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them.
@@ -127,6 +128,7 @@ impl SpatialModel {
             has_play: mechanism.joints().iter().any(has_play),
             is_proven: false,
             dead_centre_samples: Vec::new(),
+            is_other_start: false,
             outputs,
             inputs_si,
             picture,

@@ -32,6 +32,8 @@ pub(super) struct Nominal {
     /// The nominal mechanism.
     pub mechanism: SpatialMechanism,
     pub places: Vec<NominalPlace>,
+    /// Poses at time zero, where these are not those that the file leads to.
+    pub start: Option<Vec<Pose>>,
 }
 
 /// A place of the nominal motion.
@@ -149,7 +151,8 @@ impl Nominal {
                 place.tangents.push(tangent);
             }
         }
-        Ok(Self { mechanism, places })
+        let start = positions.first().filter(|first| first.is_other_start).map(|first| first.poses.clone());
+        Ok(Self { mechanism, places, start })
     }
 }
 

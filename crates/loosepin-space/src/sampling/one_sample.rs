@@ -101,14 +101,17 @@ impl TurnSampler {
         Ok(())
     }
 
-    /// The sample's own motion at the places, from its own start.
+    /// The sample's own motion at the places, from its own start, or from the nominal one where that is not the one of the file.
     fn follow(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,
         turn_s: f64,
     ) -> Result<Vec<Position>, SamplingError> {
-        let mechanism = self.model.with_starts(mechanism, values);
+        let mechanism = match &self.motion.start {
+            Some(poses) => mechanism.with_start_poses(poses),
+            None => self.model.with_starts(mechanism, values),
+        };
         let turns: Vec<f64> = self.motion.places.iter().map(|place| place.turn).collect();
         let drives = |turn: f64| drives_at(&self.model, values, turn_s, turn);
         // Another assembly is none of this mechanism.
@@ -130,9 +133,16 @@ impl Sample<'_> {
     ) -> Result<(), SamplingError> {
         let side = self.sampler.side;
         let fails = |why: AccuracyError| no_answer(place, "", why);
-        if side == PlaySide::Exact && self.is_near_dead_centre(place, base, closing) {
+        let is_asked = side == PlaySide::Exact || self.drawn.is_some();
+        if is_asked && self.is_near_dead_centre(place, base, closing) {
             let accuracy = PoseAccuracy::of_closed(self.loops.clone(), &base.position, closing.closed());
-            if accuracy.map_err(fails)?.reaches_dead_centre() {
+            let accuracy = accuracy.map_err(fails)?;
+            // A place that is drawn may do anything but lead to the other assembly.
+            let is_over = match &self.drawn {
+                Some(drawn) => !accuracy.stays_at(drawn),
+                None => accuracy.reaches_dead_centre(),
+            };
+            if is_over {
                 return Err(SamplingError::DeadCentre { turn: place.turn });
             }
         }

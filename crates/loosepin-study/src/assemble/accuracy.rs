@@ -58,9 +58,9 @@ fn outcome(
     asked_si: f64,
     ended: &RoundsEnd,
 ) -> Option<AccuracyOutcome> {
-    let widening = |end: &BoundEnd| {
+    let widening = |column: usize, end: &BoundEnd| {
         // Failed runs leave no bound of a mean: what was asked for is how well that of the finished runs is known.
-        let is_of_finished_runs = end.value_si.is_finite() && end.widened_si.is_infinite();
+        let is_of_finished_runs = material.pair(column, statistic).is_some_and(|pair| pair.unbounded_by_failures);
         let widening_si =
             if is_of_finished_runs { end.error.total_si() } else { (end.widened_si - end.value_si).abs() };
         if widening_si.is_nan() { f64::INFINITY } else { widening_si }
@@ -68,8 +68,8 @@ fn outcome(
     // What has no bound is as far from the target as can be.
     let ends = ask.columns.iter().map(|&column| (column, material.ends_or_unknown(column, statistic)));
     let ends = ends.flat_map(|(column, ends)| ends.map(|end| (column, end)));
-    let (column, end) = ends.max_by(|(_, a), (_, b)| widening(a).total_cmp(&widening(b)))?;
-    let reached_si = widening(&end);
+    let (column, end) = ends.max_by(|(a, own), (b, other)| widening(*a, own).total_cmp(&widening(*b, other)))?;
+    let reached_si = widening(column, &end);
     Some(AccuracyOutcome {
         output: material.name_of(column),
         of: ask.deviation,

@@ -191,8 +191,13 @@ impl Material<'_> {
     }
 
     fn within_range(&self, pair: &BoundPair) -> [BoundEnd; 2] {
-        let mut ends = pair.ends().map(|bound| self.end(&bound));
-        cut_to_range(&mut ends, self.range(pair.column, pair.statistic));
+        let range = self.range(pair.column, pair.statistic);
+        let mut ends = [&pair.lower, &pair.upper].map(|bound| self.end(bound));
+        cut_to_range(&mut ends, range);
+        if pair.unbounded_by_failures {
+            // Values and errors stay those of the finished runs.
+            ends.iter_mut().zip(range).for_each(|(end, limit_si)| end.widened_si = limit_si);
+        }
         ends
     }
 

@@ -12,7 +12,7 @@ pub(super) fn dead_centre_sentence(record: &SpatialMotionRecord, medium: Medium)
     let places = match samples.len() {
         1 => format!("at {first}"),
         2 => format!("at {first} and {last}"),
-        count => format!("at {} from {first} to {last}", counted(count, "position")),
+        count => format!("at {} between {first} and {last}", counted(count, "position")),
     };
     Some(format!(
         "Play takes the mechanism to a dead centre {places}: there it can go over to its other assembly, and the worst case of first order says \

@@ -4,8 +4,8 @@ use super::dead_centre::dead_centre_sentence;
 use super::numbers::{shown, shown_deviation, shown_end, shown_input};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
-use crate::words::wording::head;
-use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
+use crate::words::wording::{capitalised, head};
+use loosepin_result::spatial_motion::{OTHER_START, SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_result::study::OutputDescription;
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
 use loosepin_text::units::{DisplayUnits, counted, listed};
@@ -32,6 +32,9 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
     // A page begins with it.
     if let Some(sentence) = dead_centre_sentence(record, medium).filter(|_| medium == Medium::Terminal) {
         section.push(Content::sentences([sentence]));
+    }
+    if record.is_other_start {
+        section.push(Content::sentences([format!("{}.", capitalised(OTHER_START))]));
     }
     if record.has_play && record.is_proven {
         section.push(Content::sentences(proven_sentences(record, medium)));

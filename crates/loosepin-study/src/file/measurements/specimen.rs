@@ -100,7 +100,8 @@ impl StudyReader {
 
     /// Column of each random input.
     fn columns_of(&mut self, sample: &JointSample, file: &str, written: &Entry<'_>) -> Option<Vec<usize>> {
-        let known: Vec<String> = self.random.iter().map(|input| input.path.clone()).collect();
+        let known = self.random.iter().filter(|input| input.quantity().is_some());
+        let known: Vec<String> = known.map(|input| input.path.clone()).collect();
         if known.is_empty() {
             return self.refused(&SpecimenProblem::NothingRandom, written.span);
         }
