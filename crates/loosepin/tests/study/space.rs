@@ -244,7 +244,8 @@ fn analytic_parts_that_do_not_fit_fail_and_leave_a_mean_and_a_high_quantile_with
     let text = "name = \"shafts\"\nmodel = \"model.toml\"\n[cycle]\nsamples_per_turn = 8\n[sampling]\nouter = 4\ninner = 512\nreplicates = 4\nmost_failed = 0.3\n\
                 [random]\n\"body.ground.points.b.y\" = { normal = { mean = \"0 mm\", standard_deviation = \"0.4 mm\" } }\n\
                 [[ask]]\noutput = \"tip\"\nof = \"total\"\nreduce = \"maximum\"\n\
-                statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.95 }]\n";
+                statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.95 }]\n\
+                [[ask]]\noutput = \"tip\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\"]\n";
     let study = Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let result = run(&study).result;
     const FAILED: f64 = 0.060_801;
@@ -257,7 +258,14 @@ fn analytic_parts_that_do_not_fit_fail_and_leave_a_mean_and_a_high_quantile_with
     // The constraints are those that `check` counts.
     assert!(words.contains("4 constraints of the joints repeat others"), "{words}");
     assert!(failure.words.contains("4 constraints of the joints repeat others and contradict them"), "{failure:?}");
-    let [mean, median, high] = &result.bounds[..] else { panic!("{:?}", result.bounds) };
+    let [mean, median, high, magnitude] = &result.bounds[..] else { panic!("{:?}", result.bounds) };
+    // What is never negative is bounded below by that alone; its numbers stay those of the finished runs.
+    assert_eq!([magnitude.lower.widened_si, magnitude.upper.widened_si], [0.0, f64::INFINITY]);
+    assert!(magnitude.lower.value_si > 0.0, "{magnitude:?}");
+    assert!(
+        [&magnitude.lower, &magnitude.upper].iter().all(|end| end.error.total_si() < 0.2 * end.value_si),
+        "{magnitude:?}"
+    );
     assert_eq!(mean.guarantee, Guarantee::FinishedRuns);
     assert_eq!([mean.lower.widened_si, mean.upper.widened_si], [f64::NEG_INFINITY, f64::INFINITY]);
     assert!(mean.upper.value_si.is_finite() && mean.upper.error.total_si().is_finite(), "{mean:?}");
