@@ -105,8 +105,8 @@ fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
     assert_eq!((&mean["statistic"]["kind"], &mean["guarantee"]["kind"]), (&"mean".into(), &"finished_runs".into()));
     assert_eq!(mean["upper"]["widened_si"], "inf");
     assert!(mean["upper"]["value_si"].as_f64().is_some_and(f64::is_finite), "{mean}");
-    let told = resumed.output.split_whitespace().collect::<Vec<_>>().join(" ");
-    let (first, _) = told.split_once(" has no bound, since a failed run may have had any value").expect(&told);
+    let output = resumed.output.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (first, _) = output.split_once(" has no bound, since a failed run may have had any value").expect(&output);
     assert!(first.contains(" % of the runs failed (") && first.contains("the links cannot close."), "{first}");
 }
 

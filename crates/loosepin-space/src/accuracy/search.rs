@@ -51,12 +51,12 @@ struct Reached {
 }
 
 impl Climb<'_, '_> {
-    /// Start journals in the middle.
+    /// From journals in the middle.
     pub(crate) fn climb_from_middle(&self) -> Option<Extreme> {
         self.climb(vec![0.0; self.accuracy.play_set().variables()], self.accuracy.ideal_start())
     }
 
-    /// Start places of the journals, m, cut back to their play.
+    /// From places of the journals, m, cut back to their play.
     pub(crate) fn climb_from_variables(&self, variables_m: &[f64]) -> Option<Extreme> {
         let set = &self.accuracy.set;
         if variables_m.len() != set.variables() || !variables_m.iter().all(|value| value.is_finite()) {
@@ -70,7 +70,7 @@ impl Climb<'_, '_> {
         self.climb(scaled, self.accuracy.ideal_start())
     }
 
-    /// Start the worst case of first order of some gains, of variables in units of their radii.
+    /// From the worst case of first order of some gains, of variables in units of their radii.
     pub(crate) fn climb_from_objective(&self, scaled_gains: &[f64]) -> Option<Extreme> {
         let accuracy = self.accuracy;
         let pairs = accuracy.closed_rows().into_iter().zip(&accuracy.apart);
@@ -79,7 +79,7 @@ impl Climb<'_, '_> {
         self.climb(best.place, accuracy.ideal_start())
     }
 
-    /// Start a place in units of the radii, on the branch of `from`.
+    /// From a place in units of the radii, on the branch of `from`.
     pub(crate) fn climb(&self, start: Vec<f64>, from: Start<'_>) -> Option<Extreme> {
         let accuracy = self.accuracy;
         let mut now = self.reached(start, from)?;

@@ -17,7 +17,7 @@ const MAX_STEPS: usize = 60;
 const LONGEST_STEP: f64 = 0.3;
 /// A step below this is the last one but one.
 const LAST_STEP: f64 = 1e-12;
-/// Share of the residual below which a singular value cannot be told from zero: loops that are open have a higher rank.
+/// Share of the residual below which a singular value counts as zero: loops that are open have a higher rank.
 const OPEN_SHARE: f64 = 10.0;
 /// No singular value above this counts as zero, however open the loops are.
 const LARGEST_THRESHOLD: f64 = 1e-3;
