@@ -33,11 +33,6 @@ pub(crate) fn reversed(loops: &Loops, poses: &[Pose]) -> Option<String> {
     found.map(|(joint, _)| joint.name.clone())
 }
 
-/// Whether there is such a joint.
-pub(crate) fn is_any_reversed(loops: &Loops, poses: &[Pose]) -> bool {
-    reversed(loops, poses).is_some()
-}
-
 /// Closes the loops with the drives at given values, by steps of least squares and least length.
 pub(crate) fn close_from_afar(loops: &Loops, poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
     close_within(loops, poses, drives, MAX_STEPS)

@@ -1,7 +1,7 @@
 //! Closed positions where the start poses lead to none: from other poses around them, and why there is none.
 
 use crate::closure::error::ClosureError;
-use crate::closure::from_afar::{close_from_afar, close_within, is_any_reversed};
+use crate::closure::from_afar::{close_from_afar, close_within, reversed};
 use crate::closure::loops::Loops;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::geometry::pose::Pose;
@@ -33,7 +33,7 @@ pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Re
         for _ in 0..starts {
             let other = changed(loops, start, size, &mut state);
             match close_within(loops, other, drives, MAX_STEPS) {
-                Ok(poses) if !is_any_reversed(loops, &poses) => closed.push(poses),
+                Ok(poses) if reversed(loops, &poses).is_none() => closed.push(poses),
                 Err(error @ ClosureError::FewDigits(_)) => nearly = nearly.or(Some(error)),
                 _ => {}
             }
@@ -75,7 +75,7 @@ pub(crate) fn why_open(loops: &Loops, start: &[Pose], found: ClosureError) -> Cl
     let drives = loops.mechanism.drives();
     let Some(first) = drives.first() else { return found };
     match close_from_afar(&joints, start.to_vec(), &[]) {
-        Ok(poses) if !is_any_reversed(&joints, &poses) => {
+        Ok(poses) if reversed(&joints, &poses).is_none() => {
             let rank = |own: &Loops| singular_values(own, &own.frames(&poses, &[])).rank(RANK_THRESHOLD);
             let joint = loops.mechanism.joints()[first.joint].name.clone();
             ClosureError::DrivesDoNotFit { joint, repeated: (rank(&joints) + drives.len()).saturating_sub(rank(loops)) }

@@ -126,13 +126,13 @@ fn diagnose(loops: &Loops, at: &Place, next: f64, drives: DriveFunction) -> Clos
     if counted > rank {
         return ClosureError::RankChanges { place, before: rank, here: counted };
     }
-    if !at.borders.left.is_empty() && (rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR) {
+    if rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR {
+        if at.borders.left.is_empty() {
+            return ClosureError::NotFollowed { place };
+        }
         let is_of_drive = |(row, entry): (&PlacedRow, &f64)| row.drive.is_some() && entry.abs() > SILENT_DRIVE;
         let is_of_drives = at.borders.left.iter().any(|stress| loops.rows.iter().zip(stress).any(is_of_drive));
         return ClosureError::Diverges { place, is_of_drives };
-    }
-    if rank == 0 || ratio(&values, rank) > NEARLY_SINGULAR {
-        return ClosureError::NotFollowed { place };
     }
     // A self-stress of the nearly singular position: where the drive does work in it, the drive stops.
     let stress = values.left(rank - 1);

@@ -1,11 +1,10 @@
 //! Whether the parts of a mechanism whose constraints repeat each other fit: the least play with which it can be put together and turned.
 
+use super::compile::CycleInput;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{LeastPlay, PoseAccuracy};
 use crate::closure::assembly::Starts;
-use crate::closure::cycle::cycle_from;
-use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
@@ -90,11 +89,14 @@ impl SpatialModel {
             None => None,
             Some(_) => Some(self.cycle_input(values).map_err(|error| self.diagnostic(&error))?),
         };
-        let positions = match self.turn_positions(&aligned, values) {
+        let times_s = input.as_ref().map_or_else(|| vec![0.0], CycleInput::times_s);
+        // Of another assembly it would say nothing.
+        let positions_of = |own: &SpatialMechanism| self.turn_positions(own, values, &times_s, Starts::AsGiven);
+        let positions = match positions_of(&aligned) {
             Ok(positions) => positions,
             Err(error) => {
                 let nominal = self.aligned(&self.quantities.nominal()).map_err(|error| self.diagnostic(&error))?;
-                self.turn_positions(&nominal, values).map_err(|_| self.not_closed(&error))?
+                positions_of(&nominal).map_err(|_| self.not_closed(&error))?
             }
         };
         let mut worst = ModelAssembly {
@@ -125,17 +127,6 @@ impl SpatialModel {
         }
         worst.least_factor = worst.least_factor.max(0.0);
         Ok(worst)
-    }
-
-    fn turn_positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, ClosureError> {
-        let Ok(input) = self.cycle_input(values) else {
-            let positions = cycle_from(mechanism, &[0.0], &|_| self.drive_values(values, 0.0), Starts::AsGiven);
-            return positions.stopped.map_or(Ok(positions.positions), Err);
-        };
-        // Of another assembly it would say nothing.
-        let drives = |time_s: f64| self.drive_values(values, time_s);
-        let found = cycle_from(mechanism, &input.times_s(), &drives, Starts::AsGiven);
-        found.stopped.map_or(Ok(found.positions), Err)
     }
 }
 

@@ -5,7 +5,8 @@ use super::drawn::Trace;
 use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
-use crate::closure::cycle;
+use crate::closure::assembly::Starts;
+use crate::closure::cycle::cycle_from;
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::geometry::pose::Pose;
@@ -22,7 +23,7 @@ use loosepin_result::spatial_motion::{
     SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase,
 };
 use loosepin_result::spatial_picture::SpatialPicture;
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place};
 use loosepin_text::numbers::Values;
 use loosepin_text::units::{Dimension, SiUnit, format_value};
 use std::f64::consts::FRAC_PI_2;
@@ -49,11 +50,8 @@ impl SpatialModel {
     fn moved(&self, values: &Values, is_proven: bool) -> Result<SpatialMotionRecord, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let found = cycle(&mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
-        if let Some(error) = found.stopped {
-            return Err(self.not_with_ideal_joints(values, &error));
-        }
-        let positions = found.positions;
+        let positions = self.turn_positions(&mechanism, values, &input.times_s(), Starts::Nearby);
+        let positions = positions.map_err(|error| self.not_with_ideal_joints(values, &error))?;
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
         let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
         let mut courses: Vec<Course> = courses.collect::<Result<_, _>>().map_err(|error| self.diagnostic(&error))?;
@@ -141,11 +139,20 @@ impl SpatialModel {
     /// There is no turn, or the loops do not close all over it.
     pub fn positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, Diagnostics> {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let found = cycle(mechanism, &input.times_s(), &|time_s| self.drive_values(values, time_s));
-        match found.stopped {
-            None => Ok(found.positions),
-            Some(error) => Err(self.not_closed(&error)),
-        }
+        let positions = self.turn_positions(mechanism, values, &input.times_s(), Starts::Nearby);
+        positions.map_err(|error| self.not_closed(&error))
+    }
+
+    /// The positions at these times, if the loops close at all of them.
+    pub(super) fn turn_positions(
+        &self,
+        mechanism: &SpatialMechanism,
+        values: &Values,
+        times_s: &[f64],
+        starts: Starts,
+    ) -> Result<Vec<Position>, ClosureError> {
+        let found = cycle_from(mechanism, times_s, &|time_s| self.drive_values(values, time_s), starts);
+        found.stopped.map_or(Ok(found.positions), Err)
     }
 
     /// Why loops do not close, at the joint.
@@ -158,13 +165,17 @@ impl SpatialModel {
         let by_play = self.assembly(values).ok().and_then(|assembly| assembly.sentence());
         let Some(by_play) = by_play else { return self.not_closed(error) };
         let problem = SpatialMotionProblem::NotWithIdealJoints { why: error.to_string(), by_play };
-        let place = error.joint().and_then(|joint| self.place(&format!("joint.{joint}")));
-        Diagnostic::error(&problem, place).into()
+        Diagnostic::error(&problem, self.place_of_joint(error.joint())).into()
     }
 
     pub(super) fn open(&self, error: &ClosureError) -> Diagnostic {
         let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
-        Diagnostic::error(&problem, error.joint().and_then(|joint| self.place(&format!("joint.{joint}"))))
+        Diagnostic::error(&problem, self.place_of_joint(error.joint()))
+    }
+
+    /// The table of a joint, where one is at fault.
+    pub(super) fn place_of_joint(&self, joint: Option<&str>) -> Option<Place> {
+        self.place(&format!("joint.{}", joint?))
     }
 
     fn output_record(

@@ -33,8 +33,8 @@ impl SpatialModel {
                 Diagnostic::error(&SpatialMotionProblem::ReachesDeadCentre { at }, self.place("cycle"))
             }
             other => {
-                let place = other.joint().and_then(|joint| self.place(&format!("joint.{joint}")));
-                Diagnostic::error(&SpatialMotionProblem::NotSampled { why: other.to_string() }, place)
+                let problem = SpatialMotionProblem::NotSampled { why: other.to_string() };
+                Diagnostic::error(&problem, self.place_of_joint(other.joint()))
             }
         }
     }
