@@ -16,15 +16,10 @@ check: format-check lint docs architecture unit
 test:
     ./test
 
-# The steps of ./test, once the tools are there, with the seconds that each takes.
+# The steps of ./test, once the tools are there: all of them, also where one fails; at the end the failed steps and tests are named.
 everything:
-    #!/usr/bin/env bash
-    set -euo pipefail
-    for step in format-check lint docs page-scripts-check studio-front-check rust-tests python-tests browser-tests; do
-        started=$SECONDS
-        just "$step"
-        echo "==> $step: $((SECONDS - started)) s" >&2
-    done
+    "{{ python }}" tools/steps/steps.py "{{ just_executable() }}" format-check lint docs page-scripts-check studio-front-check \
+        rust-tests python-tests browser-tests
 
 # Rewrites the sources in the house format.
 format:
@@ -117,14 +112,18 @@ unit:
 
 # Unit, integration and documentation tests of all crates.
 rust-tests:
-    # Examples are compiled by the linter; linking them takes longer than what it could find.
-    cargo test --workspace --locked --tests
-    cargo test --workspace --locked --doc
+    #!/usr/bin/env bash
+    set -uo pipefail
+    status=0
+    # Examples are compiled by the linter; linking them takes longer than what it could find. A crate that fails hides no other one.
+    cargo test --workspace --locked --tests --no-fail-fast || status=$?
+    cargo test --workspace --locked --doc --no-fail-fast || status=$?
+    exit "$status"
 
 # Installs the package into .venv, with the module of the same build as the other tests, and runs the Python tests.
 python-tests: (tool "pytest") programs
     "{{ python }}" tools/python/install.py target/debug
-    "{{ python }}" -m pytest --quiet crates/loosepin-python/tests
+    "{{ python }}" -m pytest --quiet crates/loosepin-python/tests tools/steps
 
 # Loads the pages that people see in headless Chromium (its path in CHROMIUM), with axe-core, which comes with the scripts.
 browser-tests: (tool "pytest") page-scripts programs

@@ -26,6 +26,10 @@ use loosepin::diagnostics::{Code, Diagnostics};
 
 fn main() -> ExitCode {
     system_limits::prepare();
+    system_limits::with_enough_stack(run)
+}
+
+fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return print_usage_message(&error),

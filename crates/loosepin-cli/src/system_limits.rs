@@ -1,13 +1,14 @@
-//! Limits of the operating system for the process: its memory, and the size of its files.
+//! Limits of the operating system for the process: its memory, its stack, and the size of its files.
 //!
 //! When a limit is reached, the program prints a message and ends with a defined exit status. Without this file, Rust would abort when
-//! memory runs out, and the system would kill the process when a file grows too large.
+//! memory runs out or where the stack is small, and the system would kill the process when a file grows too large.
 #![allow(
     unsafe_code,
     reason = "an allocator, a signal and an option of the C library are set by functions that nothing checks"
 )]
 
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -116,6 +117,23 @@ fn decimal(mut number: usize, digits: &mut [u8; MAX_DIGITS]) -> &[u8] {
     }
 }
 
+/// Smallest stack of the main thread on which the program works, bytes: all other threads have this one, whatever `ulimit -s` says.
+const MIN_STACK_BYTES: u64 = 2 << 20;
+/// Stack of the thread that takes its place, bytes: what systems usually give the main thread.
+const STACK_BYTES: usize = 8 << 20;
+
+/// Calls `work` on the main thread, or on a thread of its own where the stack of the main thread is limited to less (`ulimit -s`).
+pub fn with_enough_stack(work: fn() -> ExitCode) -> ExitCode {
+    if system::stack_limit_bytes().is_none_or(|limit| limit >= MIN_STACK_BYTES) {
+        return work();
+    }
+    match std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES).spawn(work) {
+        Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+        // No thread: the stack of this one may be large enough.
+        Err(_) => work(),
+    }
+}
+
 /// Prepares the process, before anything is written and before a second thread is started.
 pub fn prepare() {
     system::prepare();
@@ -147,6 +165,14 @@ mod system {
         bound_arenas();
     }
 
+    /// The limit of the main thread's stack, bytes (`ulimit -s`); `None` if there is none.
+    pub fn stack_limit_bytes() -> Option<u64> {
+        let mut limit = libc::rlimit { rlim_cur: libc::RLIM_INFINITY, rlim_max: libc::RLIM_INFINITY };
+        // SAFETY: the pointer is that of a value of the type that is asked for.
+        let is_known = unsafe { libc::getrlimit(libc::RLIMIT_STACK, &raw mut limit) } == 0;
+        (is_known && limit.rlim_cur != libc::RLIM_INFINITY).then_some(limit.rlim_cur)
+    }
+
     /// If the address space is limited, lets glibc reserve only a part of it for threads.
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     fn bound_arenas() {
@@ -175,6 +201,11 @@ mod system {
 
     /// Does nothing: other systems have no such limits.
     pub fn prepare() {}
+
+    /// Other systems have none that can be set.
+    pub fn stack_limit_bytes() -> Option<u64> {
+        None
+    }
 }
 
 #[cfg(test)]

@@ -43,6 +43,8 @@ pub struct FileInfo {
     pub mode: u32,
     /// Its owner and group, where the system has them.
     pub owner: Option<(u32, u32)>,
+    /// Its names in all folders: more than one where it has hard links. 1 where the system tells none (Windows).
+    pub names: u64,
 }
 
 impl FileInfo {

@@ -2,11 +2,11 @@
 
 use std::ffi::OsStr;
 use std::fs::{File, TryLockError};
-use std::io::{self, Read, Write};
+use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::entry::{Entry, FileKind, Identity};
+use crate::entry::{Entry, FileInfo, FileKind, Identity};
 use crate::folder::{Folder, MadeFolders};
 use crate::refused::Refused;
 use crate::system::file_info;
@@ -69,6 +69,11 @@ pub enum LockError {
         source: io::Error,
     },
 }
+
+/// First line of the file of a lock, by which it is known that loosepin wrote it; the holder stands behind it.
+const MARK: &str = "loosepin lock\n";
+/// Longest file of a lock, bytes.
+const MAX_LOCK_BYTES: u64 = 4096;
 
 /// Most entries that are looked at when left files are removed.
 const MAX_ENTRIES: usize = 1 << 20;
@@ -196,13 +201,18 @@ impl FolderLock {
                 return Err(LockError::File { path, source });
             }
         }
-        let identity = file_info(&file).map_err(|source| LockError::File { path: path.clone(), source })?.identity;
-        let mut lock = Self { folder, kind, held: Some((file, identity)), made };
-        match lock.check() {
+        let refused = |source| LockError::File { path: path.clone(), source };
+        let info = file_info(&file).map_err(refused)?;
+        match found_again(&folder, kind, info.identity) {
             Ok(()) => {}
             Err(error) if Refused::of(&error) == Some(Refused::LockLost) => return Ok(None),
-            Err(source) => return Err(LockError::File { path, source }),
+            Err(source) => return Err(refused(source)),
         }
+        // Before anything is written: what is not ours is neither changed nor removed.
+        if !is_new {
+            require_own(&file, &info).map_err(refused)?;
+        }
+        let mut lock = Self { folder, kind, held: Some((file, info.identity)), made };
         let named = if is_read_only { Ok(()) } else { lock.name_holder(holder) };
         let begun = named.and_then(|()| lock.remove_left());
         begun.map_err(|source| LockError::File { path, source })?;
@@ -235,10 +245,7 @@ impl FolderLock {
     /// [`Refused::LockLost`]: its file was removed, or another process has made a new one. An error of the file system.
     pub fn check(&self) -> io::Result<()> {
         let Some((_, identity)) = &self.held else { return Ok(()) };
-        match self.folder.find_name(self.file_name())? {
-            Some(found) if found.identity == *identity => Ok(()),
-            _ => Err(Refused::LockLost.into()),
-        }
+        found_again(&self.folder, self.kind, *identity)
     }
 
     /// Says in the file who holds it.
@@ -246,7 +253,7 @@ impl FolderLock {
         let Some((file, _)) = &mut self.held else { return Ok(()) };
         file.set_len(0)?;
         // In one piece: others read it at any moment.
-        file.write_all(format!("{holder}\n").as_bytes())
+        file.write_all(format!("{MARK}{holder}\n").as_bytes())
     }
 
     /// Removes what earlier holders have not brought to its name: they were stopped, or have lost the lock.
@@ -341,12 +348,33 @@ impl LockFile {
     }
 }
 
+/// That the file of a lock is still the one of the folder.
+fn found_again(folder: &Folder, kind: LockKind, identity: Identity) -> io::Result<()> {
+    match folder.find_name(OsStr::new(kind.file_name()))? {
+        Some(found) if found.identity == identity => Ok(()),
+        _ => Err(Refused::LockLost.into()),
+    }
+}
+
+/// That a file which was there before is one that a lock has left: it has this name alone, and begins with our mark. Of a process that was
+/// stopped while it wrote, a part of the mark is left.
+fn require_own(mut file: &File, info: &FileInfo) -> io::Result<()> {
+    if info.names > 1 {
+        return Err(Refused::HardLink.into());
+    }
+    let mut bytes = Vec::new();
+    file.take(MAX_LOCK_BYTES).read_to_end(&mut bytes)?;
+    file.rewind()?;
+    let is_own = bytes.starts_with(MARK.as_bytes()) || MARK.as_bytes().starts_with(&bytes);
+    if is_own && info.size_bytes <= MAX_LOCK_BYTES { Ok(()) } else { Err(Refused::ForeignLock.into()) }
+}
+
 /// Who holds the lock, where the file says so already and can be read.
 fn holder_line(file: File) -> Option<String> {
-    const MAX_BYTES: u64 = 4096;
     const MAX_CHARS: usize = 200;
     let mut text = String::new();
-    file.take(MAX_BYTES).read_to_string(&mut text).ok()?;
+    file.take(MAX_LOCK_BYTES).read_to_string(&mut text).ok()?;
+    let text = text.strip_prefix(MARK)?;
     let (line, _) = text.split_once('\n')?;
     let line: String = line.chars().filter(|character| !character.is_control()).collect();
     Some(line.chars().take(MAX_CHARS).collect()).filter(|line: &String| !line.is_empty())

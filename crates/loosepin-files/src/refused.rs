@@ -26,6 +26,10 @@ pub enum Refused {
     LockLost,
     /// A name that is no single name below a folder.
     BadName,
+    /// A file that has further names (hard links) where one is due that is written in place.
+    HardLink,
+    /// A file that loosepin did not write, where its lock is due.
+    ForeignLock,
 }
 
 impl Refused {
@@ -51,6 +55,12 @@ impl fmt::Display for Refused {
             Self::LockLost => formatter
                 .write_str("the folder was emptied or taken by another process meanwhile; nothing more is written"),
             Self::BadName => formatter.write_str("it is not a name below the folder"),
+            Self::HardLink => {
+                formatter.write_str("it is a hard link, and the file has another name as well; move it away")
+            }
+            Self::ForeignLock => formatter.write_str(
+                "loosepin needs this name for its lock, and did not write the file that is there; move it away",
+            ),
         }
     }
 }
@@ -62,7 +72,8 @@ impl From<Refused> for io::Error {
         let kind = match refused {
             Refused::TooLarge { .. } => io::ErrorKind::FileTooLarge,
             Refused::ReadOnly => io::ErrorKind::PermissionDenied,
-            Refused::Link | Refused::NotAFile | Refused::BadName => io::ErrorKind::InvalidInput,
+            Refused::Link | Refused::NotAFile | Refused::BadName | Refused::HardLink => io::ErrorKind::InvalidInput,
+            Refused::ForeignLock => io::ErrorKind::AlreadyExists,
             Refused::LockLost => io::ErrorKind::Other,
         };
         Self::new(kind, refused)

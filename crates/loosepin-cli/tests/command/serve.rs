@@ -19,7 +19,9 @@ fn wait_for<T>(what: &str, mut found: impl FnMut() -> Option<T>) -> T {
         if let Some(found) = found() {
             return found;
         }
-        assert!(began.elapsed() < LIMIT, "{what} within {LIMIT:?}");
+        if began.elapsed() > LIMIT {
+            panic!("no {what} within {LIMIT:?}");
+        }
         sleep(Duration::from_millis(20));
     }
 }
@@ -105,4 +107,16 @@ fn a_worker_ends_with_its_supervisor_however_that_ends() {
     signal("-KILL", served.supervisor.id());
     served.supervisor.wait().expect("it ends");
     wait_for("the end of the worker", || (!is_there(worker)).then_some(()));
+}
+
+#[test]
+fn the_first_ctrl_c_ends_the_studio_also_where_its_worker_is_stopped() {
+    let desk = Desk::new();
+    let mut served = Served::new(&desk);
+    let worker = served.worker();
+    signal("-STOP", worker);
+    signal("-INT", served.supervisor.id());
+    let status = wait_for("an end", || served.supervisor.try_wait().expect("it can be asked"));
+    assert!(status.success(), "{status}");
+    assert!(!is_there(worker));
 }

@@ -55,6 +55,22 @@ fn bytes(desk: &Desk, folder: &str, file: &str) -> Vec<u8> {
     fs::read(desk.path(folder).join(file)).unwrap_or_else(|error| panic!("{folder}/{file}: {error}"))
 }
 
+/// Before, `ulimit -s 64` aborted every command (status 134).
+#[test]
+fn a_small_stack_makes_no_difference() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    fs::write(desk.path("study.toml"), STUDY).expect("it can be written");
+    let arguments = |folder| ["study", "study.toml", "--threads", "2", "--out", folder];
+    desk.succeed(&arguments("whole"));
+    let said = run(&desk, "-s 64", &arguments("limited"));
+    assert_eq!(said.status, 0, "{}", said.messages);
+    for file in ["summary.json", "bounds.csv"] {
+        assert!(bytes(&desk, "whole", file) == bytes(&desk, "limited", file), "{file} differs");
+    }
+    let said = run(&desk, "-s 64", &["check", "model.toml"]);
+    assert_eq!((said.status, said.messages.as_str()), (0, ""));
+}
+
 #[test]
 fn a_file_that_may_not_grow_is_told_and_the_same_command_writes_it_later() {
     let desk = Desk::with_model("slider_crank_worn_pin");

@@ -27,7 +27,7 @@ fn the_second_writer_is_told_of_the_first() {
     assert!(!desk.path().join("a").exists(), "nothing is left of it");
     // Left behind by a process that was killed: it is not locked any more.
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join(NAME), "process 1\nand more").unwrap();
+    fs::write(folder.join(NAME), "loosepin lock\nprocess 1\nand more").unwrap();
     drop(take(&folder).expect("nobody holds it"));
     assert!(folder.exists(), "it was there before");
 }
@@ -67,6 +67,50 @@ fn links_and_pipes_are_no_locks() {
     let below = FolderLock::take_below(&base, Path::new("results/name"), KIND, "process 4711");
     assert_eq!(refused(below.unwrap_err()), Some(Refused::Link));
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+}
+
+/// What a user has put there under our name is neither changed nor removed.
+#[test]
+fn a_file_of_somebody_else_is_no_lock() {
+    let desk = tempfile::tempdir().unwrap();
+    let long = format!("loosepin lock\n{}", "x".repeat(5000));
+    for kind in [LockKind::Result, LockKind::Text] {
+        for text in ["of the user", "of the user\nand more\n", "loosepin locks\n", &long] {
+            let path = desk.path().join(kind.file_name());
+            fs::write(&path, text).unwrap();
+            for is_read_only in [false, true] {
+                let mut permissions = fs::metadata(&path).unwrap().permissions();
+                permissions.set_readonly(is_read_only);
+                fs::set_permissions(&path, permissions).unwrap();
+                let refusal = FolderLock::take(desk.path(), kind, "process 4711").unwrap_err();
+                assert_eq!(refused(refusal), Some(Refused::ForeignLock), "{text}");
+                assert_eq!(fs::read_to_string(&path).unwrap(), text);
+            }
+            fs::remove_file(&path).unwrap();
+        }
+        // Of a process that was stopped between making it and the end of writing into it.
+        for text in ["", "loosepin l", "loosepin lock\nproc"] {
+            fs::write(desk.path().join(kind.file_name()), text).unwrap();
+            drop(FolderLock::take(desk.path(), kind, "process 4711").unwrap());
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_hard_link_is_no_lock() {
+    let desk = tempfile::tempdir().unwrap();
+    let victim = desk.path().join("victim");
+    for text in ["", "loosepin lock\nprocess 4711\n", "of the user"] {
+        fs::write(&victim, text).unwrap();
+        let folder = desk.path().join("out");
+        fs::create_dir(&folder).unwrap();
+        fs::hard_link(&victim, folder.join(NAME)).unwrap();
+        assert_eq!(refused(take(&folder).unwrap_err()), Some(Refused::HardLink), "{text}");
+        assert_eq!(fs::read_to_string(&victim).unwrap(), text);
+        assert_eq!(fs::read_to_string(folder.join(NAME)).unwrap(), text);
+        fs::remove_dir_all(&folder).unwrap();
+    }
 }
 
 #[cfg(unix)]

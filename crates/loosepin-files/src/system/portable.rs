@@ -148,6 +148,7 @@ fn info(metadata: &Metadata) -> FileInfo {
         identity: Identity::default(),
         mode: if metadata.permissions().readonly() { 0o444 } else { 0o666 },
         owner: None,
+        names: 1,
     }
 }
 

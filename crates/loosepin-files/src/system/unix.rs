@@ -197,5 +197,6 @@ fn info(status: &Stat) -> FileInfo {
         identity: Identity { device: status.st_dev as u64, number: status.st_ino as u64 },
         mode: u32::from(status.st_mode) & PERMISSIONS,
         owner: Some((status.st_uid, status.st_gid)),
+        names: status.st_nlink as u64,
     }
 }

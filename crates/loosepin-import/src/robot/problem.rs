@@ -16,6 +16,8 @@ problems! {
         TooLarge { what: &'static str, limit: usize } => Code::TooMany,
             says("the file has more than {limit} {what}"),
             hint("a robot description has meshes in files of their own");
+        ManyAttributes { element: String, found: usize, limit: usize } => Code::TooMany,
+            says("<{element}> has {found} attributes; must have at most {limit}");
         OtherRoot { found: String } => Code::NotARobot,
             says("the root element is <{found}>; must be <robot> (URDF) or <mujoco> (MJCF)"),
             hint_of(match found.as_str() {

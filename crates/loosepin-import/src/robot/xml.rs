@@ -12,18 +12,25 @@ const MAX_BYTES: usize = 32 << 20;
 const MAX_NODES: u32 = 400_000;
 /// Elements inside each other, at most: they are walked by calls inside each other.
 const MAX_DEPTH: usize = 256;
+/// Attributes of an element, at most: the parser compares each with all of its element. MJCF has 50 at most.
+const MAX_ATTRIBUTES: usize = 100;
+/// Declarations of namespaces in a file, at most: the parser compares those around an element with each other.
+const MAX_NAMESPACES: usize = 100;
+/// What is no element, by its beginning and its end.
+const NO_ELEMENTS: [(&str, &str); 4] = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("<!", ">")];
 /// Characters of an attribute that a message shows, at most.
 const SHOWN_CHARS: usize = 40;
 
 /// Reads a text as XML.
 ///
 /// # Errors
-/// It is no XML; a document type, whose entities can make a small file very large; too many or too deep elements.
+/// It is no XML; a document type, whose entities can make a small file very large; too many or too deep elements, too many attributes of one.
 pub(super) fn parse(source: &Arc<Source>) -> Result<Document<'_>, Diagnostics> {
     if source.text().len() > MAX_BYTES {
         let problem = RobotProblem::TooLarge { what: "bytes", limit: MAX_BYTES };
         return Err(Diagnostics::one(&problem, Some(Place::new(source, 0..0))));
     }
+    refuse_many_attributes(source)?;
     let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(source.text(), options).map_err(|error| {
         let (problem, place) = match error {
@@ -58,6 +65,73 @@ pub(super) fn parse(source: &Arc<Source>) -> Result<Document<'_>, Diagnostics> {
         }
     }
     Ok(document)
+}
+
+/// Goes through the text once, before it is parsed: the work of the parser grows with the square of the attributes of an element, and with
+/// that of the namespaces.
+///
+/// # Errors
+/// An element has too many attributes, or the file too many namespaces. What is no XML is for the parser to say.
+fn refuse_many_attributes(source: &Arc<Source>) -> Result<(), Diagnostics> {
+    let text = source.text();
+    let (mut at, mut namespaces) = (0, 0);
+    while let Some(start) = text[at..].find('<').map(|found| at + found) {
+        let rest = &text[start..];
+        if let Some((beginning, end)) = NO_ELEMENTS.iter().find(|(beginning, _)| rest.starts_with(beginning)) {
+            let inside = start + beginning.len();
+            at = text[inside..].find(end).map_or(text.len(), |found| inside + found + end.len());
+            continue;
+        }
+        let tag = Tag::read(rest);
+        namespaces += tag.namespaces;
+        let problem = if tag.attributes > MAX_ATTRIBUTES {
+            RobotProblem::ManyAttributes { element: tag.name.to_owned(), found: tag.attributes, limit: MAX_ATTRIBUTES }
+        } else if namespaces > MAX_NAMESPACES {
+            RobotProblem::TooLarge { what: "declarations of namespaces", limit: MAX_NAMESPACES }
+        } else {
+            at = start + tag.length;
+            continue;
+        };
+        let head = start..start + 1 + tag.name.len();
+        return Err(Diagnostics::one(&problem, Some(Place::new(source, head))));
+    }
+    Ok(())
+}
+
+/// The tag at the beginning of a text, as far as its attributes are counted.
+struct Tag<'t> {
+    name: &'t str,
+    /// Bytes up to and with its `>`.
+    length: usize,
+    attributes: usize,
+    /// Those of the attributes that declare namespaces.
+    namespaces: usize,
+}
+
+impl Tag<'_> {
+    fn read(text: &str) -> Tag<'_> {
+        let is_end = |c: char| c.is_ascii_whitespace() || matches!(c, '/' | '>' | '=' | '"' | '\'');
+        let name = text[1..].split(is_end).next().unwrap_or_default();
+        let mut tag = Tag { name, length: text.len(), attributes: 0, namespaces: 0 };
+        let mut quote = None;
+        for (place, byte) in text.bytes().enumerate() {
+            match (quote, byte) {
+                (None, b'"' | b'\'') => quote = Some(byte),
+                (Some(opened), _) if opened == byte => quote = None,
+                (None, b'=') => {
+                    let name = text[..place].trim_end().rsplit(is_end).next().unwrap_or_default();
+                    tag.attributes += 1;
+                    tag.namespaces += usize::from(name == "xmlns" || name.starts_with("xmlns:"));
+                }
+                (None, b'>') => {
+                    tag.length = place + 1;
+                    break;
+                }
+                _ => {}
+            }
+        }
+        tag
+    }
 }
 
 /// The byte at a line and a column, both from 1.

@@ -133,6 +133,23 @@ fn files_that_are_too_much_are_refused() {
     assert_eq!(refused("<robot name='&a;'/>").2, "the file is not XML that can be read: unknown entity reference 'a'");
 }
 
+/// The parser compares each attribute with all others of its element, and the namespaces around an element with each other.
+#[test]
+fn elements_of_very_many_attributes_are_refused_before_they_are_parsed() {
+    let with = |attributes: String| refused(&format!("<robot name='r'>\n <link {attributes}/></robot>"));
+    let many = |name: &str, count: usize| (0..count).map(|k| format!(" {name}{k} = '='")).collect::<String>();
+    assert_eq!(with(many("a", 80_000)), (2, 2, "<link> has 80000 attributes; must have at most 100".to_owned()));
+    assert_eq!(with(many("xmlns:a", 80_000)).2, "<link> has 80000 attributes; must have at most 100");
+    let few = with(many("a", 100));
+    assert_eq!(few.2, "<link> has no attribute 'name'");
+    let spread: String = (0..101).map(|k| format!("<link xmlns:a{k}=\"u\" name='>'/>\n")).collect();
+    let found = refused(&format!("<robot name='r'>\n{spread}</robot>"));
+    assert_eq!(found, (102, 1, "the file has more than 100 declarations of namespaces".to_owned()));
+    // What only looks like attributes is none.
+    let text = format!("{0} <!--<a {1}>--><![CDATA[<a {1}>]]><?a {1}?> {0}", many("a", 500), many("b", 500));
+    assert_eq!(refused(&format!("<robot name='r'>{text}<link/></robot>")).2, "<link> has no attribute 'name'");
+}
+
 #[test]
 fn other_files_are_named() {
     assert_eq!(refused("<sdf/>").2, "the root element is <sdf>; must be <robot> (URDF) or <mujoco> (MJCF)");

@@ -6,7 +6,7 @@ use axum::http::StatusCode;
 use loosepin::files::lock_texts;
 
 use crate::edit::toml::lines::EditedText;
-use crate::files::folder::{Folder, not_written, relative};
+use crate::files::folder::{Folder, not_written, refuse_trash, relative};
 use crate::network::refusal::Refusal;
 use crate::view::texts::{model_beside, plain};
 
@@ -29,6 +29,7 @@ pub struct Copied {
 /// The text cannot be read; it names a model in a way that cannot be changed; the file system refuses.
 pub fn duplicate(folder: &Folder, path: &str) -> Result<Copied, Refusal> {
     let path = plain(path);
+    refuse_trash(&path)?;
     let text = folder.read(&path)?.text;
     let Some(model_path) = model_beside(&path, &text).map(|model| plain(&model)) else {
         for number in 2..=MAX_COPIES {

@@ -1,8 +1,9 @@
 //! The folder that is served: which paths there are in it, reading and writing. Nothing outside of it is opened, and no link is followed.
 
 use std::collections::HashMap;
+use std::ffi::OsStr;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use axum::http::StatusCode;
@@ -17,6 +18,8 @@ pub const MAX_TEXT: usize = 1 << 20;
 const MAX_TABLE: usize = 8 << 20;
 /// Characters of a new folder's name.
 const LONGEST_NAME: usize = 64;
+/// Folder for what was deleted.
+pub const TRASH: &str = ".trash";
 /// Longest path, bytes.
 const LONGEST_PATH: usize = 1024;
 /// Most files of which it is remembered what was saved last.
@@ -125,7 +128,7 @@ impl Folder {
     /// with one tag, one saves.
     ///
     /// # Errors
-    /// The path is none of this folder, or no `.toml` file; somebody else has changed the file.
+    /// The path is none of this folder, or no `.toml` file, or in the trash; somebody else has changed the file.
     pub fn write(&self, path: &str, text: &str, known: Option<&str>) -> Result<String, Refusal> {
         if Path::new(path).extension().is_none_or(|extension| extension != "toml") {
             return Err(Refusal::bad(format!("'{path}' is not written: the studio writes .toml files only")));
@@ -133,6 +136,7 @@ impl Folder {
         if text.len() > MAX_TEXT {
             return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, format!("'{path}' has more than 1 MiB")));
         }
+        refuse_trash(path)?;
         let relative = relative(path)?;
         let name = relative.file_name().and_then(|name| name.to_str()).ok_or_else(|| outside(path))?;
         let parent = self.opened.open_below(relative.parent().unwrap_or(Path::new("")));
@@ -201,6 +205,24 @@ pub fn relative(path: &str) -> Result<PathBuf, Refusal> {
     // Whether these are names below the folder, the folder says when it looks them up.
     let is_plain = path.len() <= LONGEST_PATH && !path.contains(['\\', ':', '\0']);
     if is_plain { Ok(PathBuf::from(path)) } else { Err(outside(path)) }
+}
+
+/// Whether a path, as the page writes it, leads into the folder for what was deleted.
+pub fn is_in_trash(path: &str) -> bool {
+    let first = Path::new(path).components().find(|component| *component != Component::CurDir);
+    first == Some(Component::Normal(OsStr::new(TRASH)))
+}
+
+/// That a path does not lead there: what was deleted is not changed.
+///
+/// # Errors
+/// It does.
+pub fn refuse_trash(path: &str) -> Result<(), Refusal> {
+    if is_in_trash(path) {
+        return Err(Refusal::bad(format!("'{path}' is in the trash: nothing is saved there"))
+            .with_hint("restore it first, or move it out of the folder .trash by hand"));
+    }
+    Ok(())
 }
 
 /// Tag that identifies a text.

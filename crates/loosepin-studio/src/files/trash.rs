@@ -12,13 +12,11 @@ use loosepin::files::{FileKind, FolderLock, lock_result, lock_texts, lock_texts_
 use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker};
 use serde::Serialize;
 
-use crate::files::folder::{Folder, not_moved, relative};
+use crate::files::folder::{Folder, TRASH, is_in_trash, not_moved, relative};
 use crate::files::listing::{Listing, listing};
 use crate::network::refusal::Refusal;
 use crate::view::texts::{model_beside, plain};
 
-/// Folder for what was deleted.
-const TRASH: &str = ".trash";
 /// Most entries of one name.
 const MAX_SAME_NAMES: usize = 10_000;
 /// Characters of an entry's name before its number.
@@ -42,7 +40,7 @@ pub struct Trashed {
 pub fn paths_of(folder: &Folder, path: &str) -> Result<Vec<String>, Refusal> {
     let path = plain(path.trim_end_matches('/'));
     relative(&path)?;
-    if path.split('/').next() == Some(TRASH) {
+    if is_in_trash(&path) {
         return Err(
             Refusal::bad(format!("'{path}' is in the trash already")).with_hint("empty the folder .trash by hand")
         );

@@ -244,9 +244,19 @@ fn a_study_is_deleted_with_its_model_and_comes_back() {
     assert_ne!(first["entry"], second["entry"]);
     let (_, last) = trash(&server, "mine/second.toml");
     assert_eq!(last["paths"], json!(["mine/second.toml", model]));
-    // What was deleted cannot be deleted again, nor taken from elsewhere.
-    let (status, refused) = trash(&server, &format!(".trash/{entry}/{study}"));
+    // What was deleted cannot be deleted again, nor changed or copied, nor taken from elsewhere.
+    let deleted = format!(".trash/{}/{study}", second["entry"].as_str().unwrap());
+    let (status, refused) = trash(&server, &deleted);
     assert_eq!((status, refused["hint"].as_str()), (400, Some("empty the folder .trash by hand")));
+    for path in [deleted.as_str(), &format!("./{deleted}"), ".trash/new.toml"] {
+        let save = json!({"path": path, "text": "name = \"changed\"\n", "tag": null}).to_string();
+        let (status, refused) = server.ask("PUT", "/api/file", &save);
+        let words = format!("'{path}' is in the trash: nothing is saved there");
+        assert_eq!((status, refused["message"].as_str()), (400, Some(words.as_str())), "{refused}");
+    }
+    assert_eq!(post(&server, "/api/duplicate", &json!({"path": deleted})).0, 400);
+    assert_eq!(text(&deleted), before[1]);
+    assert_eq!(names(&desk.path().join(".trash")).len(), 3);
     for (entry, paths, status) in [
         ("..", json!(["mine/study.toml"]), 400),
         ("a/b", json!(["x.toml"]), 400),

@@ -2,6 +2,7 @@
 
 use loosepin::model::{MAX_BODIES, MAX_ENTRIES, MAX_JOINTS};
 use loosepin::simulate::{MAX_NUMBERS, MAX_ROWS, Settings};
+use loosepin::space::SpatialModel;
 use loosepin::study::{MAX_COLUMNS, MAX_POSES, MAX_RUNS, STATED_BYTES};
 
 #[test]
@@ -18,6 +19,14 @@ fn every_limit_stands_on_its_page() {
     stated("moving bodies", MAX_BODIES as u64);
     stated("joints", MAX_JOINTS as u64);
     stated("contacts", MAX_ENTRIES as u64);
+    for (table, what) in [
+        ("body", "moving bodies in space"),
+        ("joint", "joints in space"),
+        ("drive", "drives, outputs"),
+        ("output", "drives, outputs"),
+    ] {
+        stated(what, largest_in_space(table));
+    }
     stated("rows of a history", MAX_ROWS as u64);
     stated("numbers of a history", MAX_NUMBERS as u64);
     stated("evaluations of the equations of motion", Settings::for_simulation().largest_evaluations);
@@ -25,4 +34,13 @@ fn every_limit_stands_on_its_page() {
     stated("numbers of a run", MAX_COLUMNS as u64);
     stated("runs", MAX_RUNS);
     stated("others", STATED_BYTES >> 30);
+}
+
+/// How many entries of a table a model in space may have, by the message of a model that has too many.
+fn largest_in_space(table: &str) -> u64 {
+    let entries: String = (0..2000).map(|number| format!("[{table}.a{number}]\n")).collect();
+    let text = format!("name = \"large\"\ngeometry = \"space\"\n{entries}");
+    let diagnostics = SpatialModel::from_text("model.toml", &text).expect_err("it is too large").to_string();
+    let (_, limit) = diagnostics.split_once("at most ").unwrap_or_else(|| panic!("{diagnostics}"));
+    limit.split_whitespace().next().and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{diagnostics}"))
 }

@@ -15,6 +15,8 @@ use crate::ending::{Done, Ending, Failure};
 
 /// How often it is looked whether the worker has ended.
 const TICK: Duration = Duration::from_millis(50);
+/// How long a worker that is asked to end is waited for: one that is stopped (SIGSTOP) does not hear it, and is ended then.
+const LONGEST_END: Duration = Duration::from_secs(5);
 /// Workers that may end by an error within [`SPAN`]; after one more none is started. A page sends its texts again to each.
 const MAX_ENDED: usize = 20;
 /// The time in which they are counted.
@@ -113,14 +115,18 @@ impl Worker {
         Ok(Self { process, address, folder })
     }
 
-    /// Until it has ended; asks it to where `stop` is set.
+    /// Until it has ended; asks it to where `stop` is set, and ends it where it does not.
     fn wait(&mut self, stop: &AtomicBool) -> io::Result<ExitStatus> {
+        let mut asked: Option<Instant> = None;
         loop {
             if let Some(status) = self.process.try_wait()? {
                 return Ok(status);
             }
             if stop.load(Ordering::Relaxed) {
                 drop(self.process.stdin.take());
+                if asked.get_or_insert_with(Instant::now).elapsed() > LONGEST_END {
+                    self.process.kill()?;
+                }
             }
             std::thread::sleep(TICK);
         }

@@ -1,4 +1,7 @@
-"""Pickles: an object is made again from its parts, by the version of the package that pickled it."""
+"""Pickles: an object is made again from its parts, by the version of the package that pickled it.
+
+Whatever a pickle names is called when it is opened, before the version is looked at: they are for processes of one's own, and not to be handed over.
+"""
 
 from __future__ import annotations
 
