@@ -43,9 +43,9 @@ PROBLEMS = "document.querySelector('.problems').innerText"
 class Studio:
     """A server of a folder, and the browser in front of it."""
 
-    def __init__(self, folder, browser):
+    def __init__(self, folder, browser, *arguments):
         self.folder, self.browser = folder, browser
-        command = [PROGRAM, "serve", folder, "--no-open"]
+        command = [PROGRAM, "serve", folder, "--no-open", *arguments]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.address = self.process.stdout.readline().strip()
         assert self.address.startswith("http://127.0.0.1:"), self.process.stderr.read()

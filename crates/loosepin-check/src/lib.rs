@@ -29,13 +29,15 @@ mod trial;
 
 pub use space::{check_space, mobility_in_space};
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::Model;
-use loosepin_study::{InputFile, Study};
+use loosepin_mechanics::model::{Model, Values};
+use loosepin_study::{InputFile, Study, plan_runs};
 use loosepin_text::article::Article;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+
+use trial::TrialResult;
 
 /// Warnings about likely mistakes in a valid file.
 pub fn warnings(file: &InputFile) -> &[Diagnostic] {
@@ -60,14 +62,53 @@ pub fn check(file: &InputFile) -> Result<Article, Diagnostics> {
 pub fn check_until(file: &InputFile, stop: &AtomicBool) -> Result<Article, Diagnostics> {
     match file {
         InputFile::Model(model) => match model.spatial() {
-            Some(model) => check_space(model),
+            Some(model) => check_space(model, &|| stop.load(Ordering::Relaxed)),
             None => check_model(model.demand_planar()?, stop),
         },
         InputFile::Study(study) => check_study(study, stop),
     }
 }
 
+/// The errors of [`check_until`], without its report and without the time of a run. Of a mechanism in space without a study there are none
+/// but those of its motion.
+///
+/// # Errors
+/// As for [`check_until`].
+pub fn try_until(file: &InputFile, stop: &AtomicBool) -> Result<(), Diagnostics> {
+    let study = match file {
+        InputFile::Model(model) => {
+            return match model.planar() {
+                Some(model) => try_model(model, stop).map(|_| ()),
+                None => Ok(()),
+            };
+        }
+        InputFile::Study(study) => study,
+    };
+    if let Some(model) = study.model.planar() {
+        try_study(study, model, stop)?;
+        if !model.missing_for_runs.is_empty() {
+            return Ok(());
+        }
+    }
+    if study.has_questions() {
+        plan_runs(study).map_err(|error| error.diagnostic(study))?;
+    }
+    Ok(())
+}
+
+/// A mechanism that has moved for the first time.
+struct Tried {
+    mechanism: Mechanism,
+    values: Values,
+    result: TrialResult,
+}
+
 fn check_model(model: &Model, stop: &AtomicBool) -> Result<Article, Diagnostics> {
+    let Tried { mechanism, values, result } = try_model(model, stop)?;
+    Ok(mechanism::article(&mechanism, &values, &result))
+}
+
+fn try_model(model: &Model, stop: &AtomicBool) -> Result<Tried, Diagnostics> {
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if !mechanism.is_driven() {
@@ -76,22 +117,28 @@ fn check_model(model: &Model, stop: &AtomicBool) -> Result<Article, Diagnostics>
     }
     // A study has a cycle of its own, with limits of its own.
     trial::check_run(&mechanism, &values).map_err(|failure| failure.diagnostic(model))?;
-    let tried = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
-    Ok(mechanism::article(&mechanism, &values, &tried))
+    let result = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
+    Ok(Tried { mechanism, values, result })
 }
 
 fn check_study(study: &Study, stop: &AtomicBool) -> Result<Article, Diagnostics> {
-    let values = study::middle_values(study)?;
     if study.model.spatial().is_some() {
+        study::middle_values(study)?;
         return study::article_in_space(study);
     }
     let model = study.model.demand_planar()?;
+    let Tried { values, result, .. } = try_study(study, model, stop)?;
+    study::article(study, model, &values, &result)
+}
+
+fn try_study(study: &Study, model: &Model, stop: &AtomicBool) -> Result<Tried, Diagnostics> {
+    let values = study::middle_values(study)?;
     let mechanism = Mechanism::new(model, &values).map_err(|error| error.diagnostic(model))?;
     if study.needs_runs() || !mechanism.is_driven() {
         model.demand_dynamics()?;
     }
-    let tried = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
-    study::article(study, model, &values, &tried)
+    let result = trial::run_trial(&mechanism, &values, stop).map_err(|failure| failure.diagnostic(model))?;
+    Ok(Tried { mechanism, values, result })
 }
 
 #[cfg(test)]

@@ -2,34 +2,51 @@
 
 use loosepin_result::spatial_motion::OTHER_START;
 use loosepin_space::{
-    IdleKind, IdleMotion, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position, RedundantDirection,
-    SpatialMechanism, SpatialModel, assemble, mobility,
+    ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position,
+    RedundantDirection, SpatialMechanism, SpatialModel, assemble, mobility,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::{QuantityId, Values};
 use loosepin_text::units::{Dimension, counted, counted_or_no, format_number, format_value, listed};
+use std::cell::Cell;
 
 /// Singular values below this share of the largest are reported as nearly redundant.
 const NEARLY_REDUNDANT: f64 = 1e-6;
 
-/// Closes the loops of a model in space over its turn, and reports its bodies, joints, freedoms and play.
+/// Steps times unknowns that following the motion may take, some seconds: the time of a step grows with the unknowns.
+const MAX_WORK: f64 = 1e6;
+
+/// Closes the loops of a model in space over its turn, and reports its bodies, joints, freedoms and play. Where following the whole turn would
+/// cost too much, its beginning is followed, and the report says how far. Until it is stopped.
 ///
 /// # Errors
-/// What keeps it from moving.
-pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
+/// What keeps it from moving; that it was stopped.
+pub fn check_space(model: &SpatialModel, is_stopped: IsStopped) -> Result<Article, Diagnostics> {
     let values = model.quantities.nominal();
     let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
+    let (steps, most) = (Cell::new(0_u64), (MAX_WORK / (6.0 * model.bodies.len() as f64)) as u64);
+    let is_enough = || {
+        steps.set(steps.get() + 1);
+        steps.get() > most || is_stopped()
+    };
     let (start, closing) = if model.cycle.is_some() {
-        let positions = match model.positions(&mechanism, &values) {
+        let positions = match model.first_positions(&mechanism, &values, &is_enough) {
             Ok(positions) => positions,
-            Err(not_closed) => return fitted(model, &values).ok_or(not_closed),
+            Err(not_closed) => return fitted(model, &values, &is_enough).ok_or(not_closed),
         };
-        let count = positions.len();
+        if is_stopped() {
+            return Err(model.not_closed(&ClosureError::Stopped));
+        }
+        let (count, all) = (positions.len(), 1 + model.cycle.map_or(0, |cycle| cycle.samples_per_turn));
         (
             positions.into_iter().next(),
             match model.drives.is_empty() {
                 true => "The loops close at the start; nothing is driven.".to_owned(),
+                false if count < all => format!(
+                    "The loops close at the first {count} of {all} positions of the cycle; to follow the others takes longer than a check, \
+                     `loosepin motion` does it."
+                ),
                 false => format!("The loops close at all {count} positions of the cycle."),
             },
         )
@@ -47,8 +64,8 @@ pub fn check_space(model: &SpatialModel) -> Result<Article, Diagnostics> {
 }
 
 /// Parts that do not close with ideal joints: whether their play takes that up; `None` where that is no question of play.
-fn fitted(model: &SpatialModel, values: &Values) -> Option<Article> {
-    let words = model.assembly(values).ok()?.sentence()?;
+fn fitted(model: &SpatialModel, values: &Values, is_stopped: IsStopped) -> Option<Article> {
+    let words = model.assembly_until(values, is_stopped).ok()?.sentence()?;
     let closing = Section::of_sentences("closing", [format!("The loops do not close with ideal joints: {words}.")]);
     Some(Article { title: model.name.clone(), sections: vec![bodies(model, values), joints(model, values), closing] })
 }

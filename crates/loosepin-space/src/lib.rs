@@ -48,6 +48,7 @@ mod picture;
 mod play;
 mod random;
 mod sampling;
+mod stop;
 
 pub use accuracy::{
     AccuracyError, AssemblyReserve, ClosedByPlay, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain,
@@ -88,3 +89,4 @@ pub use play::block::{Block, PlayPart};
 pub use play::kind_of_play::KindOfPlay;
 pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};
 pub use sampling::{PartOfOutput, PlaySide, SampledPart, SamplingError, TurnSample, TurnSampler};
+pub use stop::IsStopped;

@@ -9,6 +9,7 @@
 //! | connections: who may stay, for how long, how many bytes | `connections.rs`, `visitors.rs`, `stream.rs`, `times.rs` |
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
+//! | texts that are not saved yet, and whose they are | `drafts.rs`, `draft_routes.rs`, `tabs.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `listed.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
 //! | a mechanism in space as the page shows it | `space_view.rs` |
@@ -16,6 +17,7 @@
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
+//! | what `check` finds once nothing changes | `check.rs`, `checker.rs` |
 //! | studies and single runs in the background | `jobs.rs`, `job.rs` |
 //! | messages, over the live connection and of plain requests | `messages`, `requests.rs` |
 //!

@@ -6,6 +6,7 @@ use tokio::sync::Semaphore;
 
 use crate::files::folder::Folder;
 use crate::jobs::queue::Jobs;
+use crate::network::tabs::Tabs;
 use crate::network::tickets::Tickets;
 use crate::network::times::Timeouts;
 use crate::network::token::Token;
@@ -19,6 +20,8 @@ pub struct Studio {
     pub folder: Folder,
     /// Studies in the background.
     pub jobs: Arc<Jobs>,
+    /// Tabs with a live page.
+    pub tabs: Arc<Tabs>,
     /// Tickets for reports.
     pub tickets: Arc<Tickets>,
     /// Live connections that may still be opened.

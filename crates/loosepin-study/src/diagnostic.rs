@@ -86,6 +86,9 @@ impl StudyError {
                 study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model))
             }
             Self::Prepare(PrepareError::InSpace { found }) => (**found).clone(),
+            Self::Prepare(PrepareError::OfModel { failure }) => {
+                study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| failure.diagnostic(model))
+            }
             Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
                 Diagnostic { hint, ..Diagnostic::error(self, Some(place)) }

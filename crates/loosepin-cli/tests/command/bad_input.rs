@@ -123,6 +123,8 @@ fn a_clearance_below_zero_or_above_the_bearing_radius() {
     );
 }
 
+/// Of the rocker's pin from where the coupler would have it, at 0.6 rad: 240 mm less the distance from the crank's pin to the rocker's pivot,
+/// √(80² + 300² - 2·80·300·cos 0.6) mm = 238.2937 mm.
 #[test]
 fn links_that_cannot_close() {
     bad_model(
@@ -130,7 +132,7 @@ fn links_that_cannot_close() {
         "rocker_length = \"180 mm\"",
         "rocker_length = \"20 mm\"",
         "model.toml:59:8: error[E0704]: the links cannot close at the start, drive 'crank' at 34.37747 deg: joint 'rocker_pivot' \
-         stays 1.675356 mm open at best, from 48 positions tried, all with 'rocker' at 94 deg as guessed\n\
+         stays 1.706294 mm open at best, from 48 positions tried, all with 'rocker' at 94 deg as guessed\n\
          hint: check the lengths and the start angle; if the loop does close, a guess may be wrong: correct it, or remove it",
     );
 }
@@ -157,6 +159,35 @@ fn links_that_close_at_the_start_and_not_all_the_way_round() {
     assert!(!desk.path("results").exists(), "nothing is left behind");
     // Without dynamics the part of the turn that can be reached is an answer.
     desk.succeed(&["motion", "model.toml"]);
+}
+
+#[test]
+fn analytic_each_command_says_the_least_gap_of_links_that_do_not_close_all_the_way_round() {
+    let desk = Desk::new();
+    desk.succeed(&["new", "four-bar", "m"]);
+    let model = std::fs::read_to_string(desk.path("m/model.toml")).unwrap();
+    desk.write("m/model.toml", &model.replace("crank_length = \"80 mm\"", "crank_length = \"150 mm\""));
+    for arguments in
+        [["check", "m/model.toml"], ["simulate", "m/model.toml"], ["check", "m/study.toml"], ["study", "m/study.toml"]]
+    {
+        let said = desk.run(&arguments);
+        assert_eq!(said.status, 2, "{arguments:?}: {}", said.messages);
+        let line =
+            said.messages.lines().find(|line| line.contains("E0704")).unwrap_or_else(|| panic!("{}", said.messages));
+        assert!(line.starts_with("m/model.toml:62:8: error[E0704]: the links cannot close"), "{line}");
+        let number = |before: &str, behind: &str| -> f64 {
+            let rest = line.split_once(before).unwrap_or_else(|| panic!("{line}")).1;
+            rest.split_once(behind).unwrap_or_else(|| panic!("{line}")).0.parse().unwrap()
+        };
+        let angle_rad = number("drive 'crank' at ", " deg: joint 'rocker_pivot' stays ").to_radians();
+        // Coupler and rocker reach over 440 mm: what the crank's pin is further from the rocker's pivot is open.
+        let distance_mm = (150.0_f64.powi(2) + 300.0_f64.powi(2) - 2.0 * 150.0 * 300.0 * angle_rad.cos()).sqrt();
+        let gap_mm = number("stays ", " mm open");
+        // The angle has four decimals of a degree.
+        assert!(gap_mm > 0.0 && (gap_mm - (distance_mm - 440.0)).abs() < 1e-4, "{line}: {}", distance_mm - 440.0);
+        // The values of the study have no part in it.
+        assert!(!said.messages.contains("radial_clearance"), "{}", said.messages);
+    }
 }
 
 #[test]

@@ -2,9 +2,11 @@
 
 use super::compile::Mechanism;
 use super::error::{DrivePlace, SampleError};
-use crate::mechanism::loops::constraints::{self, LargestResidual};
+use crate::mechanism::beginning::initial::StartEquations;
+use crate::mechanism::loops::constraints;
 use crate::mechanism::parts::drive::{Drives, workspace_length};
 use crate::mechanism::parts::drive_place::drive_place;
+use crate::mechanism::tree::assembly::least_open;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
 use crate::mechanism::tree::mobility::eliminate_free;
@@ -321,8 +323,15 @@ impl<'a> IdealMotion<'a> {
         }
     }
 
+    /// Newton's method ends anywhere: what stays open is looked for from the last position that closed.
     fn cannot_close(&self) -> SampleError {
-        let open = LargestResidual::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
+        let (model, tree) = (&self.mechanism.model, &self.mechanism.ideal);
+        let mut coordinates = self.coordinates.clone();
+        let last = self.before.as_ref().map_or(&self.mechanism.ideal_start, |before| &before.coordinates);
+        coordinates[..tree.free].copy_from_slice(&last[..tree.free]);
+        // A motion that drives determine has no values of its start besides.
+        let equations = StartEquations::new(model, tree, &self.geometry, &[]);
+        let open = least_open(&equations, coordinates, self.mechanism.size_m);
         SampleError::CannotClose { open, time_s: self.time_s, at: self.drive_place() }
     }
 

@@ -19,6 +19,8 @@ pub enum AccuracyError {
     PartsDoNotFit,
     /// An error of a marker is of a joint that is not there, or has a number that is not finite.
     BadMarkerError,
+    /// Somebody stopped it.
+    Stopped,
 }
 
 impl fmt::Display for AccuracyError {
@@ -32,6 +34,7 @@ impl fmt::Display for AccuracyError {
             Self::OutputIsFree => "the output moves with all drives held, so that it has no ideal value",
             Self::NoPlace => "no place of the joints within their play closes the loops",
             Self::PartsDoNotFit => "the parts do not fit without play, so that there is no worst case of first order",
+            Self::Stopped => "the search was stopped before its end",
             Self::BadMarkerError => "errors of markers need a joint of this mechanism and finite numbers",
         })
     }

@@ -6,6 +6,7 @@ use crate::accuracy::extreme::{Extreme, SearchOptions};
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::search::{Climb, random_starts};
 use crate::output::SpatialOutput;
+use crate::stop::{IsStopped, NEVER};
 
 /// The largest and the smallest deviation found.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,20 @@ impl PoseAccuracy<'_> {
     ///
     /// Those of [`Self::gains`], and [`AccuracyError::NoPlace`] if no start closes the loops.
     pub fn worst_case(&self, output: &SpatialOutput, options: &SearchOptions) -> Result<WorstCase, AccuracyError> {
+        self.worst_case_until(output, options, NEVER)
+    }
+
+    /// The same, until it is stopped: that is asked before each start.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::worst_case`]; [`AccuracyError::Stopped`].
+    pub fn worst_case_until(
+        &self,
+        output: &SpatialOutput,
+        options: &SearchOptions,
+        is_stopped: IsStopped,
+    ) -> Result<WorstCase, AccuracyError> {
         let gains = self.gains(output)?;
         let scaled = self.scaled_gains(&gains);
         let reach = self.unconditioned_worst(&gains);
@@ -57,6 +72,9 @@ impl PoseAccuracy<'_> {
             ends.extend(climb.climb_from_middle());
             ends.extend(options.starts_m.iter().filter_map(|start| climb.climb_from_variables(start)));
             for (number, objective) in objectives.iter().enumerate() {
+                if is_stopped() {
+                    return Err(AccuracyError::Stopped);
+                }
                 let direction = if number == 0 { sign } else { 1.0 };
                 let objective: Vec<f64> = objective.iter().map(|gain| gain * direction).collect();
                 ends.extend(climb.climb_from_objective(&objective));

@@ -7,9 +7,10 @@ use crate::closure::loops::Loops;
 use crate::closure::other_starts::{closed_nearby, why_open};
 use crate::closure::position::Position;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
-use crate::closure::step::{Place, follow, nearest_values};
+use crate::closure::step::{Place, check_way, follow, nearest_values};
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::stop::{IsStopped, NEVER};
 
 /// What is done where the start poses do not lead to a closed position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,29 +34,37 @@ pub(crate) enum Starts {
 /// [`ClosureError::Reversed`] if axes that are to be parallel point against each other, and those of [`crate::cycle`].
 pub fn assemble(mechanism: &SpatialMechanism, drives: &[DriveValue]) -> Result<Position, ClosureError> {
     let loops = Loops::new(mechanism);
-    Ok(Position::new(&loops, drives, &assembled(&loops, drives, Starts::Nearby)?))
+    Ok(Position::new(&loops, drives, &assembled(&loops, drives, Starts::Nearby, NEVER)?))
 }
 
-/// The place of [`assemble`], at the input 0.
-pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) -> Result<Place, ClosureError> {
+/// The place of [`assemble`], at the input 0, until it is stopped.
+pub(crate) fn assembled(
+    loops: &Loops,
+    drives: &[DriveValue],
+    starts: Starts,
+    is_stopped: IsStopped,
+) -> Result<Place, ClosureError> {
     check_drives(loops.mechanism, drives)?;
     let start = loops.mechanism.start_poses();
     let mut measured = loops.driven_coordinates(&loops.frames(&start, &[]));
     let values: Vec<f64> = drives.iter().map(|drive| drive.value).collect();
     let target = nearest_values(loops, &measured, &values);
-    let found = close_from_afar(loops, start.clone(), &measured).and_then(|poses| match reversed(loops, &poses) {
-        Some(joint) => Err(ClosureError::Reversed { joint }),
-        None => Ok(poses),
-    });
+    let found =
+        close_from_afar(loops, start.clone(), &measured, is_stopped).and_then(|poses| match reversed(loops, &poses) {
+            Some(joint) => Err(ClosureError::Reversed { joint }),
+            None => Ok(poses),
+        });
     let is_other_start = found.is_err();
     let poses = match found {
         Ok(poses) => poses,
-        Err(error @ (ClosureError::FewDigits(_) | ClosureError::Reversed { .. })) => return Err(error),
+        Err(error @ (ClosureError::FewDigits(_) | ClosureError::Reversed { .. } | ClosureError::Stopped)) => {
+            return Err(error);
+        }
         Err(error) if starts == Starts::AsGiven => return Err(error),
         Err(error) => {
-            let nearby = closed_nearby(loops, &start, &target);
+            let nearby = closed_nearby(loops, &start, &target, is_stopped);
             measured.clone_from(&target);
-            nearby.map_err(|nearly| nearly.unwrap_or_else(|| why_open(loops, &start, error)))?
+            nearby.map_err(|nearly| nearly.unwrap_or_else(|| why_open(loops, &start, error, is_stopped)))?
         }
     };
     let frames = loops.frames(&poses, &[]);
@@ -72,7 +81,8 @@ pub(crate) fn assembled(loops: &Loops, drives: &[DriveValue], starts: Starts) ->
         let pairs = measured.iter().zip(&target);
         pairs.map(|(from, to)| if share >= 1.0 { *to } else { from + share * (to - from) }).collect()
     };
-    let place = if measured == target { place } else { follow(loops, &place, 1.0, &between)? };
+    check_way(loops, [&measured, &target].into_iter().cloned())?;
+    let place = if measured == target { place } else { follow(loops, &place, 1.0, &between, is_stopped)? };
     Ok(Place { input: 0.0, is_other_start, ..place })
 }
 

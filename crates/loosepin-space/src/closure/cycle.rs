@@ -4,9 +4,10 @@ use crate::closure::assembly::{Starts, assembled, check_drives};
 use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::closure::step::{Place, follow};
+use crate::closure::step::{Place, check_way, follow};
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::stop::{IsStopped, NEVER};
 
 /// The positions that were reached, and why there are not more.
 #[derive(Debug, Clone)]
@@ -21,28 +22,29 @@ pub struct Cycle {
 ///
 /// Between two inputs the motion is followed: a step along the tangent, then Newton's method. A step is halved until what Newton's method adds
 /// is a small part of it and the determinant of the bordered loop equations has kept its sign. So no other branch is taken unseen; where two
-/// meet, or a drive comes to its end, the cycle stops with the place.
+/// meet, or a drive comes to its end, the cycle stops with the place. A way of the drives that takes more than 21,000 steps is not begun.
 pub fn cycle(mechanism: &SpatialMechanism, inputs: &[f64], drives: &dyn Fn(f64) -> Vec<DriveValue>) -> Cycle {
-    cycle_from(mechanism, inputs, drives, Starts::Nearby)
+    cycle_from(mechanism, inputs, drives, Starts::Nearby, NEVER)
 }
 
-/// The same with a choice of starts.
+/// The same with a choice of starts, until it is stopped.
 pub(crate) fn cycle_from(
     mechanism: &SpatialMechanism,
     inputs: &[f64],
     drives: &dyn Fn(f64) -> Vec<DriveValue>,
     starts: Starts,
+    is_stopped: IsStopped,
 ) -> Cycle {
     let mut positions = Vec::with_capacity(inputs.len());
-    let stopped = collect(mechanism, inputs, drives, starts, &mut positions).err();
+    let stopped = collect(mechanism, (inputs, drives), starts, is_stopped, &mut positions).err();
     Cycle { positions, stopped }
 }
 
 fn collect(
     mechanism: &SpatialMechanism,
-    inputs: &[f64],
-    drives: &dyn Fn(f64) -> Vec<DriveValue>,
+    (inputs, drives): (&[f64], &dyn Fn(f64) -> Vec<DriveValue>),
     starts: Starts,
+    is_stopped: IsStopped,
     positions: &mut Vec<Position>,
 ) -> Result<(), ClosureError> {
     let Some(first) = inputs.first() else { return Ok(()) };
@@ -51,11 +53,12 @@ fn collect(
         check_drives(mechanism, &drives(*input))?;
     }
     let values = |input: f64| drives(input).iter().map(|drive| drive.value).collect::<Vec<f64>>();
-    let start = assembled(&loops, &drives(*first), starts)?;
+    check_way(&loops, inputs.iter().map(|input| values(*input)))?;
+    let start = assembled(&loops, &drives(*first), starts, is_stopped)?;
     let mut place = Place { input: *first, ..start };
     positions.push(Position::new(&loops, &drives(*first), &place));
     for input in inputs.iter().skip(1) {
-        place = follow(&loops, &place, *input, &values)?;
+        place = follow(&loops, &place, *input, &values, is_stopped)?;
         positions.push(Position::new(&loops, &drives(*input), &place));
     }
     Ok(())

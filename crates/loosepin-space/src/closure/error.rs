@@ -1,7 +1,7 @@
 //! Why loops are not closed.
 
 use core::fmt;
-use loosepin_text::units::{Dimension, format_value};
+use loosepin_text::units::{Dimension, format_number, format_value};
 
 /// Where on the way of a drive something happens.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,6 +95,17 @@ pub enum ClosureError {
         /// Where.
         place: DrivePlace,
     },
+    /// The way of the drives is so long that following it would take for ever.
+    TooLong {
+        /// The joint of the drive that moves furthest.
+        joint: String,
+        /// Steps along the motion, at least.
+        steps: f64,
+        /// As many are followed at most.
+        most: usize,
+    },
+    /// Somebody stopped it.
+    Stopped,
 }
 
 impl ClosureError {
@@ -105,11 +116,12 @@ impl ClosureError {
             Self::Reversed { joint }
             | Self::Locked { joint, .. }
             | Self::ChangePoint { joint, .. }
+            | Self::TooLong { joint, .. }
             | Self::DrivesDoNotFit { joint, .. } => Some(joint),
             Self::DriveHeld { place } | Self::Diverges { place, .. } | Self::NotFollowed { place } => {
                 Some(place.driven_joint.as_str()).filter(|joint| !joint.is_empty())
             }
-            Self::BadDrives { .. } | Self::RankChanges { .. } => None,
+            Self::BadDrives { .. } | Self::RankChanges { .. } | Self::Stopped => None,
         }
     }
 }
@@ -198,6 +210,12 @@ impl fmt::Display for ClosureError {
                  nine digits: write one as an expression of the others"
             ),
             Self::NotFollowed { place } => write!(out, "the motion cannot be followed beyond {place}"),
+            Self::TooLong { joint, steps, most } => write!(
+                out,
+                "to follow the drive of joint '{joint}' over the cycle takes about {} steps along the motion; at most {most} are made",
+                format_number(steps.round())
+            ),
+            Self::Stopped => write!(out, "the motion was stopped before its end"),
         }
     }
 }

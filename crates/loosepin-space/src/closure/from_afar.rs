@@ -10,6 +10,7 @@ use crate::geometry::pose::Pose;
 use crate::kind::frames::JointFrames;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::is_reversed;
+use crate::stop::IsStopped;
 
 /// Most steps from the start poses.
 const MAX_STEPS: usize = 60;
@@ -34,8 +35,13 @@ pub(crate) fn reversed(loops: &Loops, poses: &[Pose]) -> Option<String> {
 }
 
 /// Closes the loops with the drives at given values, by steps of least squares and least length.
-pub(crate) fn close_from_afar(loops: &Loops, poses: Vec<Pose>, drives: &[f64]) -> Result<Vec<Pose>, ClosureError> {
-    close_within(loops, poses, drives, MAX_STEPS)
+pub(crate) fn close_from_afar(
+    loops: &Loops,
+    poses: Vec<Pose>,
+    drives: &[f64],
+    is_stopped: IsStopped,
+) -> Result<Vec<Pose>, ClosureError> {
+    close_within(loops, poses, drives, MAX_STEPS, is_stopped)
 }
 
 /// The same with at most so many steps.
@@ -44,10 +50,14 @@ pub(crate) fn close_within(
     mut poses: Vec<Pose>,
     drives: &[f64],
     max_steps: usize,
+    is_stopped: IsStopped,
 ) -> Result<Vec<Pose>, ClosureError> {
     let mut is_last = false;
     let mut left = Vec::new();
     for _ in 0..max_steps {
+        if is_stopped() {
+            return Err(ClosureError::Stopped);
+        }
         let frames = loops.frames(&poses, &[]);
         let residual: Vec<f64> = loops.residual(&frames, drives).iter().map(|value| -value).collect();
         let size = largest(&residual);

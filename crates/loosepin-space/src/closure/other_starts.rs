@@ -7,6 +7,7 @@ use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::random::random;
+use crate::stop::IsStopped;
 
 /// How far bodies are turned, rad, and moved, over the characteristic length, in each round: at most so far along each axis.
 const ROUNDS: [f64; 4] = [0.3, 0.8, 1.6, 3.0];
@@ -24,17 +25,23 @@ const MOVED: f64 = 0.2;
 /// call.
 ///
 /// # Errors
-/// What is open where the joints nearly close, if they do anywhere.
-pub(crate) fn closed_nearby(loops: &Loops, start: &[Pose], drives: &[f64]) -> Result<Vec<Pose>, Option<ClosureError>> {
+/// What is open where the joints nearly close, if they do anywhere; that it was stopped.
+pub(crate) fn closed_nearby(
+    loops: &Loops,
+    start: &[Pose],
+    drives: &[f64],
+    is_stopped: IsStopped,
+) -> Result<Vec<Pose>, Option<ClosureError>> {
     let (mut state, mut nearly) = (1, None);
     let starts = if loops.unknowns() > LARGE { STARTS_OF_LARGE } else { STARTS };
     for size in ROUNDS {
         let mut closed: Vec<Vec<Pose>> = Vec::new();
         for _ in 0..starts {
             let other = changed(loops, start, size, &mut state);
-            match close_within(loops, other, drives, MAX_STEPS) {
+            match close_within(loops, other, drives, MAX_STEPS, is_stopped) {
                 Ok(poses) if reversed(loops, &poses).is_none() => closed.push(poses),
                 Err(error @ ClosureError::FewDigits(_)) => nearly = nearly.or(Some(error)),
+                Err(ClosureError::Stopped) => return Err(Some(ClosureError::Stopped)),
                 _ => {}
             }
         }
@@ -69,17 +76,18 @@ fn distance(loops: &Loops, from: &[Pose], to: &[Pose]) -> f64 {
 }
 
 /// The error to be reported: if the joints close without the drives, it is the drives that contradict them.
-pub(crate) fn why_open(loops: &Loops, start: &[Pose], found: ClosureError) -> ClosureError {
+pub(crate) fn why_open(loops: &Loops, start: &[Pose], found: ClosureError, is_stopped: IsStopped) -> ClosureError {
     let mut joints = loops.clone();
     joints.rows.retain(|row| row.drive.is_none());
     let drives = loops.mechanism.drives();
     let Some(first) = drives.first() else { return found };
-    match close_from_afar(&joints, start.to_vec(), &[]) {
+    match close_from_afar(&joints, start.to_vec(), &[], is_stopped) {
         Ok(poses) if reversed(&joints, &poses).is_none() => {
             let rank = |own: &Loops| singular_values(own, &own.frames(&poses, &[])).rank(RANK_THRESHOLD);
             let joint = loops.mechanism.joints()[first.joint].name.clone();
             ClosureError::DrivesDoNotFit { joint, repeated: (rank(&joints) + drives.len()).saturating_sub(rank(loops)) }
         }
+        Err(ClosureError::Stopped) => ClosureError::Stopped,
         _ => found,
     }
 }

@@ -8,9 +8,12 @@ use crate::closure::singular::{RANK_THRESHOLD, ratio, singular_values};
 use crate::geometry::pose::Pose;
 use crate::kind::frames::within_half_a_turn;
 use crate::mechanism::drive::JointCoordinate;
+use crate::stop::IsStopped;
 
 /// Longest prediction, lengths over L and rad.
 const LONGEST_PREDICTION: f64 = 0.3;
+/// Most steps of such a length along a cycle: 1000 turns of a drive, and about 20 s of an arm with six axes.
+const MAX_STEPS: usize = 21_000;
 /// What Newton's method may add to a prediction, as a share of it: more is a hint at another branch.
 const LARGEST_CORRECTION: f64 = 0.2;
 /// A correction that is round-off.
@@ -50,8 +53,33 @@ impl Place {
 /// Values of all drives over the input.
 pub(crate) type DriveFunction<'a> = &'a dyn Fn(f64) -> Vec<f64>;
 
-/// Follows the motion from `from` to the input `target`.
-pub(crate) fn follow(loops: &Loops, from: &Place, target: f64, drives: DriveFunction) -> Result<Place, ClosureError> {
+/// Refuses a way of the drives, from each of these values to the next, that takes too many steps.
+pub(crate) fn check_way(loops: &Loops, mut values: impl Iterator<Item = Vec<f64>>) -> Result<(), ClosureError> {
+    let mut ways = vec![0.0; loops.rows.len()];
+    let Some(mut before) = values.next() else { return Ok(()) };
+    for after in values {
+        let changes = drive_changes(loops, &before, &after);
+        ways.iter_mut().zip(changes).for_each(|(way, change)| *way += change.abs());
+        before = after;
+    }
+    let longest = (0..ways.len()).max_by(|a, b| ways[*a].total_cmp(&ways[*b]));
+    let Some(row) = longest else { return Ok(()) };
+    let steps = ways[row] / LONGEST_PREDICTION;
+    if steps <= MAX_STEPS as f64 {
+        return Ok(());
+    }
+    let joint = loops.mechanism.joints()[loops.rows[row].joint].name.clone();
+    Err(ClosureError::TooLong { joint, steps, most: MAX_STEPS })
+}
+
+/// Follows the motion from `from` to the input `target`, until it is stopped.
+pub(crate) fn follow(
+    loops: &Loops,
+    from: &Place,
+    target: f64,
+    drives: DriveFunction,
+    is_stopped: IsStopped,
+) -> Result<Place, ClosureError> {
     let whole = target - from.input;
     let (here, there) = (drives(from.input), drives(target));
     let change = drive_changes(loops, &here, &there);
@@ -61,6 +89,9 @@ pub(crate) fn follow(loops: &Loops, from: &Place, target: f64, drives: DriveFunc
     }
     let (mut at, mut step) = (from.clone(), whole);
     while at.input != target {
+        if is_stopped() {
+            return Err(ClosureError::Stopped);
+        }
         // What is left is no more than round-off beyond the step: then it is the last one.
         let next = if (target - at.input).abs() <= step.abs() * (1.0 + 1e-9) { target } else { at.input + step };
         if let Some(place) = attempt(loops, &at, next, drives) {

@@ -5,8 +5,10 @@ use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{LeastPlay, PoseAccuracy};
 use crate::closure::assembly::Starts;
+use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::stop::{IsStopped, NEVER};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::document::listed;
 use loosepin_text::numbers::Values;
@@ -83,6 +85,14 @@ impl SpatialModel {
     /// # Errors
     /// What [`SpatialModel::mechanism`] refuses; loops that do not close without errors of manufacture; positions without an answer.
     pub fn assembly(&self, values: &Values) -> Result<ModelAssembly, Diagnostics> {
+        self.assembly_until(values, NEVER)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    /// As for [`Self::assembly`]; that it was stopped.
+    pub fn assembly_until(&self, values: &Values, is_stopped: IsStopped) -> Result<ModelAssembly, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let aligned = self.aligned(values).map_err(|error| self.diagnostic(&error))?;
         let input = match &self.cycle {
@@ -91,9 +101,13 @@ impl SpatialModel {
         };
         let times_s = input.as_ref().map_or_else(|| vec![0.0], CycleInput::times_s);
         // Of another assembly it would say nothing.
-        let positions_of = |own: &SpatialMechanism| self.turn_positions(own, values, &times_s, Starts::AsGiven);
+        let positions_of =
+            |own: &SpatialMechanism| self.turn_positions(own, values, &times_s, Starts::AsGiven, is_stopped);
         let positions = match positions_of(&aligned) {
             Ok(positions) => positions,
+            Err(error @ (ClosureError::Stopped | ClosureError::TooLong { .. })) => {
+                return Err(self.not_closed(&error));
+            }
             Err(error) => {
                 let nominal = self.aligned(&self.quantities.nominal()).map_err(|error| self.diagnostic(&error))?;
                 positions_of(&nominal).map_err(|_| self.not_closed(&error))?
@@ -111,6 +125,9 @@ impl SpatialModel {
             limits: Vec::new(),
         };
         for (sample, position) in positions.iter().enumerate() {
+            if is_stopped() {
+                return Err(self.not_closed(&ClosureError::Stopped));
+            }
             let at = input.as_ref().map(|own| own.at(position.input));
             let found = least_play(&mechanism, position).map_err(|why| {
                 let input = at.unwrap_or(position.input);

@@ -6,7 +6,7 @@ use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
 use crate::closure::assembly::Starts;
-use crate::closure::cycle::cycle_from;
+use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::geometry::pose::Pose;
@@ -18,6 +18,7 @@ use crate::output::{PointOutput, SpatialOutput};
 use crate::picture::Zones;
 use crate::play::block::PlayPart;
 use crate::play::kind_of_play::KindOfPlay;
+use crate::stop::{IsStopped, NEVER};
 use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_result::spatial_motion::{
     SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase,
@@ -36,7 +37,7 @@ impl SpatialModel {
     /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
     /// answer.
     pub fn motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
-        self.moved(values, false)
+        self.motion_record_until(values, false, NEVER)
     }
 
     /// The same with proven ends of the worst case of each output, which take a tenth of a second each and more.
@@ -44,14 +45,24 @@ impl SpatialModel {
     /// # Errors
     /// As for [`SpatialModel::motion_record`].
     pub fn proven_motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
-        self.moved(values, true)
+        self.motion_record_until(values, true, NEVER)
     }
 
-    fn moved(&self, values: &Values, is_proven: bool) -> Result<SpatialMotionRecord, Diagnostics> {
+    /// Either of both, until it is stopped.
+    ///
+    /// # Errors
+    /// As for [`SpatialModel::motion_record`]; that it was stopped.
+    pub fn motion_record_until(
+        &self,
+        values: &Values,
+        is_proven: bool,
+        is_stopped: IsStopped,
+    ) -> Result<SpatialMotionRecord, Diagnostics> {
+        let go_on = || if is_stopped() { Err(self.not_closed(&ClosureError::Stopped)) } else { Ok(()) };
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.turn_positions(&mechanism, values, &input.times_s(), Starts::Nearby);
-        let positions = positions.map_err(|error| self.not_with_ideal_joints(values, &error))?;
+        let positions = self.turn_positions(&mechanism, values, &input.times_s(), Starts::Nearby, is_stopped);
+        let positions = positions.map_err(|error| self.not_with_ideal_joints(values, &error, is_stopped))?;
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
         let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
         let mut courses: Vec<Course> = courses.collect::<Result<_, _>>().map_err(|error| self.diagnostic(&error))?;
@@ -62,6 +73,7 @@ impl SpatialModel {
         let (mut poses, mut dead_centre_samples) = (Vec::with_capacity(positions.len()), Vec::new());
         // One after the other: the loop equations of all positions at once may be gigabytes.
         for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
+            go_on()?;
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             let accuracy = Rc::new(accuracy);
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
@@ -87,8 +99,10 @@ impl SpatialModel {
         let picture = self.picture(&mechanism, values, &poses, traces, &worst);
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
+            go_on()?;
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
-            let worst = course.worst_case(is_proven).map_err(|error| self.no_answer(&output.name, at, error))?;
+            let worst = course.worst_case(is_proven, is_stopped);
+            let worst = worst.map_err(|error| self.no_answer(&output.name, at, error))?;
             self.output_record(output, course, worst, &states)
         });
         let outputs = outputs.collect::<Result<_, _>>()?;
@@ -96,14 +110,18 @@ impl SpatialModel {
         Ok(SpatialMotionRecord { is_proven, dead_centre_samples, is_other_start, ..record })
     }
 
-    /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them.
+    /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them. Until it is stopped.
     ///
     /// # Errors
-    /// As for [`SpatialModel::motion_record`], but for answers.
-    pub fn drawn_motion(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
+    /// As for [`SpatialModel::motion_record_until`], but for answers.
+    pub fn drawn_motion_until(
+        &self,
+        values: &Values,
+        is_stopped: IsStopped,
+    ) -> Result<SpatialMotionRecord, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.positions(&mechanism, values)?;
+        let positions = self.positions_until(&mechanism, values, is_stopped)?;
         let poses: Vec<Vec<Pose>> = positions.iter().map(|position| position.poses.clone()).collect();
         let picture = self.picture(&mechanism, values, &poses, Vec::new(), &[]);
         let inputs_si = positions.iter().map(|position| input.at(position.input)).collect();
@@ -138,9 +156,38 @@ impl SpatialModel {
     /// # Errors
     /// There is no turn, or the loops do not close all over it.
     pub fn positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, Diagnostics> {
+        self.positions_until(mechanism, values, NEVER)
+    }
+
+    /// The same, until it is stopped.
+    fn positions_until(
+        &self,
+        mechanism: &SpatialMechanism,
+        values: &Values,
+        is_stopped: IsStopped,
+    ) -> Result<Vec<Position>, Diagnostics> {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.turn_positions(mechanism, values, &input.times_s(), Starts::Nearby);
+        let positions = self.turn_positions(mechanism, values, &input.times_s(), Starts::Nearby, is_stopped);
         positions.map_err(|error| self.not_closed(&error))
+    }
+
+    /// The first positions of the turn, as far as it is not stopped: at all of them the loops close.
+    ///
+    /// # Errors
+    /// There is no turn, or the loops do not close where it was looked at.
+    pub fn first_positions(
+        &self,
+        mechanism: &SpatialMechanism,
+        values: &Values,
+        is_stopped: IsStopped,
+    ) -> Result<Vec<Position>, Diagnostics> {
+        let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
+        let drives = |time_s: f64| self.drive_values(values, time_s);
+        let Cycle { positions, stopped } = cycle_from(mechanism, &input.times_s(), &drives, Starts::Nearby, is_stopped);
+        match stopped {
+            None | Some(ClosureError::Stopped) => Ok(positions),
+            Some(error) => Err(self.not_closed(&error)),
+        }
     }
 
     /// The positions at these times, if the loops close at all of them.
@@ -150,8 +197,10 @@ impl SpatialModel {
         values: &Values,
         times_s: &[f64],
         starts: Starts,
+        is_stopped: IsStopped,
     ) -> Result<Vec<Position>, ClosureError> {
-        let found = cycle_from(mechanism, times_s, &|time_s| self.drive_values(values, time_s), starts);
+        let drives = |time_s: f64| self.drive_values(values, time_s);
+        let found = cycle_from(mechanism, times_s, &drives, starts, is_stopped);
         found.stopped.map_or(Ok(found.positions), Err)
     }
 
@@ -161,16 +210,37 @@ impl SpatialModel {
     }
 
     /// The same, with the play that it would take where constraints repeat others.
-    fn not_with_ideal_joints(&self, values: &Values, error: &ClosureError) -> Diagnostics {
-        let by_play = self.assembly(values).ok().and_then(|assembly| assembly.sentence());
+    fn not_with_ideal_joints(&self, values: &Values, error: &ClosureError, is_stopped: IsStopped) -> Diagnostics {
+        if matches!(error, ClosureError::Stopped | ClosureError::TooLong { .. }) {
+            return self.not_closed(error);
+        }
+        let by_play = self.assembly_until(values, is_stopped).ok().and_then(|assembly| assembly.sentence());
         let Some(by_play) = by_play else { return self.not_closed(error) };
         let problem = SpatialMotionProblem::NotWithIdealJoints { why: error.to_string(), by_play };
         Diagnostic::error(&problem, self.place_of_joint(error.joint())).into()
     }
 
     pub(super) fn open(&self, error: &ClosureError) -> Diagnostic {
-        let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
-        Diagnostic::error(&problem, self.place_of_joint(error.joint()))
+        match error {
+            ClosureError::Stopped => Diagnostic::error(&SpatialMotionProblem::Stopped, None),
+            ClosureError::TooLong { joint, .. } => {
+                let problem = SpatialMotionProblem::TooLong { why: error.to_string() };
+                Diagnostic::error(&problem, self.place_of_way(joint))
+            }
+            _ => {
+                let problem = SpatialMotionProblem::DoesNotClose { why: error.to_string() };
+                Diagnostic::error(&problem, self.place_of_joint(error.joint()))
+            }
+        }
+    }
+
+    /// What makes the way of the drive of a joint long: the duration of the cycle, or its speed where another drive is counted.
+    fn place_of_way(&self, joint: &str) -> Option<Place> {
+        if let Some(ModelCycleSpan::Duration(_)) = self.cycle.map(|cycle| cycle.span) {
+            return self.place("cycle.duration");
+        }
+        let drive = self.drives.iter().find(|drive| self.joints[drive.joint].name == joint)?;
+        self.place(&format!("drive.{}.speed", drive.name))
     }
 
     /// The table of a joint, where one is at fault.
@@ -217,6 +287,9 @@ impl SpatialModel {
 
     /// Why an output has no answer at a place of the input, at the table of the output; of all outputs where it has no name.
     pub(super) fn no_answer(&self, output: &str, input: f64, error: AccuracyError) -> Diagnostic {
+        if error == AccuracyError::Stopped {
+            return self.open(&ClosureError::Stopped);
+        }
         let at = self.input_words(input);
         let subject = if output.is_empty() { "the motion".to_owned() } else { format!("output '{output}'") };
         let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
@@ -285,9 +358,9 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    fn worst_case(&self, is_proven: bool) -> Result<SpatialWorstCase, AccuracyError> {
+    fn worst_case(&self, is_proven: bool, is_stopped: IsStopped) -> Result<SpatialWorstCase, AccuracyError> {
         let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
-        worst_case(&worst.accuracy, &worst.along, self.sample, is_proven)
+        worst_case(&worst.accuracy, &worst.along, self.sample, (is_proven, is_stopped))
     }
 }
 
@@ -329,11 +402,11 @@ fn worst_case(
     accuracy: &PoseAccuracy<'_>,
     output: &SpatialOutput,
     sample: usize,
-    is_proven: bool,
+    (is_proven, is_stopped): (bool, IsStopped),
 ) -> Result<SpatialWorstCase, AccuracyError> {
     let gains = accuracy.gains(output)?;
     let first_order = accuracy.first_order(&gains)?;
-    let exact = accuracy.worst_case(output, &SearchOptions::default())?;
+    let exact = accuracy.worst_case_until(output, &SearchOptions::default(), is_stopped)?;
     let proven = if is_proven { accuracy.proven_end(output) } else { None };
     Ok(SpatialWorstCase {
         sample,

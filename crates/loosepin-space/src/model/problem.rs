@@ -83,6 +83,12 @@ problems! {
         DoesNotClose { why: String } => Code::CannotClose,
             says("{why}"),
             hint("check lengths and axes; [assembly] guess says where bodies start");
+        /// A way of the drives that takes too many steps.
+        TooLong { why: String } => Code::BreaksRule,
+            says("{why}"),
+            hint("give a shorter duration, or slower drives: fewer samples_per_turn do not change it");
+        Stopped => Code::Interrupted,
+            says("the motion was stopped before its end");
         /// Loops that do not close with ideal joints: what the play of the joints makes of that.
         NotWithIdealJoints { why: String, by_play: String } => Code::CannotClose,
             says("{why}"),

@@ -12,7 +12,9 @@
 use super::over_turn::is_path;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
+use crate::closure::error::ClosureError;
 use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
+use crate::stop::{IsStopped, NEVER};
 use loosepin_result::motion::DimensionContributor;
 use loosepin_result::spatial_motion::SpatialScatter;
 use loosepin_text::diagnostics::Diagnostics;
@@ -39,6 +41,18 @@ impl SpatialModel {
     /// # Errors
     /// Values that break a rule; loops that do not close; drives whose place is uncertain.
     pub fn scatter(&self, plan: &SpatialScatterPlan) -> Result<Vec<SpatialScatter>, Diagnostics> {
+        self.scatter_until(plan, NEVER)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    /// As for [`Self::scatter`]; that it was stopped.
+    pub fn scatter_until(
+        &self,
+        plan: &SpatialScatterPlan,
+        is_stopped: IsStopped,
+    ) -> Result<Vec<SpatialScatter>, Diagnostics> {
         if plan.quantities.is_empty() || self.outputs.is_empty() {
             return Ok(vec![SpatialScatter::default(); self.outputs.len()]);
         }
@@ -51,16 +65,19 @@ impl SpatialModel {
         let turns: Vec<f64> = (0..=input.samples).map(|sample| sample as f64 / input.samples as f64).collect();
         let parts: Vec<SampledPart> = self.sampled_parts();
         let no_scatter = |path: &str, error: SamplingError| {
+            if let SamplingError::DoesNotClose { why: why @ ClosureError::Stopped, .. } = &error {
+                return self.not_closed(why);
+            }
             let problem = SpatialMotionProblem::NoScatter { what: describe_path(path), why: error.to_string() };
             Diagnostics::one(&problem, self.place(path))
         };
-        let sampler = TurnSampler::new(self, &values, &turns, &parts);
+        let sampler = TurnSampler::new_until(self, &values, &turns, &parts, is_stopped);
         let sampler = sampler.map_err(|error| Diagnostics::from(self.not_sampled(&values, &error)))?;
         let effects = plan.quantities.iter().map(|&(quantity, deviation_si)| {
             let at = |side: f64| {
                 let own = (quantity, values[quantity] + side * STEP * deviation_si);
                 let set: Vec<(QuantityId, f64)> = plan.set.iter().copied().chain([own]).collect();
-                let sample = sampler.sample(&values_of(&set)?);
+                let sample = sampler.sample_until(&values_of(&set)?, is_stopped);
                 sample.map_err(|error| no_scatter(&self.quantities[quantity].path, error))
             };
             let [above, below] = [at(1.0)?.from_nominal_si, at(-1.0)?.from_nominal_si];

@@ -6,6 +6,7 @@ use crate::accuracy::PoseAccuracy;
 use crate::closure::assembly::Starts;
 use crate::closure::bordered::Bordered;
 use crate::closure::cycle::{Cycle, cycle_from};
+use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
 use crate::geometry::pose::Pose;
@@ -16,6 +17,7 @@ use crate::model::{ModelOutput, ModelOutputKind, SpatialModel};
 use crate::motion::motion;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
+use crate::stop::IsStopped;
 use loosepin_text::numbers::Values;
 use std::f64::consts::FRAC_PI_2;
 
@@ -85,6 +87,7 @@ pub(super) fn followed(
     turns: &[f64],
     drives: &dyn Fn(f64) -> Vec<DriveValue>,
     starts: Starts,
+    is_stopped: IsStopped,
 ) -> Result<(Vec<Position>, Vec<usize>), SamplingError> {
     let (mut inputs, mut places) = (vec![0.0], Vec::with_capacity(turns.len()));
     for turn in turns {
@@ -94,7 +97,7 @@ pub(super) fn followed(
         inputs.push(*turn);
         places.push(inputs.len() - 1);
     }
-    let Cycle { positions, stopped } = cycle_from(mechanism, &inputs, drives, starts);
+    let Cycle { positions, stopped } = cycle_from(mechanism, &inputs, drives, starts, is_stopped);
     match stopped {
         None => Ok((positions, places)),
         Some(why) => {
@@ -104,12 +107,18 @@ pub(super) fn followed(
     }
 }
 
+/// Ends the work at a place, in turns, where it is stopped.
+pub(super) fn go_on(is_stopped: IsStopped, turn: f64) -> Result<(), SamplingError> {
+    if is_stopped() { Err(SamplingError::DoesNotClose { turn, why: ClosureError::Stopped }) } else { Ok(()) }
+}
+
 impl Nominal {
     pub(super) fn new(
         model: &SpatialModel,
         values: &Values,
         turns: &[f64],
         parts: &[SampledPart],
+        is_stopped: IsStopped,
     ) -> Result<Self, SamplingError> {
         let is_ascending = turns.windows(2).all(|pair| pair[0] <= pair[1]);
         if turns.is_empty() || !is_ascending || !turns.iter().all(|turn| turn.is_finite()) {
@@ -118,10 +127,11 @@ impl Nominal {
         let mechanism = model.mechanism(values)?;
         let turn_s = model.cycle_input(values)?.turn_s;
         let drives = |turn: f64| drives_at(model, values, turn_s, turn);
-        let (positions, numbers) = followed(&mechanism, turns, &drives, Starts::Nearby)?;
+        let (positions, numbers) = followed(&mechanism, turns, &drives, Starts::Nearby, is_stopped)?;
         let mut places = Vec::with_capacity(turns.len());
         let loops = Loops::new(&mechanism);
         for (turn, number) in turns.iter().zip(&numbers) {
+            go_on(is_stopped, *turn)?;
             let base = Base::new(&loops, positions[*number].clone());
             // What is singular or does not fit is said when the place is read.
             let accuracy = PoseAccuracy::new(&mechanism, &base.position);

@@ -5,7 +5,7 @@ use super::conditioned::Conditioned;
 use super::error::SamplingError;
 use super::free::{Free, Room};
 use super::journals::variables_m;
-use super::nominal::{Base, NominalPlace, components_of, drives_at, followed};
+use super::nominal::{Base, NominalPlace, components_of, drives_at, followed, go_on};
 use super::part::PlaySide;
 use super::reach::Reach;
 use super::reading::{PlaceReader, PlacedPart};
@@ -23,6 +23,7 @@ use crate::geometry::pose::Pose;
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
+use crate::stop::IsStopped;
 use loosepin_text::numbers::Values;
 
 /// By how much drives may be elsewhere than nominally, rad or m, relative to one and to their place.
@@ -43,7 +44,12 @@ struct Sample<'a> {
 
 impl TurnSampler {
     /// A sample with play that may do anything, or with places of the journals drawn from uniform numbers.
-    pub(super) fn sampled(&self, values: &Values, uniforms: Option<&[f64]>) -> Result<TurnSample, SamplingError> {
+    pub(super) fn sampled(
+        &self,
+        values: &Values,
+        uniforms: Option<&[f64]>,
+        is_stopped: IsStopped,
+    ) -> Result<TurnSample, SamplingError> {
         let mechanism = self.model.unplaced_mechanism(values)?;
         let turn_s = self.model.cycle_input(values)?.turn_s;
         for place in &self.motion.places {
@@ -65,6 +71,7 @@ impl TurnSampler {
         // Positions of its own motion, where it had to be followed.
         let mut positions: Option<Vec<Position>> = None;
         for (number, place) in self.motion.places.iter().enumerate() {
+            go_on(is_stopped, place.turn)?;
             let is_near = positions.is_none() && closing.close_ideal(&own.loops, &place.base, START_LIMIT);
             if is_near {
                 own.read(place, &place.base, &closing, &mut room, number, &mut sample)?;
@@ -72,7 +79,7 @@ impl TurnSampler {
             }
             let positions = match &mut positions {
                 Some(positions) => positions,
-                none => none.insert(self.follow(&mechanism, values, turn_s)?),
+                none => none.insert(self.follow(&mechanism, values, turn_s, is_stopped)?),
             };
             let base = positions.get(number).map(|position| Base::new(&own.loops, position.clone()));
             match base.filter(|base| closing.close_ideal(&own.loops, base, START_LIMIT)) {
@@ -107,6 +114,7 @@ impl TurnSampler {
         mechanism: &SpatialMechanism,
         values: &Values,
         turn_s: f64,
+        is_stopped: IsStopped,
     ) -> Result<Vec<Position>, SamplingError> {
         let mechanism = match &self.motion.start {
             Some(poses) => mechanism.with_start_poses(poses),
@@ -115,7 +123,7 @@ impl TurnSampler {
         let turns: Vec<f64> = self.motion.places.iter().map(|place| place.turn).collect();
         let drives = |turn: f64| drives_at(&self.model, values, turn_s, turn);
         // Another assembly is none of this mechanism.
-        let (positions, places) = followed(&mechanism, &turns, &drives, Starts::AsGiven)?;
+        let (positions, places) = followed(&mechanism, &turns, &drives, Starts::AsGiven, is_stopped)?;
         Ok(places.into_iter().map(|place| positions[place].clone()).collect())
     }
 }

@@ -9,6 +9,7 @@ use crate::accuracy::PlayDistribution;
 use crate::accuracy::play_set::PlaySet;
 use crate::model::SpatialModel;
 use crate::output::SpatialOutput;
+use crate::stop::{IsStopped, NEVER};
 use loosepin_text::numbers::Values;
 
 /// Samples of a model over its turn: what is the same for all of them.
@@ -47,7 +48,22 @@ impl TurnSampler {
         turns: &[f64],
         parts: &[SampledPart],
     ) -> Result<Self, SamplingError> {
-        let motion = Nominal::new(model, nominal, turns, parts)?;
+        Self::new_until(model, nominal, turns, parts, NEVER)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::new`]; that it was stopped.
+    pub fn new_until(
+        model: &SpatialModel,
+        nominal: &Values,
+        turns: &[f64],
+        parts: &[SampledPart],
+        is_stopped: IsStopped,
+    ) -> Result<Self, SamplingError> {
+        let motion = Nominal::new(model, nominal, turns, parts, is_stopped)?;
         let outputs = parts.iter().map(|part| components_of(model, nominal, part)).collect::<Result<_, _>>()?;
         let sampler = Self {
             model: model.clone(),
@@ -59,7 +75,7 @@ impl TurnSampler {
             outputs,
             nominal: TurnSample::default(),
         };
-        let of_nominal = sampler.sample(nominal)?;
+        let of_nominal = sampler.sample_until(nominal, is_stopped)?;
         Ok(Self { nominal: of_nominal, ..sampler })
     }
 
@@ -102,7 +118,16 @@ impl TurnSampler {
     /// [`SamplingError`]: values that make no mechanism, drives that are elsewhere than nominally, loops that do not close or cannot be put
     /// together, outputs without an answer.
     pub fn sample(&self, values: &Values) -> Result<TurnSample, SamplingError> {
-        self.sampled(values, None)
+        self.sample_until(values, NEVER)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::sample`]; that it was stopped.
+    pub fn sample_until(&self, values: &Values, is_stopped: IsStopped) -> Result<TurnSample, SamplingError> {
+        self.sampled(values, None, is_stopped)
     }
 
     /// One sample with the journals in places that are drawn from uniform numbers in [0, 1] and that they keep over the turn, loops closed
@@ -118,7 +143,7 @@ impl TurnSampler {
         if found != expected || uniforms.len() != expected {
             return Err(SamplingError::BadUniforms { expected, found });
         }
-        self.sampled(values, Some(uniforms))
+        self.sampled(values, Some(uniforms), NEVER)
     }
 
     /// How many numbers [`Self::sample_with_play`] takes: of each ball three, of each end plane two, of each axial play one, however small; on the rims one

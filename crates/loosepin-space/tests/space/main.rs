@@ -21,4 +21,5 @@ mod sampled_play;
 mod sampling;
 mod scatter;
 mod searches;
+mod stopped;
 mod stops;

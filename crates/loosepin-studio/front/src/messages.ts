@@ -535,6 +535,7 @@ export interface Job {
   result: string | null;
   /** Over all requirements. */
   verdict: Verdict | null;
+  reason: string | null;
 }
 
 /** Intermediate results of a study. */
@@ -589,6 +590,8 @@ export interface Look {
   curve?: CurveKey | null;
   /** Points that are traced although no output is their path: `coupler.tip`. Those that the model does not have are left out. */
   traced?: string[];
+  /** Nothing changes now. */
+  is_at_rest?: boolean;
 }
 
 /** Identity of a curve. */
@@ -658,6 +661,8 @@ export type FromPage =
       kind: 'hello';
       /** The secret of the address. */
       token: string;
+      /** Name of the tab, where it has one. */
+      tab?: string | null;
     }
   /** Read these texts. */
   | ({ kind: 'look' } & Look)
@@ -696,6 +701,8 @@ export type ToPage =
     }
   /** What was read. */
   | ({ kind: 'look_answer' } & LookAnswer)
+  /** What keeps the texts of a look from running. */
+  | ({ kind: 'check_answer' } & CheckAnswer)
   /** How far a job is. */
   | {
       kind: 'job';
@@ -773,6 +780,7 @@ export interface View {
   outline: Outline;
   /** Its numbers. */
   quantities: QuantityView[];
+  drive_range_deg: [number, number] | null;
 }
 
 /** A curve that there is. */
@@ -888,6 +896,7 @@ export interface Outline {
   parts: BodyView[];
   /** Dimensions of bodies and joints. */
   dimensions: DimensionView[];
+  loops: string[];
 }
 
 /** A body with its points; the ground too. */
@@ -1380,4 +1389,33 @@ export interface AdoptAnswer {
   adopted: AdoptedTexts | null;
   /** Why not. */
   refusal: Refused | null;
+}
+
+export interface CheckAnswer {
+  seq: number;
+  diagnostics: DiagnosticView[];
+}
+export interface DraftText {
+  text: string;
+  tag: string;
+}
+export interface Draft {
+  at: number | null;
+  path: string;
+  model: DraftText | null;
+  study: DraftText | null;
+}
+export interface KeepDraftRequest {
+  tab: string;
+  path: string;
+  model?: DraftText | null;
+  study?: DraftText | null;
+}
+export interface TakeDraftRequest {
+  tab: string;
+  path: string;
+}
+export interface TakeDraftAnswer {
+  draft: Draft | null;
+  is_elsewhere: boolean;
 }

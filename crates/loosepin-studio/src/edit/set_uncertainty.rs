@@ -3,6 +3,7 @@
 //! A number that is known exactly stands in the model alone. One that scatters has an entry under `[random]` of the study, one that is
 //! known only in part an entry under `[epistemic]`. Other entries of it go.
 
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
@@ -29,6 +30,8 @@ const EPISTEMIC: &str = "epistemic";
 const ROUND: f64 = 1e12;
 /// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
+/// Steps along the motion of a mechanism in space, for the same.
+const MAX_STEPS: usize = 3000;
 
 /// The changes that say how well the number at `path` is known, as people write it. They are not given where the texts could not be
 /// read with them, or would say anything else.
@@ -142,7 +145,13 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
 /// Whether a mechanism moves.
 fn moves(file: &InputFile) -> Result<(), Diagnostics> {
     match file.model().spatial() {
-        Some(model) => model.drawn_motion(&model.quantities.nominal()).map(|_| ()),
+        Some(model) => {
+            let values = model.quantities.nominal();
+            let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
+            let steps = Cell::new(0);
+            let is_enough = || steps.replace(steps.get() + 1) >= MAX_STEPS;
+            model.first_positions(&mechanism, &values, &is_enough).map(|_| ())
+        }
         None => file.ideal_motion(POSITIONS, &[]).map(|_| ()),
     }
 }

@@ -55,7 +55,8 @@ fn card(folder: &Folder, template: &Template) -> TemplateCard {
 
 fn space_drawing(file: &InputFile) -> Option<SpaceDrawing> {
     let model = file.model().spatial()?;
-    spatial_motion_drawing(&model.drawn_motion(&model.quantities.nominal()).ok()?)
+    // A template is known to be short.
+    spatial_motion_drawing(&model.drawn_motion_until(&model.quantities.nominal(), &|| false).ok()?)
 }
 
 /// A model or study of the folder as the page shows it.

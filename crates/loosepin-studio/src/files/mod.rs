@@ -3,6 +3,7 @@
 
 pub(crate) mod adopt;
 pub(crate) mod blank;
+pub(crate) mod drafts;
 pub(crate) mod duplicate;
 pub(crate) mod folder;
 pub(crate) mod gallery;

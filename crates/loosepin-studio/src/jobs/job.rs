@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
-use loosepin::diagnostics::Diagnostics;
+use loosepin::diagnostics::{Diagnostics, Severity};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{simulation_page, study_page, study_sentences, witness_words};
@@ -42,59 +42,77 @@ pub enum Outcome {
     Stopped,
 }
 
+/// Why a job came to no result.
+pub struct Failure {
+    /// In a sentence.
+    pub reason: String,
+    /// All that was found, as the command prints it.
+    pub lines: Vec<String>,
+}
+
+impl From<Refusal> for Failure {
+    fn from(Refusal { message, hint, .. }: Refusal) -> Self {
+        Self { reason: message.clone(), lines: std::iter::once(message).chain(hint).collect() }
+    }
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(found: Diagnostics) -> Self {
+        let errors = found.sorted();
+        let reason = errors.iter().find(|one| one.severity == Severity::Error).or(errors.first());
+        Self { reason: reason.map(|one| one.message.clone()).unwrap_or_default(), lines: words(&found) }
+    }
+}
+
 /// Reads a study of the folder: its texts as the page shows them, or those on the disk.
 ///
 /// # Errors
-/// What is wrong with it, in words.
-pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<Study, Vec<String>> {
+/// What is wrong with it.
+pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<Study, Failure> {
     let texts = match shown {
         Some(shown) => Texts::shown(folder, shown),
         None => Texts::of_study(folder, path),
     };
-    let texts = texts.map_err(message_and_hint)?;
-    let file = texts.read_to_run().map_err(|diagnostics| words(&diagnostics))?;
-    file.into_study().map_err(|diagnostics| words(&diagnostics))
+    Ok(texts?.read_to_run()?.into_study()?)
 }
 
 /// Runs a study, or finds the one that is there; runs that an earlier attempt has kept are taken over.
 ///
 /// # Errors
-/// Why it came to no result, in words.
+/// Why it came to no result.
 pub fn run(
     folder: &Folder,
     study: &Study,
     progress: &dyn Progress,
     stop: &AtomicBool,
     threads: usize,
-) -> Result<Outcome, Vec<String>> {
-    run_or_read(folder, study, progress, stop, threads).map_err(|diagnostics| words(&diagnostics))
-}
-
-fn message_and_hint(refusal: Refusal) -> Vec<String> {
-    std::iter::once(refusal.message).chain(refusal.hint).collect()
+) -> Result<Outcome, Failure> {
+    Ok(run_or_read(folder, study, progress, stop, threads)?)
 }
 
 /// Runs the mechanism at a witness of the finished study in the folder `path`, from the texts that the result holds, as its command does;
 /// or finds an existing run. `named` hears what is run.
 ///
 /// # Errors
-/// Why it came to no result, in words.
+/// Why it came to no result.
 pub fn run_witness(
     folder: &Folder,
     path: &str,
     witness: usize,
     named: &dyn Fn(String),
     stop: &AtomicBool,
-) -> Result<Outcome, Vec<String>> {
-    let result = stored_study(folder, path).map_err(message_and_hint)?;
-    let missing = || vec![format!("the result '{path}' has no witness {witness}")];
+) -> Result<Outcome, Failure> {
+    let result = stored_study(folder, path)?;
+    let missing = || {
+        let reason = format!("the result '{path}' has no witness {witness}");
+        Failure { lines: vec![reason.clone()], reason }
+    };
     let command = result.witness_commands.get(witness).ok_or_else(missing)?;
-    let study = study_of(&result).map_err(message_and_hint)?;
+    let study = study_of(&result)?;
     let (settings, plan) = witness_run(&study, &command.witness).ok_or_else(missing)?;
     let values = witness_words(&result).into_iter().nth(witness).map(|words| words.values.join(", "));
     named(format!("{}: {}", study.model.name(), values.unwrap_or_default()));
-    let model = study.model.demand_planar().map_err(|diagnostics| words(&diagnostics))?;
-    simulated(folder, model, &settings, &plan, stop).map_err(|diagnostics| words(&diagnostics))
+    Ok(simulated(folder, study.model.demand_planar()?, &settings, &plan, stop)?)
 }
 
 fn simulated(

@@ -13,7 +13,7 @@ use loosepin::study::{Progress, default_threads};
 use tokio::sync::broadcast;
 
 use crate::files::folder::Folder;
-use crate::jobs::job::{Outcome, read_study, run, run_witness};
+use crate::jobs::job::{Failure, Outcome, read_study, run, run_witness};
 use crate::messages::{Job, JobDraft, JobKind, JobState, Shown};
 use crate::view::texts::plain;
 
@@ -144,6 +144,7 @@ impl Jobs {
             seconds: 0.0,
             words: Vec::new(),
             draft: None,
+            reason: None,
             diagnostics: Vec::new(),
             result: None,
             verdict: None,
@@ -213,7 +214,10 @@ impl Jobs {
                         (job.result, job.words, job.verdict) = (Some(result), words, verdict);
                     }
                     Ok(Outcome::Stopped) => job.state = JobState::Stopped,
-                    Err(diagnostics) => (job.state, job.diagnostics) = (JobState::Failed, diagnostics),
+                    Err(Failure { reason, lines }) => {
+                        job.state = JobState::Failed;
+                        (job.reason, job.diagnostics) = (Some(reason), lines);
+                    }
                 }
             });
         }
@@ -236,7 +240,7 @@ impl Jobs {
         }
     }
 
-    fn run(&self, id: u64, task: &Task, stop: &AtomicBool, began: Instant) -> Result<Outcome, Vec<String>> {
+    fn run(&self, id: u64, task: &Task, stop: &AtomicBool, began: Instant) -> Result<Outcome, Failure> {
         self.change(id, |job| job.state = JobState::Running);
         let (path, shown) = match task {
             Task::Study { path, shown } => (path, shown),

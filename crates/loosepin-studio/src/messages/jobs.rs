@@ -53,6 +53,8 @@ pub struct Job {
     pub words: Vec<String>,
     /// Intermediate results before it is finished.
     pub draft: Option<JobDraft>,
+    /// Why it failed, in a sentence.
+    pub reason: Option<String>,
     /// Errors, if it failed.
     pub diagnostics: Vec<String>,
     /// Folder of its results, in the served folder.

@@ -1,5 +1,6 @@
 //! Messages of the live connection.
 
+use loosepin::diagnostics::Severity;
 use loosepin::report::CurveKey;
 use serde::{Deserialize, Serialize};
 
@@ -49,12 +50,25 @@ pub struct Look {
     /// Points that are traced although no output is their path: `coupler.tip`. Those that the model does not have are left out.
     #[serde(default)]
     pub traced: Vec<String>,
+    /// Nothing changes now: the texts are then also tried as by `loosepin check`, which is told in a [`CheckAnswer`].
+    #[serde(default)]
+    pub is_at_rest: bool,
 }
 
 impl Look {
     /// Of these texts, without anything else.
     pub fn of(model: SentText, study: Option<SentText>, positions: usize) -> Self {
-        Self { seq: 0, model, study, positions, grip: None, poses: None, curve: None, traced: Vec::new() }
+        Self {
+            seq: 0,
+            model,
+            study,
+            positions,
+            grip: None,
+            poses: None,
+            curve: None,
+            traced: Vec::new(),
+            is_at_rest: false,
+        }
     }
 }
 
@@ -104,6 +118,9 @@ pub enum FromPage {
     Hello {
         /// The secret of the address.
         token: String,
+        /// Name of the tab, where it has one.
+        #[serde(default)]
+        tab: Option<String>,
     },
     /// Read these texts.
     Look(Box<Look>),
@@ -142,6 +159,8 @@ pub enum ToPage<'a> {
     },
     /// What was read.
     LookAnswer(&'a LookAnswer),
+    /// What keeps the texts of a look from running.
+    CheckAnswer(&'a CheckAnswer),
     /// How far a job is.
     Job {
         /// It.
@@ -189,4 +208,21 @@ pub struct LookAnswer {
     pub cost_ms: f64,
     /// The look took too long and was stopped: these texts were not read.
     pub is_cut: bool,
+}
+
+impl LookAnswer {
+    /// The mechanism moves, and nothing is wrong in the texts.
+    pub fn is_sound(&self) -> bool {
+        let has_error = self.diagnostics.iter().any(|one| one.severity == Severity::Error);
+        !has_error && self.view.as_ref().is_some_and(|view| view.incomplete.is_none())
+    }
+}
+
+/// What `loosepin check` finds in the texts of a look that has a view.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckAnswer {
+    /// Sequence number of the look.
+    pub seq: u64,
+    /// What keeps them from running; none where they run.
+    pub diagnostics: Vec<DiagnosticView>,
 }

@@ -15,7 +15,7 @@ mod view;
 
 pub use diagnostics::{Change, DiagnosticView, Document, Fix, LabelView, Stretch};
 pub use jobs::{Job, JobDraft, JobKind, JobState};
-pub use live::{DragResult, FromPage, Grip, Held, Look, LookAnswer, SentText, Shown, ToPage};
+pub use live::{CheckAnswer, DragResult, FromPage, Grip, Held, Look, LookAnswer, SentText, Shown, ToPage};
 pub use view::{
     BodyView, DimensionKind, DimensionView, ForceTable, ForceView, JointView, LimitView, Outline, OutputView, PinView,
     PointView, QuantityKind, QuantityView, View,

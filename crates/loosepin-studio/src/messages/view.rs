@@ -168,6 +168,8 @@ pub struct Outline {
     pub parts: Vec<BodyView>,
     /// Dimensions of bodies and joints.
     pub dimensions: Vec<DimensionView>,
+    /// Four-bars and slider-cranks through the ground with their classes, in words, where it moves.
+    pub loops: Vec<String>,
 }
 
 /// A limit of the study that is a line in the chart of a band.
@@ -208,6 +210,8 @@ pub struct View {
     pub curves: Vec<CurveChoice>,
     /// The wanted one, or the first of its quantity.
     pub curve: Option<LiveCurve>,
+    /// The angles between which the drive can turn, degrees, where it cannot go through its whole turn.
+    pub drive_range_deg: Option<[f64; 2]>,
     /// The limits among them.
     pub limits: Vec<LimitView>,
     /// Its parts.

@@ -1,6 +1,8 @@
 //! Network: access, connections and their limits, routes, the live connection. It hands texts and requests on and knows no mechanism.
 
+pub(crate) mod checker;
 pub(crate) mod connections;
+pub(crate) mod draft_routes;
 pub(crate) mod guard;
 pub(crate) mod mailbox;
 pub(crate) mod page;
@@ -12,6 +14,7 @@ pub(crate) mod server;
 pub(crate) mod shelf_routes;
 pub(crate) mod socket;
 pub(crate) mod stream;
+pub(crate) mod tabs;
 pub(crate) mod tickets;
 pub(crate) mod time_limit;
 pub(crate) mod times;

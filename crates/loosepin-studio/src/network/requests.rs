@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::drawing::still::NamedPoses;
 use crate::edit::{Edit, Restructured};
 use crate::files::adopt::AdoptedTexts;
+use crate::files::drafts::{Draft, DraftText};
 use crate::messages::{Change, SentText};
 use crate::network::refusal::Refused;
 
@@ -118,6 +119,39 @@ pub struct RestructureAnswer {
     pub done: Option<Restructured>,
     /// Why not.
     pub refusal: Option<Refused>,
+}
+
+/// Unsaved texts of a tab, to be kept in place of those before.
+#[derive(Deserialize)]
+pub struct KeepDraftRequest {
+    /// Name of the tab: 32 hexadecimal digits.
+    pub tab: String,
+    /// The path by which they were opened.
+    pub path: String,
+    /// The model, where it has changed.
+    #[serde(default)]
+    pub model: Option<DraftText>,
+    /// The study, where it has changed.
+    #[serde(default)]
+    pub study: Option<DraftText>,
+}
+
+/// A path whose unsaved texts a tab asks for.
+#[derive(Deserialize)]
+pub struct TakeDraftRequest {
+    /// Name of the tab.
+    pub tab: String,
+    /// The path.
+    pub path: String,
+}
+
+/// Unsaved texts that belong to the tab from now on.
+#[derive(Serialize)]
+pub struct TakeDraftAnswer {
+    /// They, where there are any.
+    pub draft: Option<Draft>,
+    /// Another tab that is open has unsaved texts of the path.
+    pub is_elsewhere: bool,
 }
 
 /// A template, or two texts, to be made a mechanism of one's own.

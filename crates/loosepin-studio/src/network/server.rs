@@ -18,6 +18,7 @@ use tokio::sync::Semaphore;
 use crate::files::folder::{Folder, MAX_TEXT};
 use crate::jobs::queue::Jobs;
 use crate::network::connections::accept;
+use crate::network::draft_routes;
 use crate::network::guard::guard;
 use crate::network::result_routes;
 use crate::network::routes;
@@ -98,6 +99,7 @@ pub fn serve_within(
         token,
         folder: served,
         jobs: Arc::clone(&jobs),
+        tabs: Arc::default(),
         tickets: Arc::default(),
         seats: Arc::new(Semaphore::new(MAX_SEATS)),
         bodies: Arc::new(Semaphore::new(MAX_BODIES)),
@@ -147,6 +149,8 @@ fn router(studio: Studio) -> Router {
         .route("/api/duplicate", post(shelf_routes::duplicate))
         .route("/api/open", get(routes::open))
         .route("/api/file", put(routes::save))
+        .route("/api/draft", put(draft_routes::keep))
+        .route("/api/draft/take", post(draft_routes::take))
         .route("/api/new", post(routes::new))
         .route("/api/set-uncertainty", post(routes::set_uncertainty))
         .route("/api/restructure", post(routes::restructure))

@@ -14,6 +14,7 @@ use tokio::time::timeout;
 use crate::files::folder::{Folder, MAX_TEXT};
 use crate::jobs::queue::Task;
 use crate::messages::{FromPage, Look, LookAnswer, ToPage};
+use crate::network::checker::Checker;
 use crate::network::mailbox::Mailbox;
 use crate::network::time_limit::{LONGEST_LOOK, within};
 use crate::network::visitors::Visitor;
@@ -40,11 +41,14 @@ pub async fn live(
 async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
     let hello = timeout(studio.times.hello, socket.recv()).await;
     let Ok(Some(Ok(Message::Text(first)))) = hello else { return };
-    let is_known = matches!(serde_json::from_str(&first), Ok(FromPage::Hello { token }) if studio.token.is(&token));
-    if !is_known {
-        let _ = tell(&mut socket, &ToPage::Refused { message: "the token of the studio is missing or wrong" }).await;
-        return;
-    }
+    let tab = match serde_json::from_str(&first) {
+        Ok(FromPage::Hello { token, tab }) if studio.token.is(&token) => tab,
+        _ => {
+            let message = "the token of the studio is missing or wrong";
+            let _ = tell(&mut socket, &ToPage::Refused { message }).await;
+            return;
+        }
+    };
     visitor.show_token();
     // Taken by those alone who have shown the token.
     let Ok(_seat) = studio.seats.try_acquire() else {
@@ -53,6 +57,7 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
         return;
     };
     visitor.go_live();
+    let _tab = tab.map(|name| studio.tabs.enter(name));
     let mut jobs = studio.jobs.listen();
     if tell(&mut socket, &ToPage::Hello { version: VERSION, jobs: studio.jobs.all() }).await.is_err() {
         return;
@@ -61,12 +66,20 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
     // One answer waits at most: a newer one takes its place.
     let (answers, mut seen) = watch::channel(Utf8Bytes::default());
     let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
-    let worker = std::thread::Builder::new().spawn(move || look_on(&worker_folder, &worker_box, &answers));
-    let Ok(worker) = worker else {
+    let checker = Arc::new(Checker::new());
+    let (checks, mut checked) = watch::channel(Utf8Bytes::default());
+    let (own_checker, own_folder) = (Arc::clone(&checker), studio.folder.clone());
+    let check_on = move || own_checker.check_on(&own_folder, &checks);
+    let worker_checker = Arc::clone(&checker);
+    let look_on = move || look_on(&worker_folder, (&worker_box, &worker_checker), &answers);
+    let workers = [std::thread::Builder::new().spawn(look_on), std::thread::Builder::new().spawn(check_on)];
+    if workers.iter().any(Result::is_err) {
+        mailbox.close();
+        checker.close();
         let message = "the system refused to start a thread for this page: close other programs, and load it again";
         let _ = tell(&mut socket, &ToPage::Refused { message }).await;
         return;
-    };
+    }
     let mut rate = Rate::new();
     let mut watched = Watched::default();
     let mut ticks = tokio::time::interval(WATCH);
@@ -78,6 +91,7 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
                 Some(Ok(Message::Text(text))) => match serde_json::from_str(&text) {
                     Ok(FromPage::Look(look)) => {
                         watched.looked(&look);
+                        checker.stop();
                         mailbox.put(*look);
                         Ok(())
                     }
@@ -104,6 +118,10 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
                 let text = seen.borrow_and_update().clone();
                 send(&mut socket, text).await
             }
+            Ok(()) = checked.changed() => {
+                let text = checked.borrow_and_update().clone();
+                send(&mut socket, text).await
+            }
             job = jobs.recv() => match job {
                 Ok(job) => tell(&mut socket, &ToPage::Job { job: &job }).await,
                 // The next message on each job says how far it is.
@@ -123,8 +141,9 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
         }
     }
     mailbox.close();
-    // It ends with the look that it is at.
-    drop(worker);
+    checker.close();
+    // They end with the look and the check that they are at.
+    drop(workers);
 }
 
 /// Adds a job, or says why not.
@@ -136,17 +155,23 @@ async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), 
 }
 
 /// Answers looks until the connection ends.
-fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
+fn look_on(folder: &Folder, (mailbox, checker): (&Mailbox<Look>, &Checker), answers: &watch::Sender<Utf8Bytes>) {
     while let Some(request) = mailbox.take() {
         let in_json = |seen: &LookAnswer| serde_json::to_string(&ToPage::LookAnswer(seen)).unwrap_or_default();
         let late = || {
             let _ = answers.send(in_json(&cut(&request, LONGEST_LOOK)).into());
         };
-        let text = within(LONGEST_LOOK, late, |stop| in_json(&answer_look(folder, &request, stop)));
+        let seen = within(LONGEST_LOOK, late, |stop| {
+            let seen = answer_look(folder, &request, stop);
+            (in_json(&seen), seen.is_sound())
+        });
         // What came too late is answered already.
-        let Some(text) = text else { continue };
+        let Some((text, is_sound)) = seen else { continue };
         if answers.send(text.into()).is_err() {
             return;
+        }
+        if is_sound && request.is_at_rest {
+            checker.check(request);
         }
     }
 }

@@ -1,11 +1,13 @@
 //! From texts to what the page shows of them.
 
+use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::report::{CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing};
+use loosepin::result::kinematics::LoopProperties;
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
@@ -84,7 +86,7 @@ fn seen_after(
         };
         warnings.iter().for_each(|warning: &Diagnostic| diagnostics.push(warning.clone()));
         if let Some(model) = file.model().spatial() {
-            let (view, found) = space_view(&file, model, &texts);
+            let (view, found) = space_view(&file, model, &texts, stop);
             diagnostics.extend(found);
             return view;
         }
@@ -149,8 +151,9 @@ fn view((file, model): (&InputFile, &Model), record: &MotionRecord, curve: Optio
         paths: live_paths(record),
         curves: live_curves(record),
         curve: curve.and_then(|wanted| live_curve(record, wanted)),
+        drive_range_deg: drive_range_deg(record),
         limits,
-        outline: outline(model, &record.drawing, outputs(record)),
+        outline: outline(model, &record.drawing, outputs(record), &record.kinematics.loops),
         quantities: quantities(&model.quantities, texts),
     }
 }
@@ -182,8 +185,9 @@ fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: Strin
         paths: Vec::new(),
         curves: Vec::new(),
         curve: None,
+        drive_range_deg: None,
         limits: Vec::new(),
-        outline: outline(model, drawing, named_outputs(model)),
+        outline: outline(model, drawing, named_outputs(model), &[]),
         quantities: quantities(&model.quantities, texts),
     }
 }
@@ -200,7 +204,23 @@ fn outputs(record: &MotionRecord) -> Vec<OutputView> {
     outputs.map(|(name, words)| OutputView { name: name.clone(), words: words.clone() }).collect()
 }
 
-fn outline(model: &Model, drawing: &Drawing, outputs: Vec<OutputView>) -> Outline {
+/// The angles of the drive between which the loops close, degrees; `None` where it can go through its whole turn.
+fn drive_range_deg(record: &MotionRecord) -> Option<[f64; 2]> {
+    let (first, last) = (*record.drive_angle_rad.first()?, *record.drive_angle_rad.last()?);
+    if last - first >= TAU * (1.0 - 1e-9) {
+        return None;
+    }
+    // The ends are between the angles that are recorded: they are the dead points there.
+    let ends = record.singular_positions.iter().map(|end| end.drive_angle_rad);
+    let lower = ends.clone().filter(|end| *end <= first).fold(f64::NEG_INFINITY, f64::max);
+    let upper = ends.filter(|end| *end >= last).fold(f64::INFINITY, f64::min);
+    Some(
+        [(lower, first), (upper, last)]
+            .map(|(end, recorded)| if end.is_finite() { end } else { recorded }.to_degrees()),
+    )
+}
+
+fn outline(model: &Model, drawing: &Drawing, outputs: Vec<OutputView>, loops: &[LoopProperties]) -> Outline {
     let point =
         |point: &DrawnPoint| PointView { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
     let part = |body: &DrawnBody| BodyView { name: body.name.clone(), points: body.points.iter().map(point).collect() };
@@ -212,6 +232,7 @@ fn outline(model: &Model, drawing: &Drawing, outputs: Vec<OutputView>) -> Outlin
         forces: forces(model),
         parts: drawing.bodies.iter().map(part).collect(),
         dimensions: dimensions(model),
+        loops: loops.iter().map(LoopProperties::words).collect(),
     }
 }
 

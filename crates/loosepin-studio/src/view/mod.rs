@@ -1,6 +1,7 @@
 //! From the texts in the page to what the page shows of them: bands, diagnostics, numbers with their places.
 //! Nothing is written.
 
+pub(crate) mod check;
 pub(crate) mod diagnostics;
 pub(crate) mod fixes;
 pub(crate) mod limits;

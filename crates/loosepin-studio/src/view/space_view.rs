@@ -1,5 +1,7 @@
 //! A mechanism in space as the page shows it. It is turned and moved there; its links and joints are changed in the text.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use loosepin::check::mobility_in_space;
 use loosepin::diagnostics::Diagnostics;
 use loosepin::report::{live_spatial_bands, spatial_motion_drawing, spatial_motion_sentences};
@@ -14,11 +16,18 @@ use super::texts::Texts;
 use super::title::title;
 use crate::messages::{BodyView, JointView, Outline, OutputView, View};
 
-/// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer.
-pub fn space_view(file: &InputFile, model: &SpatialModel, texts: &Texts) -> (Option<View>, Diagnostics) {
-    match file.play_in_space(model, &[], false) {
+/// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer. Where `stop` is set, it
+/// comes to its end soon, and is good for nothing.
+pub fn space_view(
+    file: &InputFile,
+    model: &SpatialModel,
+    texts: &Texts,
+    stop: &AtomicBool,
+) -> (Option<View>, Diagnostics) {
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    match file.play_in_space(model, &[], false, &is_stopped) {
         Ok(mut record) => {
-            let found = file.add_scatter(model, &[], &mut record).err().unwrap_or_default();
+            let found = file.add_scatter(model, &[], &mut record, &is_stopped).err().unwrap_or_default();
             (Some(view(file, model, &record, texts)), found)
         }
         Err(found) => (None, found),
@@ -38,6 +47,7 @@ fn view(file: &InputFile, model: &SpatialModel, record: &SpatialMotionRecord, te
         paths: Vec::new(),
         curves: Vec::new(),
         curve: None,
+        drive_range_deg: None,
         limits,
         outline: outline(model, record),
         quantities: quantities(&model.quantities, texts),
@@ -54,6 +64,7 @@ fn outline(model: &SpatialModel, record: &SpatialMotionRecord) -> Outline {
         forces: Vec::new(),
         parts: model.bodies.iter().map(|body| BodyView { name: body.name.clone(), points: Vec::new() }).collect(),
         dimensions: Vec::new(),
+        loops: Vec::new(),
     }
 }
 
@@ -68,5 +79,28 @@ fn seen_joint(model: &SpatialModel, joint: &ModelJoint) -> JointView {
         takes_play: !joint.form.play_keys().is_empty(),
         pin: None,
         points: [joint.bearing.point, joint.journal.point].map(|point| model.point_name(point)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use crate::files::folder::Folder;
+    use crate::messages::{Look, SentText};
+    use crate::view::look::answer_look;
+    use loosepin::templates::find_template;
+
+    #[test]
+    fn a_look_at_a_mechanism_in_space_ends_where_it_is_stopped() {
+        let desk = tempfile::tempdir().unwrap();
+        let folder = Folder::new(desk.path()).unwrap();
+        let template = find_template("six-axis-arm").unwrap();
+        let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
+        let look = Look::of(sent("model.toml", template.model), Some(sent("study.toml", template.study)), 36);
+        let seen = |is_stopped: bool| answer_look(&folder, &look, &AtomicBool::new(is_stopped));
+        assert!(seen(false).view.is_some());
+        let stopped = seen(true);
+        assert!(stopped.view.is_none() && stopped.diagnostics[0].message.contains("stopped"), "{stopped:?}");
     }
 }

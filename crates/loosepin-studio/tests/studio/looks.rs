@@ -237,3 +237,60 @@ fn of_thousands_of_diagnostics_the_first_are_shown_and_the_others_counted() {
     assert_eq!(diagnostics[200]["message"], "and 2800 more");
     assert_eq!(diagnostics[200]["severity"], "error");
 }
+
+/// Threads of this process, and its memory, KiB.
+#[cfg(target_os = "linux")]
+fn threads_and_memory() -> [u64; 2] {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    ["Threads:", "VmRSS:"].map(|key| {
+        let line = status.lines().find(|line| line.starts_with(key)).unwrap();
+        line.split_whitespace().nth(1).unwrap().parse().unwrap()
+    })
+}
+
+/// A campaign of a minute: eight pages at once, each with looks at an arm in space that are cut, 200 of them.
+#[test]
+#[cfg(target_os = "linux")]
+#[ignore = "a minute"]
+fn two_hundred_looks_that_were_cut_leave_nothing_at_work() {
+    const PAGES: u64 = 8;
+    const ROUNDS: u64 = 25;
+    const MAX_GROWTH_KIB: u64 = 32 << 10;
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let template = find_template("six-axis-arm").unwrap();
+    // The most positions and nearly the longest way that there are.
+    let model = template.model.replace("duration = \"1 s\"", "duration = \"4000 s\"");
+    let model = model.replace("samples_per_turn = 50", "samples_per_turn = 10000");
+    let text = serde_json::json!({"path": "model.toml", "text": model});
+    let mut pages: Vec<_> = (0..PAGES).map(|_| server.live()).collect();
+    let mut after_first = [0; 2];
+    for round in 1..=ROUNDS {
+        for page in &mut pages {
+            page.send(
+                &serde_json::json!({"kind": "look", "seq": round, "model": text, "study": null, "positions": 36}),
+            );
+        }
+        for page in &mut pages {
+            let seen = page.next_of("look_answer");
+            assert_eq!(
+                (&seen["seq"], &seen["is_cut"]),
+                (&Value::from(round), &Value::from(true)),
+                "{}",
+                seen["diagnostics"]
+            );
+        }
+        if round == 1 {
+            after_first = threads_and_memory();
+        }
+    }
+    // Each page answers at once: nothing goes on in its way.
+    for page in &mut pages {
+        let seen = page.look(ROUNDS + 1, ("model.toml", template.model), None);
+        assert_eq!(seen["is_cut"], false);
+    }
+    let [threads, memory_kib] = threads_and_memory();
+    println!("after one round {after_first:?}, after {ROUNDS} {:?}", [threads, memory_kib]);
+    assert!(threads <= after_first[0], "{threads} threads, {} before", after_first[0]);
+    assert!(memory_kib <= after_first[1] + MAX_GROWTH_KIB, "{memory_kib} KiB, {} before", after_first[1]);
+}

@@ -5,10 +5,12 @@
 mod client;
 mod curves;
 mod disk;
+mod drafts;
 mod files;
 mod hostile;
 mod jobs;
 mod looks;
+mod obstacles;
 mod results;
 mod shelf;
 mod slow;

@@ -10,7 +10,7 @@ use crate::response::limits::{MAX_COLUMNS, MAX_LAWS, MAX_RECORDED_TURNS, MAX_TUR
 use crate::response::outputs::OutputSource;
 use crate::response::problem::PrepareError;
 use crate::response::recorder::{Shared, positions};
-use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, LawError, Model, NormalDescription, PlayId, Position, QuantityError, QuantityId,
     Steady, Values,
@@ -88,7 +88,11 @@ impl PlanarResponse {
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
         // Where all motion is solved there are no steps with a dense output.
         let turns = (study.cycle.recorded_turns, !mechanism.is_ideal());
-        let shared = share_nominal(plan, &ideal, &drawing, &nominal_ideal, &nominal_window, &settings, turns)?;
+        let shared = share_nominal(plan, &ideal, &drawing, &nominal_ideal, &nominal_window, &settings, turns);
+        let shared = shared.map_err(|error| match error {
+            PrepareError::Nominal { failure } if !moves_alone(study, model) => PrepareError::OfModel { failure },
+            error => error,
+        })?;
         let play_name = |&play: &PlayId| model.play_name(play).to_owned();
         let restitutions = mechanism
             .plays
@@ -295,6 +299,22 @@ pub(crate) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f
     let turn_s = input.turn_s();
     let start_s = transient_turns * turn_s;
     Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
+}
+
+/// Whether the values of the model alone, without those of the study, have an ideal motion through all turns.
+fn moves_alone(study: &Study, model: &Model) -> bool {
+    let values = model.quantities.nominal();
+    let moves = || -> Result<(), PrepareError> {
+        let mechanism = Mechanism::new(model, &values)?;
+        if mechanism.is_driven() {
+            let sample = Sample::new(&mechanism, &values)?;
+            let input = model.input(study.cycle.span, &values);
+            let window = window(&input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
+            IdealMotion::new(&mechanism, &sample.ideal, &sample.drives)?.move_to(window.end_s)?;
+        }
+        Ok(())
+    };
+    moves().is_ok()
 }
 
 /// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.

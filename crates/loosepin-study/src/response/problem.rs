@@ -60,6 +60,10 @@ problems! {
         InSpace { found: Box<Diagnostic> } => found.code,
             says("{}", found.message),
             hint_of(found.hint.clone());
+        /// The nominal run, where it fails with the values of the model alone too: its file is at fault.
+        OfModel { failure: RunFailure } => Problem::code(failure),
+            says("{failure}"),
+            hint_of(failure.hint());
         /// The nominal run.
         Nominal { failure: RunFailure } => Problem::code(failure),
             says("the nominal mechanism, with unknown inputs at the middle of their intervals: {failure}"),

@@ -2,7 +2,7 @@
 
 use crate::written::input_file::InputFile;
 use loosepin_result::spatial_motion::SpatialMotionRecord;
-use loosepin_space::{SpatialModel, SpatialScatterPlan};
+use loosepin_space::{IsStopped, SpatialModel, SpatialScatterPlan};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::QuantityId;
 
@@ -19,34 +19,37 @@ impl InputFile {
         set: &[String],
         is_proven: bool,
     ) -> Result<SpatialMotionRecord, Diagnostics> {
-        let mut record = self.play_in_space(model, set, is_proven)?;
-        self.add_scatter(model, set, &mut record)?;
+        let never = || false;
+        let mut record = self.play_in_space(model, set, is_proven, &never)?;
+        self.add_scatter(model, set, &mut record, &never)?;
         Ok(record)
     }
 
-    /// The same without what random inputs do.
+    /// The same without what random inputs do, until it is stopped.
     ///
     /// # Errors
-    /// A setting that the model does not take; loops that do not close; positions in which an output has no answer.
+    /// A setting that the model does not take; loops that do not close; positions in which an output has no answer; that it was stopped.
     pub fn play_in_space(
         &self,
         model: &SpatialModel,
         set: &[String],
         is_proven: bool,
+        is_stopped: IsStopped,
     ) -> Result<SpatialMotionRecord, Diagnostics> {
         let values = self.model().spatial_values(&self.with_widest_play(set))?;
-        if is_proven { model.proven_motion_record(&values) } else { model.motion_record(&values) }
+        model.motion_record_until(&values, is_proven, is_stopped)
     }
 
-    /// Adds what random inputs do to a record of [`Self::play_in_space`] with the same settings.
+    /// Adds what random inputs do to a record of [`Self::play_in_space`] with the same settings, until it is stopped.
     ///
     /// # Errors
-    /// A setting that the model does not take; values near those of the model with which the loops do not close.
+    /// A setting that the model does not take; values near those of the model with which the loops do not close; that it was stopped.
     pub fn add_scatter(
         &self,
         model: &SpatialModel,
         set: &[String],
         record: &mut SpatialMotionRecord,
+        is_stopped: IsStopped,
     ) -> Result<(), Diagnostics> {
         let random = self.scatter();
         let place = |quantity: QuantityId| random.iter().position(|known| known.quantity == quantity);
@@ -58,7 +61,7 @@ impl InputFile {
             correlations: correlations.collect(),
             quantities: random.iter().map(|own| (own.quantity, own.standard_deviation_si)).collect(),
         };
-        let scatter = model.scatter(&plan)?;
+        let scatter = model.scatter_until(&plan, is_stopped)?;
         record.outputs.iter_mut().zip(scatter).for_each(|(output, scatter)| output.scatter = scatter);
         Ok(())
     }

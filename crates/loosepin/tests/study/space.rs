@@ -239,8 +239,9 @@ along = "y"
 #[test]
 fn analytic_parts_that_do_not_fit_fail_and_leave_a_mean_and_a_high_quantile_without_a_bound() {
     let model = SpatialModel::from_text("model.toml", SHAFT).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    let words =
-        loosepin::check::check_space(&model).map(|article| loosepin::report::article_text(&article, None)).unwrap();
+    let words = loosepin::check::check_space(&model, &|| false)
+        .map(|article| loosepin::report::article_text(&article, None))
+        .unwrap();
     let text = "name = \"shafts\"\nmodel = \"model.toml\"\n[cycle]\nsamples_per_turn = 8\n[sampling]\nouter = 4\ninner = 512\nreplicates = 4\nmost_failed = 0.3\n\
                 [random]\n\"body.ground.points.b.y\" = { normal = { mean = \"0 mm\", standard_deviation = \"0.4 mm\" } }\n\
                 [[ask]]\noutput = \"tip\"\nof = \"total\"\nreduce = \"maximum\"\n\

@@ -221,14 +221,24 @@ pub struct LargestResidual {
 }
 
 impl LargestResidual {
-    /// The worst of `residuals` of the constraint rows of `tree`; zero if there are none.
+    /// The worst of `residuals` of the constraint rows of `tree`; zero if there are none. The rows of points that should coincide are one
+    /// gap: the distance of the points.
     pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
-        let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
-        let Some(row) = worst else {
+        let mut gaps: Vec<(usize, f64)> = Vec::with_capacity(residuals.len());
+        let mut row = 0;
+        for cut in &tree.cuts {
+            let kept = cut.rows.keeps.count();
+            let distance = |gap: f64, row: &f64| gap.hypot(*row);
+            gaps.extend((kept > 0).then(|| (row, residuals[row..row + kept].iter().fold(0.0, distance))));
+            gaps.extend((row + kept..row + cut.rows.count()).map(|row| (row, residuals[row].abs())));
+            row += cut.rows.count();
+        }
+        gaps.extend((row..residuals.len()).map(|row| (row, residuals[row].abs())));
+        let Some((row, gap)) = gaps.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)) else {
             return Self { path: "joint".to_owned(), gap: 0.0, dimension: Dimension::LENGTH };
         };
         let owner = RowOwner::of(tree, row);
-        Self { path: owner.path(model), gap: residuals[row].abs(), dimension: owner.dimension(model) }
+        Self { path: owner.path(model), gap, dimension: owner.dimension(model) }
     }
 }
 

@@ -60,7 +60,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
         }
         starts += 1;
         let mut z = starting_point(equations, &drives, &hint_of_slot, size_m, start);
-        let (worst, steps) = close(equations, &mut kinematics, &mut z, size_m);
+        let (worst, steps) = close(equations, &mut kinematics, &mut z, (size_m, STEPS));
         work += steps * tree.free * tree.free;
         let is_elsewhere =
             !all_face_the_right_way(tree, geometry, &kinematics) || !found.is_empty() && is_turns_on(model, tree, &z);
@@ -168,9 +168,27 @@ fn starting_point(
     z
 }
 
-/// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates; gives the largest residual left and the number of
-/// steps.
-fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> (f64, usize) {
+/// The constraint that stays furthest open where all of them are as nearly closed as they can be near `z` with the drives where they are:
+/// where |Φ|² is least. Of a single loop that is its least gap.
+pub fn least_open(equations: &StartEquations<'_>, mut z: Vec<f64>, size_m: f64) -> LargestResidual {
+    /// From a position close by about ten are usual.
+    const NEAR_STEPS: usize = 40;
+    let StartEquations { model, tree, .. } = *equations;
+    let mut kinematics = Kinematics::new(tree);
+    close(equations, &mut kinematics, &mut z, (size_m, NEAR_STEPS));
+    let mut residuals = vec![0.0; equations.rows()];
+    equations.residuals(&kinematics, &mut residuals);
+    LargestResidual::worst(model, tree, &residuals[..tree.constraint_rows()])
+}
+
+/// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates, in so many steps at most; gives the largest residual left
+/// and the number of steps.
+fn close(
+    equations: &StartEquations<'_>,
+    kinematics: &mut Kinematics<f64>,
+    z: &mut [f64],
+    (size_m, most_steps): (f64, usize),
+) -> (f64, usize) {
     let StartEquations { tree, geometry, .. } = *equations;
     let (n, rows, columns) = (tree.free, equations.rows(), tree.coordinates());
     // Lengths are counted in sizes of the mechanism, so that they weigh like angles.
@@ -197,7 +215,7 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
     };
     let mut error = evaluate(kinematics, z, &mut residuals);
     let mut steps = 0;
-    for _ in 0..STEPS {
+    for _ in 0..most_steps {
         if error.sqrt() <= 1e-15 * size_m {
             break;
         }

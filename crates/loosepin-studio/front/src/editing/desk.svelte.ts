@@ -52,6 +52,9 @@ export class Desk {
   /** What the last answer to a drag changes beyond the canvas, in the next frame: both together would make one late. */
   private rest: { frame: number; takeIn: () => void } | null = null;
   diagnostics = $state.raw<DiagnosticView[]>([]);
+  /** What keeps texts that can be read from running: found while they rest. */
+  obstacles = $state.raw<DiagnosticView[]>([]);
+  problems = $derived([...this.diagnostics, ...this.obstacles]);
   /** Counts the answers: diagnostics come anew with each. */
   answers = $state(0);
   quantities = $state.raw<QuantityView[]>([]);
@@ -112,6 +115,10 @@ export class Desk {
     const stops = [
       session.listen({
         seen: (seen) => this.looker.heard(seen),
+        tried: (found) => {
+          // Of older texts it says nothing.
+          if (this.looker.versionOf(found.seq) === this.documents.version) this.obstacles = found.diagnostics;
+        },
         changed: (path) => void this.changed(path),
         opened: () => {
           // What a drag has written stays; its last place is lost with the connection.
@@ -131,6 +138,7 @@ export class Desk {
         this.quantities = moveAll(this.quantities, step.document, step.change);
         if (step.document === 'study') this.limits = this.limits.map((limit) => ({ ...limit, ...movedRange(limit, step.change) }));
         this.diagnostics = moveAll(this.diagnostics, step.document, step.change);
+        this.obstacles = moveAll(this.obstacles, step.document, step.change);
         this.looker.soon(typingPauseMs);
       }),
     ];
@@ -504,6 +512,8 @@ export class Desk {
       if (document === null || from == null || to == null) return { ...diagnostic, fix };
       return { ...documents.moved(document, { ...diagnostic, from, to }, version), fix };
     });
+    // These are not tried until they can be read.
+    if (seen.view === null || seen.view.incomplete !== null || this.diagnostics.some(({ severity }) => severity === 'error')) this.obstacles = [];
     this.check(version);
     this.isStale = seen.view === null;
     if (seen.view) {

@@ -1,11 +1,9 @@
-// Unsaved texts, kept over a reload of the page and a crash of the browser until they are saved or taken back.
-import type { Document } from '../messages.ts';
-
-/** A text that was not saved, and the tag of the file from which it began. */
-export interface DraftText {
-  text: string;
-  tag: string;
-}
+// Unsaved texts, kept by the server until they are saved or taken back: after a reload, a crash, or a start at another port they are there again.
+import { messageOf } from '../network/errors.ts';
+import type { Document, DraftText, KeepDraftRequest, TakeDraftAnswer, TakeDraftRequest } from '../messages.ts';
+import { session } from '../network/session.svelte.ts';
+import { tab } from '../network/tab.ts';
+import { ask, Refusal } from '../network/wire.ts';
 
 export interface Draft {
   /** When it was kept, ms since 1970. */
@@ -13,32 +11,38 @@ export interface Draft {
   texts: Partial<Record<Document, DraftText>>;
 }
 
-const prefix = 'loosepin-draft ';
+export interface TakenDraft {
+  draft: Draft | null;
+  /** Another tab that is open has unsaved texts of the path. */
+  isElsewhere: boolean;
+}
 
-/** One browser may have seen several folders at one address. */
-const keyOf = (folder: string, path: string): string => `${prefix}${folder} ${path}`;
+/** One after the other: the last one counts. */
+let keeping: Promise<unknown> = Promise.resolve();
 
-const isText = (value: unknown): value is DraftText =>
-  typeof value === 'object' && value !== null && typeof (value as DraftText).text === 'string' && typeof (value as DraftText).tag === 'string';
-
-/** The unsaved texts of a path; null where there are none, or where what is stored is something else. */
-export function draftOf(folder: string, path: string): Draft | null {
+/** The unsaved texts of a path that are this tab's, or of none that is open. A folder that cannot be read has none. */
+export async function takeDraft(path: string): Promise<TakenDraft> {
   try {
-    const found = JSON.parse(localStorage.getItem(keyOf(folder, path)) ?? 'null') as Partial<Draft> | null;
-    if (typeof found?.at !== 'number' || typeof found.texts !== 'object') return null;
-    const texts = Object.fromEntries((['model', 'study'] as const).flatMap((which) => (isText(found.texts?.[which]) ? [[which, found.texts[which]]] : [])));
-    return Object.keys(texts).length > 0 ? { at: found.at, texts } : null;
+    const { draft, is_elsewhere } = await ask<TakeDraftAnswer>('POST', '/api/draft/take', { tab, path } satisfies TakeDraftRequest);
+    if (draft?.at == null) return { draft: null, isElsewhere: is_elsewhere };
+    const texts = { ...(draft.model && { model: draft.model }), ...(draft.study && { study: draft.study }) };
+    return { draft: { at: draft.at, texts }, isElsewhere: is_elsewhere };
   } catch {
-    return null;
+    return { draft: null, isElsewhere: false };
   }
 }
 
-/** Keeps unsaved texts; without any, what was kept goes. */
-export function keepDraft(folder: string, path: string, texts: Draft['texts']): void {
-  try {
-    if (Object.keys(texts).length === 0) localStorage.removeItem(keyOf(folder, path));
-    else localStorage.setItem(keyOf(folder, path), JSON.stringify({ at: Date.now(), texts } satisfies Draft));
-  } catch {
-    // A full storage, or none: the texts live as long as the page.
-  }
+/** Keeps unsaved texts; without any, what was kept goes. Of a page that `isLeaving` nothing is waited for. */
+export function keepDraft(path: string, texts: Draft['texts'], isLeaving = false): void {
+  const body = { tab, path, model: texts.model ?? null, study: texts.study ?? null } satisfies KeepDraftRequest;
+  const keep = (): Promise<void> =>
+    ask<null>('PUT', '/api/draft', body, isLeaving).then(
+      () => {},
+      (error: unknown) => {
+        // Without a server, or its key, the texts live as long as the page: that is said elsewhere.
+        if (error instanceof Refusal && error.status !== 0 && error.status !== 401) session.refusal = messageOf(error);
+      },
+    );
+  if (isLeaving) void keep();
+  else keeping = keeping.then(keep);
 }

@@ -30,9 +30,11 @@ export class Looker {
   private delay = 0;
   private settle = 0;
   private asked = 0;
+  /** The last look that was answered. */
+  private answered: Flight | null = null;
 
   constructor(
-    private readonly make: () => { look: Omit<Look, 'seq' | 'positions'>; version: number } | null,
+    private readonly make: () => { look: Omit<Look, 'seq' | 'positions' | 'is_at_rest'>; version: number } | null,
     private readonly send: (look: Extract<FromPage, { kind: 'look' }>) => boolean,
     private readonly hear: (seen: LookAnswer, version: number, isFinest: boolean) => void,
   ) {}
@@ -55,6 +57,11 @@ export class Looker {
   /** Something newer than the last answer is to be looked at. */
   get isWaiting(): boolean {
     return this.isWanted;
+  }
+
+  /** Version of the texts of the last look that was answered, if it was this one. */
+  versionOf(seq: number): number | null {
+    return this.answered?.seq === seq ? this.answered.version : null;
   }
 
   /** When the typing pauses. */
@@ -98,6 +105,7 @@ export class Looker {
 
   private land(): void {
     clearTimeout(this.giveUp);
+    this.answered = this.flight;
     this.flight = null;
   }
 
@@ -137,7 +145,7 @@ export class Looker {
     if (!made) return;
     this.seq += 1;
     const positions = this.isFine ? this.finest : Math.min(this.positions, this.finest);
-    if (!this.send({ kind: 'look', seq: this.seq, positions, ...made.look })) return;
+    if (!this.send({ kind: 'look', seq: this.seq, positions, is_at_rest: this.isFine, ...made.look })) return;
     this.isWanted = false;
     this.flight = { seq: this.seq, version: made.version, positions };
     this.giveUp = window.setTimeout(() => {

@@ -42,11 +42,11 @@ class Router {
   /** Whether this way out would lose something. */
   guard: ((to: Route) => boolean) | null = null;
 
-  start(reload: () => void): void {
+  start(restart: () => void): void {
     this.route = readAddress(location.hash);
     addEventListener('hashchange', () => {
       // The printed address was opened again in this tab.
-      if (location.hash.startsWith('#token=')) return reload();
+      if (location.hash.startsWith('#token=')) return restart();
       this.arrive(readAddress(location.hash));
     });
   }

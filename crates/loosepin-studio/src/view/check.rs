@@ -1,0 +1,20 @@
+//! What `loosepin check` finds in the texts of the page.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use loosepin::check::try_until;
+
+use crate::files::folder::Folder;
+use crate::messages::{CheckAnswer, Look};
+use crate::view::diagnostics::diagnostic_views;
+use crate::view::texts::Texts;
+
+/// Moves the mechanism of a look all round and makes the first steps of its run. `None` where `stop` was set before the end.
+pub fn answer_check(folder: &Folder, look: &Look, stop: &AtomicBool) -> Option<CheckAnswer> {
+    let texts = Texts::sent(folder, look);
+    let found = texts.read().and_then(|file| try_until(&file, stop)).err().unwrap_or_default();
+    if stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    Some(CheckAnswer { seq: look.seq, diagnostics: diagnostic_views(&found, &texts) })
+}
