@@ -64,11 +64,12 @@ impl SpatialModel {
         for (sample, (position, at)) in positions.iter().zip(&inputs_si).enumerate() {
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             let accuracy = Rc::new(accuracy);
-            for (course, output) in courses.iter_mut().zip(&self.outputs) {
-                course.add(sample, &accuracy).map_err(|error| self.no_answer(&output.name, *at, error))?;
-            }
-            if has_play && accuracy.reaches_dead_centre() {
+            let is_regular = !has_play || accuracy.is_regular();
+            if !is_regular && accuracy.reaches_dead_centre() {
                 dead_centre_samples.push(sample);
+            }
+            for (course, output) in courses.iter_mut().zip(&self.outputs) {
+                course.add(sample, &accuracy, is_regular).map_err(|error| self.no_answer(&output.name, *at, error))?;
             }
             poses.push(accuracy.position().poses.clone());
             for trace in traces.iter_mut().filter(|own| has_play && own.point.output.is_some() && zones.has(sample)) {
@@ -88,10 +89,13 @@ impl SpatialModel {
         let states: Vec<OutputState> = poses.iter().map(|poses| OutputState { mechanism: &mechanism, poses }).collect();
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
-            let worst = course.worst_case(is_proven).map_err(|error| self.no_answer(&output.name, at, error))?;
-            self.output_record(output, course, worst, &states)
+            let refused = |error| self.no_answer(&output.name, at, error);
+            let worst = course.worst_case(is_proven).map_err(refused)?;
+            let worst_regular = course.worst_regular_case(is_proven).map_err(refused)?;
+            let record = self.output_record(output, course, worst, &states)?;
+            Ok(SpatialOutputRecord { worst_regular, ..record })
         });
-        let outputs = outputs.collect::<Result<_, _>>()?;
+        let outputs = outputs.collect::<Result<_, Diagnostics>>()?;
         let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
         Ok(SpatialMotionRecord { is_proven, dead_centre_samples, is_other_start, ..record })
     }
@@ -205,6 +209,7 @@ impl SpatialModel {
             },
             first_order_si: course.first_order_si,
             worst,
+            worst_regular: None,
             scatter: SpatialScatter::default(),
         })
     }
@@ -259,6 +264,9 @@ struct Course<'a> {
     /// The position with the largest worst case of first order.
     sample: usize,
     worst: Option<Worst<'a>>,
+    /// That of the positions in which play comes near no dead centre.
+    regular_sample: usize,
+    worst_regular: Option<Worst<'a>>,
 }
 
 /// The largest worst case of first order so far.
@@ -271,16 +279,22 @@ struct Worst<'a> {
 
 impl<'a> Course<'a> {
     fn new(components: Vec<SpatialOutput>) -> Self {
-        Self { components, first_order_si: Vec::new(), variances: Vec::new(), sample: 0, worst: None }
+        let (first_order_si, variances) = (Vec::new(), Vec::new());
+        Self { components, first_order_si, variances, sample: 0, worst: None, regular_sample: 0, worst_regular: None }
     }
 
-    fn add(&mut self, sample: usize, accuracy: &Rc<PoseAccuracy<'a>>) -> Result<(), AccuracyError> {
+    fn add(&mut self, sample: usize, accuracy: &Rc<PoseAccuracy<'a>>, is_regular: bool) -> Result<(), AccuracyError> {
         let (size, variance, along) = at_position(accuracy, &self.components)?;
         self.first_order_si.push(size);
         self.variances.extend(variance);
         // Round-off decides nothing: the first of several alike.
-        if self.worst.as_ref().is_none_or(|worst| size > worst.size * (1.0 + SAME)) {
-            (self.sample, self.worst) = (sample, Some(Worst { size, along, accuracy: Rc::clone(accuracy) }));
+        let is_worse = |known: &Option<Worst<'_>>| known.as_ref().is_none_or(|known| size > known.size * (1.0 + SAME));
+        let worst = || Worst { size, along, accuracy: Rc::clone(accuracy) };
+        if is_worse(&self.worst) {
+            (self.sample, self.worst) = (sample, Some(worst()));
+        }
+        if is_regular && is_worse(&self.worst_regular) {
+            (self.regular_sample, self.worst_regular) = (sample, Some(worst()));
         }
         Ok(())
     }
@@ -288,6 +302,12 @@ impl<'a> Course<'a> {
     fn worst_case(&self, is_proven: bool) -> Result<SpatialWorstCase, AccuracyError> {
         let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
         worst_case(&worst.accuracy, &worst.along, self.sample, is_proven)
+    }
+
+    /// The worst case where play comes near no dead centre; `None` where that is the worst one, or nowhere.
+    fn worst_regular_case(&self, is_proven: bool) -> Result<Option<SpatialWorstCase>, AccuracyError> {
+        let other = self.worst_regular.as_ref().filter(|_| self.regular_sample != self.sample);
+        other.map(|worst| worst_case(&worst.accuracy, &worst.along, self.regular_sample, is_proven)).transpose()
     }
 }
 
