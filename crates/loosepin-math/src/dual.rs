@@ -88,6 +88,17 @@ impl<T: Real> MulAssign for Dual<T> {
 impl<T: Real> Real for Dual<T> {
     type Mask = T::Mask;
 
+    const IS_SET: bool = T::IS_SET;
+    fn ends(self) -> [f64; 2] {
+        self.value.ends()
+    }
+    fn part(self, low: f64, high: f64) -> Option<Self> {
+        Some(Self { value: self.value.part(low, high)?, derivative: self.derivative })
+    }
+    fn joined(self, other: Self) -> Self {
+        Self { value: self.value.joined(other.value), derivative: self.derivative.joined(other.derivative) }
+    }
+
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self::constant(T::from_f64(value))

@@ -75,6 +75,45 @@ pub trait Real:
         found
     }
 
+    /// Whether it stands for many numbers at once, as an interval does: several pieces of a function may then hold it.
+    const IS_SET: bool = false;
+    /// The least and the largest number of a set; twice the number itself otherwise.
+    #[inline(always)]
+    fn ends(self) -> [f64; 2] {
+        [self.to_f64(); 2]
+    }
+    /// The part of a set from `low` to `high`; `None` where there is none. It moves as the whole does.
+    #[inline(always)]
+    fn part(self, _low: f64, _high: f64) -> Option<Self> {
+        Some(self)
+    }
+    /// The smallest set that holds both.
+    #[inline(always)]
+    fn joined(self, _other: Self) -> Self {
+        self
+    }
+
+    /// What `at` makes of `self` and the numbers of the piece that holds it, as [`Self::piece`] has them. Of a set: of each piece with the
+    /// part of the set that lies in it, joined. The numbers of two pieces joined before would be those of many more functions.
+    #[inline(always)]
+    fn over_pieces<const N: usize, const M: usize>(
+        self,
+        breaks: &[Self],
+        pieces: &[[Self; N]],
+        at: impl Fn(Self, [Self; N]) -> [Self; M],
+    ) -> [Self; M] {
+        let plain = || at(self, self.piece(breaks, pieces));
+        if !Self::IS_SET {
+            return plain();
+        }
+        let parts = pieces.iter().enumerate().filter_map(|(k, piece)| {
+            let low = if k == 0 { f64::NEG_INFINITY } else { breaks[k - 1].ends()[0] };
+            let high = breaks.get(k).map_or(f64::INFINITY, |end| end.ends()[1]);
+            Some(at(self.part(low, high)?, *piece))
+        });
+        parts.reduce(joined_all).unwrap_or_else(plain)
+    }
+
     /// Zero.
     #[inline(always)]
     fn zero() -> Self {
@@ -90,4 +129,9 @@ pub trait Real:
     fn squared(self) -> Self {
         self * self
     }
+}
+
+/// [`Real::joined`] of each with its counterpart.
+pub fn joined_all<T: Real, const M: usize>(all: [T; M], other: [T; M]) -> [T; M] {
+    std::array::from_fn(|k| all[k].joined(other[k]))
 }

@@ -290,6 +290,9 @@ pub struct UnprovenSpan {
     pub span_rad: [f64; 2],
     /// Why, in words.
     pub words: String,
+    /// Whether play was found to take the mechanism to a dead centre there: what was found is then the largest in both assemblies.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub reaches_dead_centre: bool,
 }
 
 /// Contribution of one clearance joint to the first-order sum.

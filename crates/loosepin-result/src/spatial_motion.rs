@@ -79,6 +79,9 @@ pub struct SpatialOutputRecord {
     pub standard_deviation_si: Vec<f64>,
     /// The worst position.
     pub worst: SpatialWorstCase,
+    /// The worst of the positions in which play comes near no dead centre; `None` where the worst one is one of them, or none is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub worst_regular: Option<SpatialWorstCase>,
     /// What random dimensions of a study do to it.
     #[serde(default)]
     pub scatter: SpatialScatter,

@@ -3,7 +3,7 @@
 use crate::json::to_json;
 use crate::motion::DimensionContributor;
 use crate::repeat::Repeat;
-use crate::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
+use crate::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
 use crate::spatial_picture::SpatialPicture;
 use loosepin_text::VERSION;
 use loosepin_text::units::SiUnit;
@@ -51,6 +51,8 @@ struct Clearance<'r> {
     first_order_si: &'r [f64],
     standard_deviation_si: &'r [f64],
     worst: Worst<'r>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    worst_regular: Option<Worst<'r>>,
 }
 
 /// The position with the largest worst case of first order.
@@ -107,8 +109,21 @@ pub fn spatial_motion_summary(record: &SpatialMotionRecord) -> Result<String, se
 
 fn summary_of<'r>(record: &SpatialMotionRecord, output: &'r SpatialOutputRecord) -> Output<'r> {
     let is_drive = record.drive_speed_rad_s.is_some();
-    let own = &output.worst;
-    let at = record.inputs_si.get(own.sample).copied();
+    let worst = |own: &'r SpatialWorstCase| {
+        let at = record.inputs_si.get(own.sample).copied();
+        Worst {
+            sample: own.sample,
+            drive_angle_rad: at.filter(|_| is_drive),
+            time_s: at.filter(|_| !is_drive),
+            first_order_si: output.first_order_si.get(own.sample).copied().unwrap_or_default(),
+            lowest_si: own.smallest_si,
+            highest_si: own.largest_si,
+            proven_lowest_si: own.proven_smallest_si,
+            proven_highest_si: own.proven_largest_si,
+            conditions: own.conditions,
+            contributors: own.contributors.iter().map(contributor).collect(),
+        }
+    };
     Output {
         name: &output.name,
         words: &output.words,
@@ -117,18 +132,8 @@ fn summary_of<'r>(record: &SpatialMotionRecord, output: &'r SpatialOutputRecord)
         clearance: Clearance {
             first_order_si: &output.first_order_si,
             standard_deviation_si: &output.standard_deviation_si,
-            worst: Worst {
-                sample: own.sample,
-                drive_angle_rad: at.filter(|_| is_drive),
-                time_s: at.filter(|_| !is_drive),
-                first_order_si: output.worst_case_si(),
-                lowest_si: own.smallest_si,
-                highest_si: own.largest_si,
-                proven_lowest_si: own.proven_smallest_si,
-                proven_highest_si: own.proven_largest_si,
-                conditions: own.conditions,
-                contributors: own.contributors.iter().map(contributor).collect(),
-            },
+            worst: worst(&output.worst),
+            worst_regular: output.worst_regular.as_ref().map(worst),
         },
         dimensional_standard_deviation_si: &output.scatter.standard_deviation_si,
         dimensional_contributors: &output.scatter.contributors,

@@ -95,3 +95,47 @@ fn analytic_how_far_play_may_be_loosened() {
     let output = one_line(&said.output);
     assert!(output.contains("joint.gudgeon.radial_clearance may increase to 0.6937 mm (of at most 2 mm)"), "{output}");
 }
+
+#[test]
+fn one_number_stands_for_play_that_reaches_a_dead_centre() {
+    let desk = Desk::new();
+    desk.write("model.toml", include_str!("../../../loosepin-simulate/tests/files/mend/dead_centre.toml"));
+    let study = "name = \"judged\"\nmodel = \"model.toml\"\n[random]\n\"body.crank.mass\" = { tolerance = \"± 0.01 kg\" }\n[[require]]\n\
+                 output = \"slider\"\nof = \"clearance\"\nover = \"cycle\"\nwithin = \"5 mm\"\nprobability_at_least = 0.95\n";
+    desk.write("study.toml", study);
+    let said = desk.run(&["motion", "study.toml", "--out", "out"]);
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 1, "{output} {}", said.messages);
+    let record: Value = serde_json::from_str(&desk.read("out/summary.json")).expect("JSON");
+    let lowest = record["outputs"][1]["clearance"]["lowest_si"].as_array().expect("a list");
+    let lowest = lowest.iter().filter_map(Value::as_f64).fold(0.0, f64::min);
+    // At 87° the pin is drawn along the rod, in the other assembly: from √(l² - h²) to -√((l + c)² - h²).
+    let height = 0.05 * 87_f64.to_radians().sin();
+    let due = -((0.0511_f64.powi(2) - height * height).sqrt() + (0.0505_f64.powi(2) - height * height).sqrt());
+    assert!((lowest / due - 1.0).abs() < 1e-6, "{lowest} {due}");
+    assert_eq!(record["requirements"][0]["found_si"][0].as_f64(), Some(lowest));
+    for words in [
+        "It reaches -18.42 mm at ",
+        "Play alone moves the slider by up to ±18.43 mm (largest found, through a dead centre, at ",
+        "play takes the mechanism to a dead centre, where it can go over to its other assembly",
+        " but from 86.0° to 94.0° and from 266° to 274°",
+    ] {
+        assert!(output.contains(words), "{words}: {output}");
+    }
+}
+
+#[test]
+fn a_press_is_proven_at_the_dead_centre_of_its_knee() {
+    let desk = Desk::new();
+    desk.write("model.toml", include_str!("../../../loosepin-simulate/tests/files/mend/press.toml"));
+    let said = desk.run(&["motion", "model.toml", "--out", "out"]);
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 0, "{output} {}", said.messages);
+    assert!(
+        output.contains(
+            "Play alone moves the ram by up to ±0.08807 mm (worst case, at 186°; proven: never more than ±0.08"
+        ),
+        "{output}"
+    );
+    assert!(!output.contains("not proven") && !output.contains("without a proven end"), "{output}");
+}

@@ -186,6 +186,18 @@ impl MulAssign for Interval {
 impl Real for Interval {
     type Mask = Certainty;
 
+    const IS_SET: bool = true;
+    fn ends(self) -> [f64; 2] {
+        [self.low, self.high]
+    }
+    fn part(self, low: f64, high: f64) -> Option<Self> {
+        let (low, high) = (f64::max(self.low, low), f64::min(self.high, high));
+        (low <= high).then_some(Self { low, high })
+    }
+    fn joined(self, other: Self) -> Self {
+        self.hull(other)
+    }
+
     #[inline]
     fn from_f64(value: f64) -> Self {
         Self::new(value, value)

@@ -44,4 +44,10 @@ impl<T: Real, const N: usize> Pieces<T, N> {
     pub fn at(&self, argument: T) -> [T; N] {
         argument.piece(&self.breaks, &self.numbers)
     }
+
+    /// What `value` makes of `argument` and the numbers of its piece; of a set, of each piece that it touches ([`Real::over_pieces`]).
+    #[inline(always)]
+    pub fn over<const M: usize>(&self, argument: T, value: impl Fn(T, [T; N]) -> [T; M]) -> [T; M] {
+        argument.over_pieces(&self.breaks, &self.numbers, value)
+    }
 }

@@ -72,8 +72,11 @@ fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWrite
     let [lower, upper] = [&answer.lowest_si, &answer.highest_si].map(|values| scaled(values, &output.unit, writer));
     chart.entries.insert(0, Entry::new("worst case, found", Role::Mixed, false, EntryValues::band(&lower, &upper)));
     let ends = [&answer.proven_lowest_si, &answer.proven_highest_si];
-    if ends.iter().all(|end| end.iter().all(|value| value.is_finite())) {
-        let [lower, upper] = ends.map(|values| scaled(values, &output.unit, writer));
+    // A gap where nothing is proven.
+    let known = |value: &f64| if value.is_finite() { *value } else { f64::NAN };
+    let ends = ends.map(|end| end.iter().map(known).collect::<Vec<f64>>());
+    if ends.iter().all(|end| end.iter().any(|value| value.is_finite())) {
+        let [lower, upper] = ends.map(|values| scaled(&values, &output.unit, writer));
         chart.entries.push(Entry::new("proven ends", Role::Limit, true, EntryValues::pair(&lower, &upper)));
     }
 }

@@ -18,12 +18,14 @@ pub(super) struct PlayEffect {
 }
 
 /// Proof of [`PlayEffect::largest_si`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shown {
     /// The sum of first-order effects.
     FirstOrder,
     /// Found by a search, with a proven upper limit.
     UpTo(f64),
+    /// Found by a search, with an upper limit that is proven but in these spans of the drive's angle.
+    UpToBut(f64, Vec<[f64; 2]>),
     /// Found by a search; larger values are not excluded.
     Found,
 }
@@ -36,10 +38,30 @@ pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayE
         return PlayEffect { angle_rad, largest_si, shown: Shown::FirstOrder };
     }
     let (angle_rad, largest_si) = largest(record, &answer.worst_case_si);
-    let ends = answer.proven_lowest_si.iter().map(|low| -low).chain(answer.proven_highest_si.iter().copied());
-    let proven_si = ends.fold(0.0, f64::max);
-    let shown = if proven_si.is_finite() { Shown::UpTo(proven_si) } else { Shown::Found };
+    let ends: Vec<f64> = answer
+        .proven_lowest_si
+        .iter()
+        .zip(&answer.proven_highest_si)
+        .map(|(low, high)| f64::max(-low, *high))
+        .collect();
+    let proven_si = ends.iter().copied().filter(|end| end.is_finite()).reduce(f64::max);
+    let shown = match proven_si {
+        _ if ends.is_empty() => Shown::UpTo(0.0),
+        None => Shown::Found,
+        Some(proven_si) => {
+            let spans = unproven_spans(record, &ends);
+            if spans.is_empty() { Shown::UpTo(proven_si) } else { Shown::UpToBut(proven_si, spans) }
+        }
+    };
     PlayEffect { angle_rad, largest_si, shown }
+}
+
+/// Angles in a row at which `ends` are infinite.
+fn unproven_spans(record: &MotionRecord, ends: &[f64]) -> Vec<[f64; 2]> {
+    let rows: Vec<(f64, bool)> =
+        record.drive_angle_rad.iter().copied().zip(ends.iter().map(|end| end.is_finite())).collect();
+    let stretches = rows.chunk_by(|a, b| a.1 == b.1).filter(|stretch| !stretch[0].1);
+    stretches.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect()
 }
 
 impl PlayEffect {
@@ -61,24 +83,40 @@ impl PlayEffect {
         turn_angle(record, self.angle_rad, digits, &writer.with_tag(&tag))
     }
 
-    /// `±0.5504 mm`, the proven end; `None` if nothing is proven.
-    pub fn proven(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
-        let Shown::UpTo(proven_si) = self.shown else { return None };
-        let tag = Tag::joint(&output.name, "play", "proven");
-        Some(format!("±{}", writer.with_tag(&tag).rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up)))
+    /// `±0.5504 mm` or `±0.5504 mm but at 90°`, the proven end; `None` if nothing is proven.
+    pub fn proven(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
+        let written = |proven_si: f64| {
+            let tag = Tag::joint(&output.name, "play", "proven");
+            format!("±{}", writer.with_tag(&tag).rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+        };
+        match &self.shown {
+            Shown::UpTo(proven_si) => Some(written(*proven_si)),
+            Shown::UpToBut(proven_si, spans) => {
+                Some(format!("{} but {}", written(*proven_si), places_words(record, spans, writer)))
+            }
+            Shown::FirstOrder | Shown::Found => None,
+        }
     }
 
     /// `worst case, at 270°; proven: never more than ±0.5504 mm`.
     pub fn words(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
         let at = self.place(record, output, 3, writer);
-        match (self.shown, self.proven(output, writer)) {
+        let through = if self.is_through_dead_centre(record) { "through a dead centre, " } else { "" };
+        match (&self.shown, self.proven(record, output, writer)) {
             (Shown::FirstOrder, _) => format!("first order, at {at}"),
-            (_, Some(end)) => {
+            (shown, Some(end)) => {
+                let found = if matches!(shown, Shown::UpTo(_)) { "worst case" } else { "largest found" };
                 let between = if record.is_proven_between_angles { "" } else { " at the angles shown" };
-                format!("worst case, at {at}; proven: never more than {end}{between}")
+                format!("{found}, {through}at {at}; proven: never more than {end}{between}")
             }
-            (_, None) => format!("largest found, at {at}; not proven to be the largest"),
+            (_, None) => format!("largest found, {through}at {at}; not proven to be the largest"),
         }
+    }
+
+    /// Whether it was found where play takes the mechanism to a dead centre, in one of the two assemblies.
+    fn is_through_dead_centre(&self, record: &MotionRecord) -> bool {
+        let holds = |[from_rad, to_rad]: [f64; 2]| from_rad <= self.angle_rad && self.angle_rad <= to_rad;
+        record.unproven_spans.iter().any(|span| span.reaches_dead_centre && holds(span.span_rad))
     }
 }
 
@@ -95,15 +133,26 @@ pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_
     reasons.sort_unstable();
     reasons.dedup();
     let sentence = |words: &str| {
-        let spans = record.unproven_spans.iter().filter(|span| span.words == words).map(|span| {
-            let [from, to] = span.span_rad.map(|angle_rad| {
-                let tag = Tag::whole("unproven", &angle_rad.to_string());
-                writer.with_tag(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
-            });
-            if from == to { format!("at {from}") } else { format!("from {from} to {to}") }
-        });
-        let places = listed(&spans.collect::<Vec<_>>());
+        let spans: Vec<[f64; 2]> =
+            record.unproven_spans.iter().filter(|span| span.words == words).map(|span| span.span_rad).collect();
+        let places = places_words(record, &spans, writer);
         format!("Worst cases are the largest found, without a proven end, {places} of {}: {words}.", record.drive)
     };
     reasons.into_iter().map(sentence).collect()
+}
+
+/// `at 0° and from 80.0° to 100°`: spans of the drive's angle, each once where the turn ends at its beginning.
+fn places_words(record: &MotionRecord, spans: &[[f64; 2]], writer: &NumberWriter<'_>) -> String {
+    let mut places: Vec<String> = Vec::new();
+    for span in spans {
+        let [from, to] = span.map(|angle_rad| {
+            let tag = Tag::whole("unproven", &angle_rad.to_string());
+            writer.with_tag(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
+        });
+        let place = if span[0] == span[1] { format!("at {from}") } else { format!("from {from} to {to}") };
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    listed(&places)
 }

@@ -30,7 +30,7 @@ fn row(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> V
         [
             effect.written(output, writer),
             effect.place(record, output, PLAIN_DIGITS, writer),
-            effect.proven(output, writer).unwrap_or_else(|| "not proven".to_owned()),
+            effect.proven(record, output, writer).unwrap_or_else(|| "not proven".to_owned()),
             spread_on_rims(record, output, writer),
         ]
     });

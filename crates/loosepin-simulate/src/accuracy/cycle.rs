@@ -23,8 +23,26 @@ const DEAD_POINT_RATIO: f64 = 1e3;
 pub struct Cycle<'a> {
     /// States at the sampled positions, in the order of time.
     pub states: Vec<IdealMotion<'a>>,
-    /// Singular positions by time, s.
-    singular: Vec<(f64, String)>,
+    /// Singular positions by time.
+    singular: Vec<SingularTime>,
+}
+
+/// A singular position, or one nearly so.
+struct SingularTime {
+    time_s: f64,
+    kind: SingularKind,
+    words: String,
+}
+
+/// What a singular position is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SingularKind {
+    /// Branches cross: the drives do not determine which one is followed.
+    ChangePoint,
+    /// The drives cannot go on.
+    DeadPoint,
+    /// Errors are magnified, and no more.
+    Nearly,
 }
 
 impl<'a> Cycle<'a> {
@@ -50,7 +68,7 @@ impl<'a> Cycle<'a> {
         }
         walk.note_nearly_singular(&states, turn_s / positions as f64);
         let mut singular = walk.singular;
-        singular.sort_by(|a, b| a.0.total_cmp(&b.0));
+        singular.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
         Self { states, singular }
     }
 
@@ -59,10 +77,18 @@ impl<'a> Cycle<'a> {
         let mut found: Vec<SingularPosition> = self
             .singular
             .iter()
-            .map(|(time_s, words)| SingularPosition { drive_angle_rad: input.angle_rad(*time_s), words: words.clone() })
+            .map(|at| SingularPosition { drive_angle_rad: input.angle_rad(at.time_s), words: at.words.clone() })
             .collect();
         found.sort_by(|a, b| a.drive_angle_rad.total_cmp(&b.drive_angle_rad));
         found
+    }
+}
+
+impl Cycle<'_> {
+    /// Angles of the drive at change points and dead points.
+    pub fn change_points(&self, input: &CycleInput) -> Vec<(f64, SingularKind)> {
+        let located = self.singular.iter().filter(|at| at.kind != SingularKind::Nearly);
+        located.map(|at| (input.angle_rad(at.time_s), at.kind)).collect()
     }
 }
 
@@ -71,7 +97,7 @@ struct Walk<'m> {
     mechanism: &'m Mechanism,
     input: &'m CycleInput,
     stop: &'m AtomicBool,
-    singular: Vec<(f64, String)>,
+    singular: Vec<SingularTime>,
 }
 
 impl Walk<'_> {
@@ -88,8 +114,12 @@ impl Walk<'_> {
             if next.move_to(time_s).is_err() {
                 let (end, error) = self.last_reachable(last.clone(), time_s);
                 let is_crossing = self.is_crossing(&end);
-                let words = if is_crossing { self.crossing_words(&end) } else { dead_point_words(&error) };
-                self.singular.push((end.time_s(), words));
+                let (kind, words) = if is_crossing {
+                    (SingularKind::ChangePoint, self.crossing_words(&end))
+                } else {
+                    (SingularKind::DeadPoint, dead_point_words(&error))
+                };
+                self.singular.push(SingularTime { time_s: end.time_s(), kind, words });
                 // Branches that cross at a sample: the motion goes on smoothly, past this sample.
                 let past_s = time_s + PAST_CROSSING * (time_s - last.time_s());
                 if !is_crossing || last.move_to(past_s).is_err() {
@@ -99,8 +129,9 @@ impl Walk<'_> {
             }
             let [before, after] = [&last, &next].map(|motion| is_positive(self.mechanism, motion));
             if before != after {
-                let (crossing, state) = self.crossing(last, time_s, before);
-                self.singular.push((crossing, self.crossing_words(&state)));
+                let (time_s, state) = self.crossing(last, time_s, before);
+                let words = self.crossing_words(&state);
+                self.singular.push(SingularTime { time_s, kind: SingularKind::ChangePoint, words });
             }
             states.push(next.clone());
             last = next;
@@ -194,7 +225,7 @@ impl Walk<'_> {
                     Err(_) => f64::NEG_INFINITY,
                 }
             });
-            let is_singular = self.singular.iter().any(|(time_s, _)| (time_s - lowest.time_s).abs() <= 1.5 * stride_s);
+            let is_singular = self.singular.iter().any(|at| (at.time_s - lowest.time_s).abs() <= 1.5 * stride_s);
             let is_repeated =
                 found.iter().any(|(time_s, _)| ((time_s - lowest.time_s).abs() - turn_s).abs() < 1e-6 * turn_s);
             if -lowest.value < NEARLY_SINGULAR_SINE && !is_singular && !is_repeated {
@@ -207,7 +238,7 @@ impl Walk<'_> {
                 "nearly a dead point: the transmission angle is {degrees:.2}° away from 0°, small errors and forces are magnified by a factor of about {:.0}",
                 1.0 / sine
             );
-            self.singular.push((time_s, words));
+            self.singular.push(SingularTime { time_s, kind: SingularKind::Nearly, words });
         }
     }
 }

@@ -1,7 +1,9 @@
 //! The worst cases of a cycle, put into the record of its motion.
 
 use super::accuracy_output::AccuracyOutputKind;
+use super::cycle::SingularKind;
 use super::play_reach::PlayReach;
+use super::unproven::{Cause, UnprovenPositions};
 use super::worst_case::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Position, Values};
@@ -24,6 +26,8 @@ pub(super) struct WalkedCycle<'c, 'a> {
     pub velocities: Vec<Vec<f64>>,
     /// The joint of which the block may overhang its guide, at each state.
     pub overhanging: Vec<Option<String>>,
+    /// Angles of the drive at which the ideal mechanism is singular.
+    pub change_points: Vec<(f64, SingularKind)>,
 }
 
 /// Coverage of the proofs in the record.
@@ -59,16 +63,20 @@ pub(super) fn add_worst_cases(
         coordinates: cycle.states.iter().map(|state| state.coordinates()).collect(),
         driven_steps,
     };
-    let CycleWorstCase { mut of_outputs, not_proven } = worst_over_cycle(&positions, &weighted, is_stopped)?;
-    let reasons: Vec<Option<String>> = not_proven
-        .iter()
-        .zip(&cycle.overhanging)
-        .map(|(coordinate, overhanging)| why_unproven(cycle.mechanism, *coordinate, overhanging.as_deref()))
-        .collect();
+    let CycleWorstCase { mut of_outputs, not_proven, .. } = worst_over_cycle(&positions, &weighted, is_stopped)?;
+    let causes = not_proven.iter().zip(&cycle.overhanging);
+    let unproven = UnprovenPositions {
+        mechanism: cycle.mechanism,
+        drive_angle_rad: cycle.drive_angle_rad,
+        causes: causes
+            .map(|(not_proven, overhanging)| Cause::of(cycle.mechanism, *not_proven, overhanging.as_deref()))
+            .collect(),
+        change_points: &cycle.change_points,
+    };
     for (output, rows) in outputs.iter_mut().zip(&mut of_outputs) {
         let answer = &mut output.clearance;
-        for (row, reason) in rows.iter_mut().zip(&reasons) {
-            if reason.is_some() {
+        for (row, cause) in rows.iter_mut().zip(&unproven.causes) {
+            if cause.is_some() {
                 row.proven_si = [f64::NEG_INFINITY, f64::INFINITY];
             }
             let [lowest, highest] = [0, 1].map(|side| row.found[side].deviation_si);
@@ -83,54 +91,31 @@ pub(super) fn add_worst_cases(
         answer.witness =
             witness(cycle, answer, |row, side| found(row, side).displacements.iter().map(|e| [e.x, e.y]).collect());
     }
-    Some(ProofCoverage { unproven_spans: spans(cycle.drive_angle_rad, &reasons), is_between_angles })
+    Some(ProofCoverage { unproven_spans: unproven.spans(), is_between_angles })
 }
 
-/// Half of the longest way of each drive from one position to the next, where all run at constant speed.
+/// At each position, half of the longest way of each drive to the next one, where all run at constant speed.
+///
+/// Where a position was left out, since branches cross there, the positions beside the gap have a longer way than the others.
 pub(super) fn driven_steps(
     mechanism: &Mechanism,
     sample: &Sample<f64>,
     states: &[IdealMotion<'_>],
-) -> Option<Vec<f64>> {
-    let times = states.windows(2).map(|pair| (pair[1].time_s() - pair[0].time_s()).abs());
-    let half_s = 0.5 * times.fold(0.0, f64::max) * OVERLAP;
-    let drives = mechanism.ideal.drives.iter();
-    drives.map(|drive| sample.drives.constant_speed(*drive).map(|speed| speed * half_s)).collect()
-}
-
-/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; `None` if ends are.
-pub(super) fn why_unproven(
-    mechanism: &Mechanism,
-    coordinate: Option<usize>,
-    overhanging: Option<&str>,
-) -> Option<String> {
-    let tree = &mechanism.ideal;
-    if tree.free < tree.constraint_rows() {
-        return Some("joints are redundant, and the play determines which of them carry the load".to_owned());
-    }
-    if let Some(joint) = overhanging {
-        return Some(format!("the block of '{joint}' may overhang an end of its guide"));
-    }
-    let coordinate = coordinate?;
-    let link = tree.links.iter().find(|link| link.dependences.last().is_some_and(|last| last.coordinate == coordinate));
-    let name = link.map_or("a part", |link| &mechanism.model.bodies[link.body.0].name);
-    Some(format!("within the play, '{name}' comes close to a position from which it can continue in two ways"))
-}
-
-/// Angles in a row with the same words are one span.
-fn spans(drive_angle_rad: &[f64], reasons: &[Option<String>]) -> Vec<UnprovenSpan> {
-    let mut found: Vec<UnprovenSpan> = Vec::new();
-    let mut last: Option<&str> = None;
-    for (angle_rad, reason) in drive_angle_rad.iter().zip(reasons) {
-        if let Some(words) = reason {
-            match found.last_mut() {
-                Some(span) if last == Some(words) => span.span_rad[1] = *angle_rad,
-                _ => found.push(UnprovenSpan { span_rad: [*angle_rad; 2], words: words.clone() }),
-            }
-        }
-        last = reason.as_deref();
-    }
-    found
+) -> Option<Vec<Vec<f64>>> {
+    /// Steps that differ by no more are the same but for round-off.
+    const SAME: f64 = 1.0 + 1e-6;
+    let ways_s: Vec<f64> = states.windows(2).map(|pair| (pair[1].time_s() - pair[0].time_s()).abs()).collect();
+    let shortest_s = ways_s.iter().copied().fold(f64::INFINITY, f64::min);
+    let usual_s = ways_s.iter().copied().filter(|way_s| *way_s <= SAME * shortest_s).fold(0.0, f64::max);
+    let longest_s = ways_s.iter().copied().fold(0.0, f64::max);
+    let half_s = |row: usize| {
+        let beside = &ways_s[row.saturating_sub(1)..(row + 1).min(ways_s.len())];
+        let way_s = if beside.iter().all(|way_s| *way_s <= SAME * shortest_s) { usual_s } else { longest_s };
+        0.5 * way_s * OVERLAP
+    };
+    let speeds: Vec<f64> =
+        mechanism.ideal.drives.iter().map(|drive| sample.drives.constant_speed(*drive)).collect::<Option<_>>()?;
+    Some((0..states.len()).map(|row| speeds.iter().map(|speed| speed * half_s(row)).collect()).collect())
 }
 
 /// The place of the largest deviation.

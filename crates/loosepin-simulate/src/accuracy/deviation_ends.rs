@@ -1,14 +1,19 @@
 //! How far outputs can deviate at all while parts stay within limits and joints within their play: proven ends, and places that come near.
 
 use super::cycle::Cycle;
-use super::cycle_worst_case::{driven_steps, why_unproven};
+use super::cycle_worst_case::driven_steps;
+use super::dead_centre::{DeadCentre, dead_centre};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::overhang::overhanging;
 use super::play_reach::PlayReach;
 use super::sensitivity::dimension_derivatives;
-use super::worst_case::{Encloser, Ends, Moving, Objective, Reference, Variables, best_of, starts_on_borders};
+use super::unproven::{Cause, UnprovenPositions};
+use super::worst_case::{
+    CycleOfPositions, Encloser, Ends, Moving, NotProven, Objective, Positions, Reference, Variables, WeightedOutput,
+    best_across, best_of, starts_on_borders, worst_over_cycle,
+};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
@@ -40,7 +45,10 @@ pub struct DeviationEnds {
     pub drive_angle_rad: Vec<f64>,
     /// Ends that nothing passes from half a step before the angle to half a step behind it; infinite where nothing is proven.
     pub proven_si: Vec<[f64; 2]>,
-    /// The lowest and the highest deviation that were looked for where the proven ends are furthest, with their angles.
+    /// Why nothing is proven at each position; `None` where ends are.
+    pub unproven: Vec<Option<String>>,
+    /// The lowest and the highest deviation that were looked for where the proven ends are furthest and where there are none, with their
+    /// angles.
     pub found: [FoundDeviation; 2],
 }
 
@@ -58,7 +66,7 @@ pub struct FoundDeviation {
 pub struct AllDeviationEnds {
     /// For each question.
     pub of_questions: Vec<DeviationEnds>,
-    /// The first reason, in words.
+    /// Why nothing is proven anywhere, in words.
     pub unproven: Option<String>,
     /// Whether the mechanism goes through the whole turn.
     pub is_whole_turn: bool,
@@ -121,19 +129,32 @@ pub fn deviation_ends_until(
         stop,
     };
     let drive_angle_rad: Vec<f64> = cycle.states.iter().map(|state| input.angle_rad(state.time_s())).collect();
+    let change_points = cycle.change_points(&input);
     let mut unproven = dimensions.iter().find_map(|(limit, direction)| asked.why_no_line(*limit, direction));
     let proven = asked.proven(questions, &mut unproven)?;
-    let ends = questions.iter().zip(proven).map(|(question, proven_si)| {
-        let found = [0, 1].map(|side| {
-            let far = |row: &usize| [-1.0, 1.0][side] * proven_si[*row][side];
-            let row = (0..proven_si.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
-            let deviation_si = asked.found(question, row, [-1.0, 1.0][side]).unwrap_or(0.0);
-            FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si }
+    let mut of_questions = Vec::with_capacity(questions.len());
+    for (question, Proven { ends_si, causes }) in questions.iter().zip(proven) {
+        let found = asked.found(question, &ends_si, &causes)?;
+        let found =
+            found.map(|(row, deviation_si)| FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si });
+        let positions =
+            UnprovenPositions { mechanism, drive_angle_rad: &drive_angle_rad, causes, change_points: &change_points };
+        of_questions.push(DeviationEnds {
+            drive_angle_rad: drive_angle_rad.clone(),
+            unproven: positions.reasons(),
+            proven_si: ends_si,
+            found,
         });
-        DeviationEnds { drive_angle_rad: drive_angle_rad.clone(), proven_si, found }
-    });
-    let of_questions = ends.collect();
+    }
     Ok(AllDeviationEnds { of_questions, unproven, is_whole_turn: cycle.states.len() > positions })
+}
+
+/// What is proven of one question at each position.
+#[derive(Clone)]
+struct Proven {
+    ends_si: Vec<[f64; 2]>,
+    /// Why there are no ends.
+    causes: Vec<Option<Cause>>,
 }
 
 struct Asked<'c, 'a> {
@@ -178,7 +199,7 @@ impl Asked<'_, '_> {
         table.evaluate(&set).ok()
     }
 
-    /// Proven ends of each question at each position; the first reason where there is none goes to `unproven`.
+    /// Proven ends of each question at each position; why there are none at all goes to `unproven`.
     ///
     /// # Errors
     /// It was stopped.
@@ -186,10 +207,16 @@ impl Asked<'_, '_> {
         &self,
         questions: &[DeviationQuestion],
         unproven: &mut Option<String>,
-    ) -> Result<Vec<Vec<[f64; 2]>>, AccuracyError> {
+    ) -> Result<Vec<Proven>, AccuracyError> {
         const NOTHING: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-        let mut ends = vec![vec![NOTHING; self.states.len()]; questions.len()];
+        let rows = self.states.len();
+        let mut ends = vec![Proven { ends_si: vec![NOTHING; rows], causes: vec![None; rows] }; questions.len()];
         if unproven.is_some() {
+            return Ok(ends);
+        }
+        let tree = &self.mechanism.ideal;
+        if tree.free < tree.constraint_rows() {
+            ends.iter_mut().for_each(|own| own.causes.fill(Some(Cause::Redundant)));
             return Ok(ends);
         }
         let steps = driven_steps(self.mechanism, self.sample, self.states);
@@ -219,7 +246,7 @@ impl Asked<'_, '_> {
                             direction.derivatives.0.iter().map(|slope| slope * limit.most_si).collect()
                         })
                         .collect(),
-                    driven_steps: Some(steps.clone()),
+                    driven_steps: Some(Vec::new()),
                 },
                 readings.clone(),
             );
@@ -227,17 +254,21 @@ impl Asked<'_, '_> {
                 if self.stop.load(Ordering::Relaxed) {
                     return Err(AccuracyError::Stopped);
                 }
-                let enclosed = encloser.enclose(state.coordinates());
+                encloser.take_steps(Some(&steps[row]));
+                let positions = Positions::around(&mut encloser, state.coordinates());
                 let over = overhanging(self.mechanism, self.sample, self.reaches, state.kinematics())
                     .next()
                     .filter(|_| has_play)
                     .map(|play| self.mechanism.model.play_name(self.mechanism.plays[play]));
-                let coordinate = enclosed.as_ref().err().map(|failed| failed.coordinate);
-                if let Some(reason) = why_unproven(self.mechanism, coordinate, over) {
-                    unproven.get_or_insert(reason);
+                let not_proven = positions.as_ref().err().map(|failed| NotProven {
+                    coordinate: failed.coordinate,
+                    reaches_dead_centre: has_play && self.dead_centre(self.values, state).is_some(),
+                });
+                if let Some(cause) = Cause::of(self.mechanism, not_proven, over) {
+                    places.iter().for_each(|place| ends[*place].causes[row] = Some(cause.clone()));
                     continue;
                 }
-                let Ok(enclosed) = enclosed else { continue };
+                let Ok(positions) = positions else { continue };
                 for (reading, place) in places.iter().enumerate() {
                     let question = questions[*place];
                     let reference = match question.of {
@@ -246,9 +277,9 @@ impl Asked<'_, '_> {
                         Deviation::Clearance => Reference::SameParts,
                     };
                     let own = Ends::new(balls.clone(), self.dimensions.len(), true, reference);
-                    let [low, high] = own.of(&enclosed, &[(reading, 1.0)]);
+                    let [low, high] = own.of(&positions, &[(reading, 1.0)]);
                     let from = if question.of == Deviation::Value { self.value(question.reading, state) } else { 0.0 };
-                    ends[*place][row] = [from + low, from + high];
+                    ends[*place].ends_si[row] = [from + low, from + high];
                 }
             }
         }
@@ -261,8 +292,77 @@ impl Asked<'_, '_> {
         loops.value(reading)
     }
 
-    /// A deviation at one position, the lowest or highest that a search finds with every dimension at the end that moves the output furthest.
-    fn found(&self, question: &DeviationQuestion, row: usize, sign: f64) -> Option<f64> {
+    /// The other assembly, where play takes the mechanism to a dead centre.
+    fn dead_centre(&self, values: &Values, state: &IdealMotion<'_>) -> Option<DeadCentre> {
+        let mut loops = DisplacedLoops::new(self.mechanism, values);
+        loops.close_near(state.coordinates()).ok()?;
+        dead_centre(&mut loops, self.reaches)
+    }
+
+    /// The lowest and the highest deviation, each with its position: where the proven ends are furthest, and everywhere where there are none.
+    ///
+    /// # Errors
+    /// It was stopped.
+    fn found(
+        &self,
+        question: &DeviationQuestion,
+        ends_si: &[[f64; 2]],
+        causes: &[Option<Cause>],
+    ) -> Result<[(usize, f64); 2], AccuracyError> {
+        let is_proven = |row: &usize| ends_si[*row].iter().all(|end| end.is_finite());
+        let rows = 0..ends_si.len();
+        // By play alone: the search of the whole cycle, whose number stands on the same page.
+        if question.of == Deviation::Clearance && self.dimensions.is_empty() && !rows.clone().all(|row| is_proven(&row))
+        {
+            return self.found_over_cycle(question);
+        }
+        let mut found = [(0, 0.0); 2];
+        for (side, found) in found.iter_mut().enumerate() {
+            let sign = [-1.0, 1.0][side];
+            let far = |row: &usize| sign * ends_si[*row][side];
+            let furthest = rows.clone().filter(is_proven).max_by(|a, b| far(a).total_cmp(&far(b)));
+            let others = rows.clone().filter(|row| !is_proven(row));
+            let mut best: Option<(usize, f64)> = None;
+            for row in furthest.into_iter().chain(others) {
+                if self.stop.load(Ordering::Relaxed) {
+                    return Err(AccuracyError::Stopped);
+                }
+                let deviation_si =
+                    self.found_at(question, row, sign, matches!(causes[row], Some(Cause::Loops(_)))).unwrap_or(0.0);
+                if best.is_none_or(|(_, best)| sign * (deviation_si - best) > 0.0) {
+                    best = Some((row, deviation_si));
+                }
+            }
+            *found = best.unwrap_or((0, 0.0));
+        }
+        Ok(found)
+    }
+
+    /// As [`Self::found`] by play alone.
+    fn found_over_cycle(&self, question: &DeviationQuestion) -> Result<[(usize, f64); 2], AccuracyError> {
+        let cycle = CycleOfPositions {
+            mechanism: self.mechanism,
+            values: self.values,
+            reaches: self.reaches,
+            readings: &[question.reading],
+            coordinates: self.states.iter().map(|state| state.coordinates()).collect(),
+            driven_steps: driven_steps(self.mechanism, self.sample, self.states),
+        };
+        let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; self.states.len()], path: None };
+        let is_stopped = || self.stop.load(Ordering::Relaxed);
+        let worst = worst_over_cycle(&cycle, &[output], &is_stopped).ok_or(AccuracyError::Stopped)?;
+        let rows = &worst.of_outputs[0];
+        Ok([0, 1].map(|side| {
+            let deviation = |row: usize| rows[row].found[side].deviation_si;
+            let far = |row: &usize| deviation(*row).abs();
+            let row = (0..rows.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
+            (row, deviation(row))
+        }))
+    }
+
+    /// A deviation at one position, the lowest or highest that a search finds with every dimension at the end that moves the output furthest;
+    /// in `both_assemblies` where play reaches a dead centre.
+    fn found_at(&self, question: &DeviationQuestion, row: usize, sign: f64, both_assemblies: bool) -> Option<f64> {
         let state = &self.states[row];
         let mut loops = DisplacedLoops::new(self.mechanism, self.values);
         loops.set_position(state.coordinates());
@@ -294,7 +394,14 @@ impl Asked<'_, '_> {
             let borders = starts_on_borders(self.reaches);
             let starts: Vec<&[Vec2<f64>]> = std::iter::once(&middle).chain(&borders).map(Vec::as_slice).collect();
             let objective = Objective { readings: &[question.reading], weights: &[(0, 1.0)] };
-            best_of(&mut loops, objective, self.reaches, &starts, sign).0.deviation_si
+            let own = best_of(&mut loops, objective, self.reaches, &starts, sign).0.deviation_si;
+            let dead_centre = both_assemblies.then(|| self.dead_centre(&values, state)).flatten();
+            let across = dead_centre.and_then(|dead_centre| dead_centre.other).map_or(0.0, |other| {
+                let starts: Vec<&[Vec2<f64>]> =
+                    std::iter::once(&other.displacements).chain(&borders).map(Vec::as_slice).collect();
+                best_across(&mut loops, &other, objective, self.reaches, &starts, sign).deviation_si
+            });
+            if sign * (across - own) > 0.0 { across } else { own }
         };
         let from = if question.of == Deviation::Value { nominal } else { 0.0 };
         Some(from + by_parts + by_play)

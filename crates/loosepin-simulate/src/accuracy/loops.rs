@@ -13,6 +13,10 @@ const NEWTON_STEPS: usize = 12;
 const NEARLY_CLOSED: f64 = 1e-9;
 /// Pivot ratio of the loop equations below which a position counts as singular.
 const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
+/// Newton step, rad or m, that is round-off: far below what a residual of [`NEARLY_CLOSED`] asks for.
+const AT_REST: f64 = 1e-14;
+/// The furthest that a body turns by one displacement, rad.
+const FURTHEST_RAD: f64 = 1.0;
 /// A displacement that does not close at once is approached in at most this many halvings.
 const HALVINGS: u32 = 10;
 
@@ -39,11 +43,23 @@ pub struct DisplacedLoops<'a> {
     centred: Vec<f64>,
     /// Whether the determinant of the loop matrix is positive on the present branch.
     is_positive: bool,
+    /// The same with all journals centred.
+    is_centre_positive: bool,
     kinematics: Kinematics<f64>,
     dual_kinematics: Kinematics<Dual<f64>>,
     residuals: Vec<f64>,
     dual_residuals: Vec<Dual<f64>>,
     jacobian: Vec<f64>,
+    newton_steps: usize,
+}
+
+/// Where displaced joints and their loops are.
+#[derive(Debug, Clone)]
+pub(super) struct LoopsPlace {
+    pub displacements: Vec<Vec2<f64>>,
+    pub coordinates: Vec<f64>,
+    /// Which assembly it is.
+    pub is_positive: bool,
 }
 
 impl<'a> DisplacedLoops<'a> {
@@ -62,11 +78,13 @@ impl<'a> DisplacedLoops<'a> {
             coordinates: vec![0.0; columns],
             centred: vec![0.0; columns],
             is_positive: true,
+            is_centre_positive: true,
             kinematics: Kinematics::new(tree),
             dual_kinematics: Kinematics::new(tree),
             residuals: vec![0.0; rows],
             dual_residuals: vec![Dual::constant(0.0); rows],
             jacobian: vec![0.0; rows * columns],
+            newton_steps: 0,
         }
     }
 
@@ -75,7 +93,8 @@ impl<'a> DisplacedLoops<'a> {
         self.centred.copy_from_slice(coordinates);
         self.centre();
         let mut matrix = self.loop_matrix();
-        self.is_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
+        self.is_centre_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
+        self.is_positive = self.is_centre_positive;
     }
 
     /// Takes the position nearest to `coordinates` in which the loops are closed with all journals centred.
@@ -90,8 +109,9 @@ impl<'a> DisplacedLoops<'a> {
         Ok(())
     }
 
-    /// Puts all joints back into the middle of their play.
+    /// Puts all joints back into the middle of their play, in the assembly of the position.
     pub fn centre(&mut self) {
+        self.is_positive = self.is_centre_positive;
         let centred = vec![Vec2::zero(); self.mechanism.plays.len()];
         self.set_displacements(&centred);
         self.coordinates.copy_from_slice(&self.centred);
@@ -104,11 +124,24 @@ impl<'a> DisplacedLoops<'a> {
     /// # Errors
     /// The loops cannot be closed, or a singular position lies on the way. The joints are then where they were.
     pub fn displace(&mut self, displacements: &[Vec2<f64>]) -> Result<(), AccuracyError> {
+        let start = self.place();
+        let moved = self.advance(displacements, 0.5_f64.powi(HALVINGS as i32));
+        if moved.is_err() {
+            self.put(&start);
+        }
+        moved
+    }
+
+    /// As [`Self::displace`], but where the loops cannot be closed on a part `smallest` of the way the joints stay where they could be last.
+    ///
+    /// # Errors
+    /// As for [`Self::displace`].
+    pub(super) fn advance(&mut self, displacements: &[Vec2<f64>], smallest: f64) -> Result<(), AccuracyError> {
         let start = self.displacements.clone();
-        let start_coordinates = self.coordinates.clone();
         let (mut reached, mut stride) = (0.0, 1.0);
-        let smallest = 0.5_f64.powi(HALVINGS as i32);
-        let mut last_coordinates = start_coordinates.clone();
+        let mut last = self.place();
+        let mut angles_rad = Vec::new();
+        self.keep_angles(&mut angles_rad);
         while reached < 1.0 {
             let share = f64::min(reached + stride, 1.0);
             let between: Vec<Vec2<f64>> = if share == 1.0 {
@@ -117,18 +150,18 @@ impl<'a> DisplacedLoops<'a> {
                 start.iter().zip(displacements).map(|(a, b)| *a * (1.0 - share) + *b * share).collect()
             };
             self.set_displacements(&between);
-            match self.close() {
+            match self.close_beside(&angles_rad) {
                 Ok(()) => {
+                    self.keep_angles(&mut angles_rad);
                     reached = share;
-                    last_coordinates.copy_from_slice(&self.coordinates);
+                    last.displacements = between;
+                    last.coordinates.copy_from_slice(&self.coordinates);
                 }
                 Err(error) => {
                     stride *= 0.5;
-                    self.coordinates.copy_from_slice(&last_coordinates);
+                    self.coordinates.copy_from_slice(&last.coordinates);
                     if stride < smallest {
-                        self.set_displacements(&start);
-                        self.coordinates.copy_from_slice(&start_coordinates);
-                        self.set_kinematics();
+                        self.put(&last);
                         return Err(error);
                     }
                 }
@@ -137,9 +170,85 @@ impl<'a> DisplacedLoops<'a> {
         Ok(())
     }
 
+    /// Where the joints and the loops are, and in which assembly.
+    pub(super) fn place(&self) -> LoopsPlace {
+        LoopsPlace {
+            displacements: self.displacements.clone(),
+            coordinates: self.coordinates.clone(),
+            is_positive: self.is_positive,
+        }
+    }
+
+    /// Goes where it was.
+    pub(super) fn put(&mut self, place: &LoopsPlace) {
+        self.set_displacements(&place.displacements);
+        self.coordinates.copy_from_slice(&place.coordinates);
+        self.is_positive = place.is_positive;
+        self.set_kinematics();
+    }
+
+    /// The determinant of the loop equations, positive in the present assembly and zero in a dead centre.
+    pub(super) fn determinant(&mut self) -> f64 {
+        let n = self.mechanism.ideal.free;
+        let determinant = determinant(&mut self.loop_matrix(), n);
+        if self.is_positive { determinant } else { -determinant }
+    }
+
+    /// From close to a dead centre to the other assembly, with the joints where they are: along the direction w in which the loops give way the
+    /// determinant d is zero at -d/d′, and as far again lies the other assembly.
+    ///
+    /// # Errors
+    /// It was not found.
+    pub(super) fn cross(&mut self) -> Result<(), AccuracyError> {
+        /// Steps of an inverse iteration: near a dead centre one direction stands out by far.
+        const ITERATIONS: usize = 4;
+        /// Half of the way along w, rad or m, over which d′ is a difference.
+        const DIFFERENCE: f64 = 1e-6;
+        /// Longer steps that are tried where the first one leads back.
+        const DOUBLINGS: i32 = 8;
+        let n = self.mechanism.ideal.free;
+        let start = self.place();
+        let mut angles_rad = Vec::new();
+        self.keep_angles(&mut angles_rad);
+        let matrix = self.loop_matrix();
+        let transposed: Vec<f64> = (0..n * n).map(|at| matrix[at % n * n + at / n]).collect();
+        let mut motion = vec![1.0; n];
+        for matrix in [&transposed, &matrix].into_iter().cycle().take(2 * ITERATIONS) {
+            solve_square(&mut matrix.clone(), n, &mut motion);
+            let length = motion.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+            motion.iter_mut().for_each(|entry| *entry /= length);
+        }
+        let mut along = |way: f64| {
+            self.put(&start);
+            self.coordinates.iter_mut().zip(&motion).for_each(|(coordinate, entry)| *coordinate += way * entry);
+            self.set_kinematics();
+            self.determinant()
+        };
+        let slope = (along(DIFFERENCE) - along(-DIFFERENCE)) / (2.0 * DIFFERENCE);
+        let way = -2.0 * along(0.0) / slope;
+        let mut last = Err(AccuracyError::SingularWithPlay);
+        for doubling in 0..DOUBLINGS {
+            self.put(&start);
+            let way = way * f64::from(1 << doubling);
+            self.coordinates.iter_mut().zip(&motion).for_each(|(coordinate, entry)| *coordinate += way * entry);
+            self.is_positive = !start.is_positive;
+            last = self.close_beside(&angles_rad);
+            if last.is_ok() {
+                return last;
+            }
+        }
+        self.put(&start);
+        last
+    }
+
     /// The present displacements, in the order of [`Mechanism::plays`].
     pub fn displacements(&self) -> &[Vec2<f64>] {
         &self.displacements
+    }
+
+    /// Steps of Newton's method so far: the work that was done.
+    pub fn newton_steps(&self) -> usize {
+        self.newton_steps
     }
 
     /// Coordinates of the ideal tree in the present position.
@@ -292,6 +401,18 @@ impl<'a> DisplacedLoops<'a> {
         }
     }
 
+    /// Closes the loops where no body turns far from `angles_rad`: close to a dead centre Newton's method may go anywhere.
+    fn close_beside(&mut self, angles_rad: &[f64]) -> Result<(), AccuracyError> {
+        self.close()?;
+        let turned = self.kinematics.poses.iter().zip(angles_rad).map(|(pose, before)| (pose.angle_rad - before).abs());
+        if turned.fold(0.0, f64::max) > FURTHEST_RAD { Err(AccuracyError::SingularWithPlay) } else { Ok(()) }
+    }
+
+    fn keep_angles(&self, angles_rad: &mut Vec<f64>) {
+        angles_rad.clear();
+        angles_rad.extend(self.kinematics.poses.iter().map(|pose| pose.angle_rad));
+    }
+
     /// Newton's method for Φ(q, e) = 0 over the free coordinates.
     fn close(&mut self) -> Result<(), AccuracyError> {
         let n = self.mechanism.ideal.free;
@@ -303,6 +424,7 @@ impl<'a> DisplacedLoops<'a> {
         }
         let mut polished = false;
         for _ in 0..NEWTON_STEPS {
+            self.newton_steps += 1;
             self.set_kinematics();
             let tree = &self.mechanism.ideal;
             constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
@@ -322,6 +444,12 @@ impl<'a> DisplacedLoops<'a> {
             let is_regular = solve_square(&mut matrix, n, &mut step) > SINGULAR_PIVOT_RATIO;
             if !is_regular {
                 return Err(AccuracyError::SingularWithPlay);
+            }
+            // Rows beside those that are solved may stay open: where nothing moves any more, nothing closes them.
+            let is_at_rest =
+                step.iter().zip(&self.coordinates).all(|(step, at)| step.abs() <= AT_REST * (1.0 + at.abs()));
+            if is_at_rest && !is_closed {
+                break;
             }
             self.coordinates.iter_mut().zip(step).for_each(|(coordinate, step)| *coordinate += step);
         }

@@ -7,6 +7,7 @@ mod accuracy_output;
 mod check;
 mod cycle;
 mod cycle_worst_case;
+mod dead_centre;
 mod deviation_ends;
 mod diagnostic;
 mod dimension;
@@ -21,6 +22,7 @@ mod position;
 pub use loosepin_result::motion as record;
 mod sensitivity;
 mod transmission;
+mod unproven;
 mod worst_case;
 
 pub use check::{check_quasi_static, quasi_static_check};

@@ -183,6 +183,7 @@ fn motion_with(
             parts: &recorder.parts,
             velocities: jets.iter().map(|jets| jets[..outputs.len()].iter().map(|jet| jet[1]).collect()).collect(),
             overhanging: overhanging_joints,
+            change_points: cycle.change_points(&input),
         };
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;

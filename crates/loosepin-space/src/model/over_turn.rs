@@ -76,11 +76,12 @@ impl SpatialModel {
             go_on()?;
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             let accuracy = Rc::new(accuracy);
-            for (course, output) in courses.iter_mut().zip(&self.outputs) {
-                course.add(sample, &accuracy).map_err(|error| self.no_answer(&output.name, *at, error))?;
-            }
-            if has_play && accuracy.reaches_dead_centre() {
+            let is_regular = !has_play || accuracy.is_regular();
+            if !is_regular && accuracy.reaches_dead_centre() {
                 dead_centre_samples.push(sample);
+            }
+            for (course, output) in courses.iter_mut().zip(&self.outputs) {
+                course.add(sample, &accuracy, is_regular).map_err(|error| self.no_answer(&output.name, *at, error))?;
             }
             poses.push(accuracy.position().poses.clone());
             for trace in traces.iter_mut().filter(|own| has_play && own.point.output.is_some() && zones.has(sample)) {
@@ -101,11 +102,13 @@ impl SpatialModel {
         let outputs = courses.into_iter().zip(&self.outputs).map(|(course, output)| {
             go_on()?;
             let at = inputs_si.get(course.sample).copied().unwrap_or_default();
-            let worst = course.worst_case(is_proven, is_stopped);
-            let worst = worst.map_err(|error| self.no_answer(&output.name, at, error))?;
-            self.output_record(output, course, worst, &states)
+            let refused = |error| self.no_answer(&output.name, at, error);
+            let worst = course.worst_case(is_proven, is_stopped).map_err(refused)?;
+            let worst_regular = course.worst_regular_case(is_proven, is_stopped).map_err(refused)?;
+            let record = self.output_record(output, course, worst, &states)?;
+            Ok(SpatialOutputRecord { worst_regular, ..record })
         });
-        let outputs = outputs.collect::<Result<_, _>>()?;
+        let outputs = outputs.collect::<Result<_, Diagnostics>>()?;
         let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
         Ok(SpatialMotionRecord { is_proven, dead_centre_samples, is_other_start, ..record })
     }
@@ -275,6 +278,7 @@ impl SpatialModel {
             },
             first_order_si: course.first_order_si,
             worst,
+            worst_regular: None,
             scatter: SpatialScatter::default(),
         })
     }
@@ -332,6 +336,9 @@ struct Course<'a> {
     /// The position with the largest worst case of first order.
     sample: usize,
     worst: Option<Worst<'a>>,
+    /// That of the positions in which play comes near no dead centre.
+    regular_sample: usize,
+    worst_regular: Option<Worst<'a>>,
 }
 
 /// The largest worst case of first order so far.
@@ -344,16 +351,22 @@ struct Worst<'a> {
 
 impl<'a> Course<'a> {
     fn new(components: Vec<SpatialOutput>) -> Self {
-        Self { components, first_order_si: Vec::new(), variances: Vec::new(), sample: 0, worst: None }
+        let (first_order_si, variances) = (Vec::new(), Vec::new());
+        Self { components, first_order_si, variances, sample: 0, worst: None, regular_sample: 0, worst_regular: None }
     }
 
-    fn add(&mut self, sample: usize, accuracy: &Rc<PoseAccuracy<'a>>) -> Result<(), AccuracyError> {
+    fn add(&mut self, sample: usize, accuracy: &Rc<PoseAccuracy<'a>>, is_regular: bool) -> Result<(), AccuracyError> {
         let (size, variance, along) = at_position(accuracy, &self.components)?;
         self.first_order_si.push(size);
         self.variances.extend(variance);
         // Round-off decides nothing: the first of several alike.
-        if self.worst.as_ref().is_none_or(|worst| size > worst.size * (1.0 + SAME)) {
-            (self.sample, self.worst) = (sample, Some(Worst { size, along, accuracy: Rc::clone(accuracy) }));
+        let is_worse = |known: &Option<Worst<'_>>| known.as_ref().is_none_or(|known| size > known.size * (1.0 + SAME));
+        let worst = || Worst { size, along, accuracy: Rc::clone(accuracy) };
+        if is_worse(&self.worst) {
+            (self.sample, self.worst) = (sample, Some(worst()));
+        }
+        if is_regular && is_worse(&self.worst_regular) {
+            (self.regular_sample, self.worst_regular) = (sample, Some(worst()));
         }
         Ok(())
     }
@@ -361,6 +374,17 @@ impl<'a> Course<'a> {
     fn worst_case(&self, is_proven: bool, is_stopped: IsStopped) -> Result<SpatialWorstCase, AccuracyError> {
         let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
         worst_case(&worst.accuracy, &worst.along, self.sample, (is_proven, is_stopped))
+    }
+
+    /// The worst case where play comes near no dead centre; `None` where that is the worst one, or nowhere.
+    fn worst_regular_case(
+        &self,
+        is_proven: bool,
+        is_stopped: IsStopped,
+    ) -> Result<Option<SpatialWorstCase>, AccuracyError> {
+        let other = self.worst_regular.as_ref().filter(|_| self.regular_sample != self.sample);
+        let how = (is_proven, is_stopped);
+        other.map(|worst| worst_case(&worst.accuracy, &worst.along, self.regular_sample, how)).transpose()
     }
 }
 

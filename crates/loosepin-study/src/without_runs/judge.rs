@@ -12,7 +12,8 @@ use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
 use loosepin_simulate::accuracy::{
-    AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until, dimension_direction,
+    AccuracyError, AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until,
+    dimension_direction,
 };
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::SiUnit;
@@ -169,6 +170,7 @@ impl Judge<'_> {
             Asked::One(place) => {
                 let own = &ends.of_questions[*place];
                 proven_si = over(&own.drive_angle_rad, &own.proven_si, pose_rad);
+                reason = reason.or_else(|| why_unproven(own, pose_rad));
                 found_si = own.found.map(|found| found.deviation_si);
                 found_at_rad = own.found.map(|found| found.drive_angle_rad);
                 for side in 0..2 {
@@ -183,6 +185,7 @@ impl Judge<'_> {
                 let far = x.proven_si.iter().zip(&y.proven_si).map(|(x, y)| largest(x).hypot(largest(y)));
                 let rows: Vec<[f64; 2]> = far.map(|far| [-far, far]).collect();
                 proven_si = over(&x.drive_angle_rad, &rows, pose_rad);
+                reason = reason.or_else(|| why_unproven(x, pose_rad));
             }
             Asked::No(words) => reason = Some((*words).to_owned()),
         }
@@ -319,13 +322,23 @@ impl Judge<'_> {
 
 /// The ends over the cycle, or over what the positions around a pose stand for.
 fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
+    let nothing = [f64::NEG_INFINITY, f64::INFINITY];
+    let rows = rows_of(drive_angle_rad, pose_rad).map(|row| ends[row]);
+    rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(nothing)
+}
+
+/// The first reason why nothing is proven there.
+fn why_unproven(ends: &DeviationEnds, pose_rad: Option<f64>) -> Option<String> {
+    rows_of(&ends.drive_angle_rad, pose_rad).find_map(|row| ends.unproven[row].clone())
+}
+
+/// The positions of the cycle, or those around a pose that it may lie next to.
+fn rows_of(drive_angle_rad: &[f64], pose_rad: Option<f64>) -> impl Iterator<Item = usize> + '_ {
     let steps = drive_angle_rad.windows(2).map(|pair| pair[1] - pair[0]);
     // Half a step on either side, and round-off.
     let half_rad = 0.5 * steps.fold(0.0, f64::max) * (1.0 + 1e-9);
-    let counts = |angle_rad: f64| pose_rad.is_none_or(|pose_rad| is_same(pose_rad, angle_rad, half_rad));
-    let rows = drive_angle_rad.iter().zip(ends).filter(|(angle_rad, _)| counts(**angle_rad)).map(|(_, ends)| *ends);
-    let nothing = [f64::NEG_INFINITY, f64::INFINITY];
-    rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(nothing)
+    let counts = move |row: &usize| pose_rad.is_none_or(|pose_rad| is_same(pose_rad, drive_angle_rad[*row], half_rad));
+    (0..drive_angle_rad.len()).filter(counts)
 }
 
 /// Whether two angles are the same within a turn up to `within_rad`.

@@ -144,3 +144,24 @@ fn play_at_a_dead_centre_comes_first() {
     let far = spatial_motion_text(&self::record(near));
     assert!(!far.contains("dead centre at"), "{far}");
 }
+
+#[test]
+fn analytic_the_worst_regular_position_stands_beside_one_at_a_dead_centre() {
+    let text = include_str!("../../../loosepin-simulate/tests/files/mend/dead_centre_in_space.toml");
+    let record = record(text);
+    let output = &record.outputs[0];
+    let regular = output.worst_regular.as_ref().expect("the worst position is at a dead centre");
+    // At 85° the rod's end is 49.81 mm above the guide: a rod that is 0.6 mm shorter still reaches it.
+    let (r, l, c): (f64, f64, f64) = (0.05, 0.0505, 0.6e-3);
+    let height = r * 85_f64.to_radians().sin();
+    assert!((record.inputs_si[regular.sample].sin().abs() * r - height).abs() < 1e-12, "{}", regular.sample);
+    let at = |l: f64| (l * l - height * height).sqrt();
+    let first_order = c * l / at(l);
+    assert!((output.first_order_si[regular.sample] / first_order - 1.0).abs() < 1e-9);
+    for (found, due) in [(regular.largest_si, at(l + c) - at(l)), (regular.smallest_si, at(l - c) - at(l))] {
+        assert!((found / due - 1.0).abs() < 1e-6, "{found} {due}");
+    }
+    let words = "slider: where play comes near no dead centre, the worst case of first order is 3.641 mm, at 85 deg; found there: ";
+    assert!(spatial_motion_text(&record).replace('\n', " ").contains(words), "{}", spatial_motion_text(&record));
+    assert!(spatial_motion_page(&record).contains("where play comes near no dead centre"));
+}

@@ -1,7 +1,7 @@
 //! The profile of a cam: a periodic cubic spline with dwells.
 
 use super::kind::Curve;
-use loosepin_math::{Pieces, Real, cubic_piece, numbers, periodic_spline, resting_spline};
+use loosepin_math::{Pieces, Real, cubic_piece, joined_all, numbers, periodic_spline, resting_spline};
 
 /// The coordinate of a follower over that of its cam: a spline through points, repeated for ever, each time from where the last one
 /// ended. Its second derivative does not jump. In a dwell the follower rests: the spline reaches it and leaves it with slope and second
@@ -48,17 +48,51 @@ impl<T: Real> CamProfile<T> {
     }
 }
 
+impl<T: Real> CamProfile<T> {
+    /// Value, slope and second derivative, so many periods behind the first one.
+    #[inline(always)]
+    fn in_period(&self, coordinate: T, periods: T) -> [T; 3] {
+        let (two, three) = (T::from_f64(2.0), T::from_f64(3.0));
+        let within = coordinate - periods * self.period;
+        let [value, slope, bend] = self.pieces.over(
+            within,
+            #[inline(always)]
+            |within, [origin, c0, c1, c2, c3]| {
+                let u = within - origin;
+                let value = c3.mul_add(u, c2).mul_add(u, c1).mul_add(u, c0);
+                let slope = (three * c3).mul_add(u, two * c2).mul_add(u, c1);
+                [value, slope, two * (three * c3).mul_add(u, c2)]
+            },
+        );
+        [periods.mul_add(self.rise, value), slope, bend]
+    }
+
+    /// Over a set of coordinates: over the part of it in each period, joined; `None` if it touches too many.
+    fn over_periods(&self, coordinate: T) -> Option<[T; 3]> {
+        const MOST: f64 = 8.0;
+        let [first, last] = ((coordinate - self.start) / self.period).ends().map(f64::floor);
+        if !(last - first < MOST) {
+            return None;
+        }
+        let parts = (0..=(last - first) as usize).filter_map(|k| {
+            let periods = T::from_f64(first + k as f64);
+            let low = (self.start + periods * self.period).ends()[0];
+            let high = (self.start + (periods + T::one()) * self.period).ends()[1];
+            Some(self.in_period(coordinate.part(low, high)?, periods))
+        });
+        parts.reduce(joined_all)
+    }
+}
+
 impl<T: Real> Curve<T> for CamProfile<T> {
     #[inline(always)]
     fn at(&self, coordinate: T) -> [T; 3] {
-        let (half, two, three) = (T::from_f64(0.5), T::from_f64(2.0), T::from_f64(3.0));
+        let half = T::from_f64(0.5);
         let periods = ((coordinate - self.start) / self.period - half).nearest_whole();
-        let within = coordinate - periods * self.period;
-        let [origin, c0, c1, c2, c3] = self.pieces.at(within);
-        let u = within - origin;
-        let value = c3.mul_add(u, c2).mul_add(u, c1).mul_add(u, c0);
-        let slope = (three * c3).mul_add(u, two * c2).mul_add(u, c1);
-        [periods.mul_add(self.rise, value), slope, two * (three * c3).mul_add(u, c2)]
+        if T::IS_SET {
+            return self.over_periods(coordinate).unwrap_or_else(|| self.in_period(coordinate, periods));
+        }
+        self.in_period(coordinate, periods)
     }
 
     /// A follower stays on its cam.

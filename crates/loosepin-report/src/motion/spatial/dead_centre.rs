@@ -1,7 +1,7 @@
 //! What is said where play takes a mechanism to a dead centre.
 
-use super::numbers::shown_input;
-use loosepin_result::spatial_motion::SpatialMotionRecord;
+use super::numbers::{shown_deviation, shown_input};
+use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
 use loosepin_text::units::counted;
 
@@ -18,4 +18,20 @@ pub(super) fn dead_centre_sentence(record: &SpatialMotionRecord, medium: Medium)
         "Play takes the mechanism to a dead centre {places}: there it can go over to its other assembly, and the worst case of first order says \
          nothing. What was found there is no bound: more may be possible."
     ))
+}
+
+/// The worst regular position of each output whose worst one is near a dead centre.
+pub(super) fn regular_sentences(record: &SpatialMotionRecord, medium: Medium) -> Vec<String> {
+    let sentence = |output: &SpatialOutputRecord| {
+        let own = output.worst_regular.as_ref()?;
+        let deviation = |value_si: f64| shown_deviation(value_si, output, medium);
+        let first_order_si = output.first_order_si.get(own.sample).copied()?;
+        let [first_order, up, down] = [first_order_si, own.largest_si, own.smallest_si].map(deviation);
+        Some(format!(
+            "{}: where play comes near no dead centre, the worst case of first order is {first_order}, at {}; found there: {up} and {down}.",
+            output.name,
+            shown_input(record, own.sample, medium)
+        ))
+    };
+    record.outputs.iter().filter_map(sentence).collect()
 }

@@ -1,6 +1,6 @@
 //! Outputs of a motion in space, and what each joint contributes, as tables.
 
-use super::dead_centre::dead_centre_sentence;
+use super::dead_centre::{dead_centre_sentence, regular_sentences};
 use super::numbers::{shown, shown_deviation, shown_end, shown_input};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
@@ -32,6 +32,10 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
     // A page begins with it.
     if let Some(sentence) = dead_centre_sentence(record, medium).filter(|_| medium == Medium::Terminal) {
         section.push(Content::sentences([sentence]));
+    }
+    let regular = regular_sentences(record, medium);
+    if !regular.is_empty() {
+        section.push(Content::sentences(regular));
     }
     if record.is_other_start {
         section.push(Content::sentences([format!("{}.", capitalised(OTHER_START))]));

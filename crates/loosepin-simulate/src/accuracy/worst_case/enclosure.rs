@@ -15,17 +15,16 @@
 //! ```
 
 use super::evaluate::Evaluator;
-use super::variables::Variables;
+use super::variables::{Variables, balls_and_numbers};
 use loosepin_math::{Dual, Interval, Real, solve_square};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Position, Values};
+use std::ops::Range;
 
 /// Boxes that are tried before the proof is given up.
 const BOXES: usize = 8;
 /// How much larger than what they must hold they are made.
 const INFLATION: f64 = 1.15;
-/// Growth of a box since the first at which it is given up.
-const MAX_GROWTH: f64 = 50.0;
 
 /// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.
 pub(in super::super) struct Enclosed {
@@ -56,17 +55,17 @@ pub(in super::super) struct Moving<'a> {
 
 /// Evaluators over the numbers that the proof needs.
 pub(in super::super) struct Encloser<'a> {
-    moving: Moving<'a>,
-    readings: Vec<Position>,
-    plain: Evaluator<'a, Dual<f64>>,
-    first: Evaluator<'a, Dual<Interval>>,
+    pub(super) moving: Moving<'a>,
+    pub(super) readings: Vec<Position>,
+    pub(super) plain: Evaluator<'a, Dual<f64>>,
+    pub(super) first: Evaluator<'a, Dual<Interval>>,
     second: Evaluator<'a, Dual<Dual<Interval>>>,
 }
 
 /// A box of which it is shown that it holds one position for each v.
-struct Closed {
+pub(super) struct Closed {
     /// A smaller box that holds all of these positions.
-    positions: Vec<Interval>,
+    pub positions: Vec<Interval>,
     /// The box itself.
     tried: Vec<Interval>,
     /// Derivatives over it.
@@ -74,9 +73,9 @@ struct Closed {
 }
 
 /// Derivatives of residuals and outputs over (q, v), row by row.
-struct Slopes<T> {
-    of_residuals: Vec<T>,
-    of_outputs: Vec<T>,
+pub(super) struct Slopes<T> {
+    pub of_residuals: Vec<T>,
+    pub of_outputs: Vec<T>,
 }
 
 impl Moving<'_> {
@@ -85,7 +84,13 @@ impl Moving<'_> {
         self.variables.count() + self.dimensions.len() + usize::from(self.driven_steps.is_some())
     }
 
-    fn place<T: Real>(&self, evaluator: &mut Evaluator<'_, T>, q: &[T], driven: &[f64], v: &[T]) {
+    /// Places of the numbers of each ball of v.
+    pub fn balls(&self) -> Vec<Range<usize>> {
+        let others = self.dimensions.len() + usize::from(self.driven_steps.is_some());
+        balls_and_numbers(self.variables.balls.clone(), others)
+    }
+
+    pub(super) fn place<T: Real>(&self, evaluator: &mut Evaluator<'_, T>, q: &[T], driven: &[f64], v: &[T]) {
         let plays = self.variables.count();
         if !self.dimensions.is_empty() {
             let number = |id: usize| {
@@ -120,11 +125,16 @@ impl<'a> Encloser<'a> {
         }
     }
 
+    /// Takes other changes of the driven coordinates at the limit of the input, where it may move.
+    pub fn take_steps(&mut self, steps: Option<&[f64]>) {
+        self.moving.driven_steps = steps.map(<[f64]>::to_vec);
+    }
+
     /// Derivatives of the outputs around the ideal position `coordinates`, free coordinates first, then driven ones.
     ///
     /// # Errors
     /// The loops were not shown to close in one way.
-    pub fn enclose(&mut self, coordinates: &[f64]) -> Result<Enclosed, NotEnclosed> {
+    pub fn in_one_box(&mut self, coordinates: &[f64]) -> Result<Enclosed, NotEnclosed> {
         let n = self.moving.mechanism.ideal.free;
         let nv = self.moving.count();
         let (q0, driven) = coordinates.split_at(n);
@@ -132,10 +142,7 @@ impl<'a> Encloser<'a> {
         let Some(inverse) = inverse_of(&at_rest.of_residuals, n, n + nv) else {
             return Err(NotEnclosed { coordinate: 0 });
         };
-        // The ideal position itself is known to round-off.
-        let nowhere = vec![Interval::ZERO; nv];
-        let round_off: Vec<f64> = q0.iter().map(|q| 1e-13 * (1.0 + q.abs())).collect();
-        let exact = self.closed(q0, driven, &nowhere, round_off, &inverse)?;
+        let exact = self.exact(coordinates)?;
         let (_, gradients) = self.ways(&exact.slopes, &inverse).ok_or(NotEnclosed { coordinate: 0 })?;
 
         let everywhere = vec![Interval::around_zero(1.0); nv];
@@ -160,6 +167,18 @@ impl<'a> Encloser<'a> {
         Ok(Enclosed { gradients, hessians, slopes })
     }
 
+    /// The ideal position itself, known to round-off.
+    pub(super) fn exact(&mut self, coordinates: &[f64]) -> Result<Closed, NotEnclosed> {
+        let n = self.moving.mechanism.ideal.free;
+        let nv = self.moving.count();
+        let (q0, driven) = coordinates.split_at(n);
+        let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
+        let inverse = inverse_of(&at_rest.of_residuals, n, n + nv).ok_or(NotEnclosed { coordinate: 0 })?;
+        let nowhere = vec![Interval::ZERO; nv];
+        let round_off: Vec<f64> = q0.iter().map(|q| 1e-13 * (1.0 + q.abs())).collect();
+        self.closed(q0, driven, &nowhere, round_off, &inverse)
+    }
+
     /// A box around `q0` that holds the one position for each v in `v`, and the derivatives over it.
     fn closed(
         &mut self,
@@ -179,33 +198,15 @@ impl<'a> Encloser<'a> {
             let away: Vec<Interval> = radii.iter().map(|radius| Interval::around_zero(*radius)).collect();
             let box_: Vec<Interval> = centre.iter().zip(&away).map(|(q, away)| *q + *away).collect();
             let at = slopes(&self.moving, &mut self.first, &self.readings, &box_, driven, v);
-            let times = |row: usize, column: usize| {
-                (0..n).fold(Interval::ZERO, |sum, k| {
-                    sum + Interval::from_f64(inverse[row * n + k]) * at.of_residuals[k * (n + nv) + column]
-                })
-            };
-            let mut inside = true;
-            let mut found = Vec::with_capacity(n);
-            for row in 0..n {
-                let mut sum =
-                    (0..n).fold(Interval::ZERO, |sum, k| sum - Interval::from_f64(inverse[row * n + k]) * residuals[k]);
-                for (k, v) in v.iter().enumerate() {
-                    sum -= times(row, n + k) * *v;
-                }
-                for column in 0..n {
-                    let unit = Interval::from_f64(f64::from(u8::from(row == column)));
-                    sum += (unit - times(row, column)) * away[column];
-                }
-                inside &= sum.is_inside(away[row]);
-                found.push(sum);
-            }
+            let found = krawczyk_image(inverse, &at.of_residuals, n, &residuals, v, &away);
             let growth = |row: usize| found[row].magnitude() / first_radii[row];
             worst = (0..n).max_by(|a, b| growth(*a).total_cmp(&growth(*b))).unwrap_or(0);
-            if inside {
+            if found.iter().zip(&away).all(|(found, away)| found.is_inside(*away)) {
                 let positions = centre.iter().zip(&found).map(|(q, away)| *q + *away).collect();
                 return Ok(Closed { positions, tried: box_, slopes: at });
             }
-            if n > 0 && !(growth(worst) < MAX_GROWTH) {
+            // A coordinate that the play does not move at all grows from nothing: only what has no end is given up before its time.
+            if !found.iter().all(|found| found.is_finite()) {
                 break;
             }
             for (radius, found) in radii.iter_mut().zip(&found) {
@@ -301,21 +302,52 @@ impl<'a> Encloser<'a> {
     }
 }
 
-/// Residuals at a place.
-fn residuals(
-    moving: &Moving<'_>,
-    evaluator: &mut Evaluator<'_, Dual<Interval>>,
-    q: &[Interval],
-    driven: &[f64],
-    v: &[Interval],
+/// How far from its middle Krawczyk's operator takes a box of `n` unknowns with the half-widths `away`, where parameters lie in `parameters`
+/// around the middle: - Y F - Y dF/du u + (1 - Y dF/dx) away. `matrix` holds dF/dx and dF/du, row by row.
+pub(super) fn krawczyk_image(
+    inverse: &[f64],
+    matrix: &[Interval],
+    n: usize,
+    residuals: &[Interval],
+    parameters: &[Interval],
+    away: &[Interval],
 ) -> Vec<Interval> {
+    let columns = n + parameters.len();
+    let times = |row: usize, column: usize| {
+        (0..n).fold(Interval::ZERO, |sum, k| {
+            sum + Interval::from_f64(inverse[row * n + k]) * matrix[k * columns + column]
+        })
+    };
+    let image = |row: usize| {
+        let mut sum =
+            (0..n).fold(Interval::ZERO, |sum, k| sum - Interval::from_f64(inverse[row * n + k]) * residuals[k]);
+        for (k, parameter) in parameters.iter().enumerate() {
+            sum -= times(row, n + k) * *parameter;
+        }
+        for column in 0..n {
+            let unit = Interval::from_f64(f64::from(u8::from(row == column)));
+            sum += (unit - times(row, column)) * away[column];
+        }
+        sum
+    };
+    (0..n).map(image).collect()
+}
+
+/// Residuals at a place.
+pub(super) fn residuals<T: Real>(
+    moving: &Moving<'_>,
+    evaluator: &mut Evaluator<'_, Dual<T>>,
+    q: &[T],
+    driven: &[f64],
+    v: &[T],
+) -> Vec<T> {
     let [q, v] = [q, v].map(|numbers| numbers.iter().map(|number| Dual::constant(*number)).collect::<Vec<_>>());
     moving.place(evaluator, &q, driven, &v);
     evaluator.residuals().map(|residual| residual.value).collect()
 }
 
 /// Residuals and outputs with their first derivatives.
-fn slopes<T: Real>(
+pub(super) fn slopes<T: Real>(
     moving: &Moving<'_>,
     evaluator: &mut Evaluator<'_, Dual<T>>,
     readings: &[Position],
@@ -342,12 +374,12 @@ fn slopes<T: Real>(
 }
 
 /// Y times some columns of a matrix with `n` rows.
-fn preconditioned(
+pub(super) fn preconditioned(
     inverse: &[f64],
     matrix: &[Interval],
     n: usize,
     columns: usize,
-    of: std::ops::Range<usize>,
+    of: Range<usize>,
 ) -> Vec<Interval> {
     let mut product = Vec::with_capacity(n * of.len());
     for row in 0..n {
@@ -360,7 +392,12 @@ fn preconditioned(
 }
 
 /// Solves a system near the identity with `m` right-hand sides, row by row; `None` if a pivot may be zero.
-fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: usize) -> Option<Vec<Interval>> {
+pub(super) fn eliminate(
+    mut matrix: Vec<Interval>,
+    n: usize,
+    mut right: Vec<Interval>,
+    m: usize,
+) -> Option<Vec<Interval>> {
     for j in 0..n {
         if !(matrix[j * n + j].low() > 0.0) {
             return None;
@@ -390,7 +427,7 @@ fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: u
 }
 
 /// The inverse of the first `n` columns of a matrix with `n` rows; `None` if they are singular.
-fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
+pub(super) fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; n * n];
     for column in 0..n {
         let mut square: Vec<f64> = (0..n * n).map(|at| matrix[at / n * columns + at % n]).collect();

@@ -1,9 +1,11 @@
 //! The worst cases of all outputs over the positions of a cycle.
 
+use super::super::dead_centre::dead_centre;
 use super::super::loops::DisplacedLoops;
 use super::super::play_reach::PlayReach;
 use super::enclosure::{Encloser, Moving};
-use super::search::{Objective, WorstPosition, best_of, starts_on_borders};
+use super::positions::Positions;
+use super::search::{Objective, WorstPosition, best_across, best_of, starts_on_borders};
 use super::upper_end::{Ends, Reference};
 use super::variables::Variables;
 use loosepin_math::Vec2;
@@ -24,9 +26,9 @@ pub(in super::super) struct CycleOfPositions<'c> {
     pub readings: &'c [Position],
     /// Coordinates of the ideal tree at each position, free ones first.
     pub coordinates: Vec<&'c [f64]>,
-    /// Half the way of each driven coordinate from one position to the next, where drives run at constant speed: the proven ends then hold
+    /// At each position, half the way of each driven coordinate to the next, where drives run at constant speed: the proven ends then hold
     /// between positions too.
-    pub driven_steps: Option<Vec<f64>>,
+    pub driven_steps: Option<Vec<Vec<f64>>>,
 }
 
 /// An output as a sum of positions.
@@ -47,11 +49,22 @@ pub(in super::super) struct FoundAndProven {
     pub proven_si: [f64; 2],
 }
 
-/// The worst cases of `outputs` at all positions, output by output, and at which positions nothing is proven, with the coordinate that is
-/// known least.
+/// The worst cases of `outputs` at all positions, output by output, and at which positions nothing is proven.
 pub(in super::super) struct CycleWorstCase {
     pub of_outputs: Vec<Vec<FoundAndProven>>,
-    pub not_proven: Vec<Option<usize>>,
+    pub not_proven: Vec<Option<NotProven>>,
+    /// Positions of which a proof was tried: the work that was done.
+    #[cfg(test)]
+    pub proofs: usize,
+}
+
+/// A position at which nothing is proven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) struct NotProven {
+    /// The coordinate that moves most where the loops give way.
+    pub coordinate: usize,
+    /// Whether play was found to take the mechanism to a dead centre. The worst case that was found is then that of both assemblies.
+    pub reaches_dead_centre: bool,
 }
 
 /// Goes over the cycle until `is_stopped`; `None` if it was stopped.
@@ -68,7 +81,7 @@ pub(in super::super) fn worst_over_cycle(
         values: cycle.values,
         variables,
         dimensions: Vec::new(),
-        driven_steps: cycle.driven_steps.clone(),
+        driven_steps: cycle.driven_steps.as_ref().map(|_| Vec::new()),
     };
     let mut encloser = Encloser::new(moving, cycle.readings.to_vec());
     let mut not_proven = Vec::with_capacity(cycle.coordinates.len());
@@ -80,30 +93,104 @@ pub(in super::super) fn worst_over_cycle(
                 .collect()
         })
         .collect();
+    let tree = &cycle.mechanism.ideal;
+    // Where joints repeat each other nothing is proven, whatever the loops are.
+    let is_provable = tree.free == tree.constraint_rows();
+    #[cfg(test)]
+    let mut proofs = 0;
     for (row, coordinates) in cycle.coordinates.iter().enumerate() {
         if is_stopped() {
             return None;
         }
-        let enclosed = match encloser.enclose(coordinates) {
-            Ok(enclosed) => enclosed,
+        if !is_provable {
+            not_proven.push(Some(NotProven { coordinate: 0, reaches_dead_centre: false }));
+            continue;
+        }
+        #[cfg(test)]
+        {
+            proofs += 1;
+        }
+        encloser.take_steps(cycle.driven_steps.as_ref().map(|steps| steps[row].as_slice()));
+        let positions = match Positions::around(&mut encloser, coordinates) {
+            Ok(positions) => positions,
             Err(failed) => {
-                not_proven.push(Some(failed.coordinate));
+                not_proven.push(Some(NotProven { coordinate: failed.coordinate, reaches_dead_centre: false }));
                 continue;
             }
         };
-        not_proven.push(None);
-        for (output, rows) in outputs.iter().zip(&mut of_outputs) {
-            let weights = &output.weights[row];
-            rows[row].proven_si = match (output.path, &weights[..]) {
-                (Some(path), [(_, x), (_, y)]) => ends.of_path(&enclosed, path, [*x, *y]),
-                _ => ends.of(&enclosed, weights),
-            };
+        let ends_of = |positions: &Positions, output: &WeightedOutput| match (output.path, &output.weights[row][..]) {
+            (Some(path), [(_, x), (_, y)]) => ends.of_path(positions, path, [*x, *y]),
+            (_, weights) => ends.of(positions, weights),
+        };
+        let is_known = |proven_si: &[f64; 2]| proven_si.iter().all(|end| end.is_finite());
+        let mut proven_si: Vec<[f64; 2]> = outputs.iter().map(|output| ends_of(&positions, output)).collect();
+        // Second derivatives over one box may leave an end open that slices close.
+        if !proven_si.iter().all(is_known)
+            && let Ok(sliced) = encloser.in_slices(coordinates)
+        {
+            let positions = Positions::InSlices(sliced);
+            for (proven_si, output) in proven_si.iter_mut().zip(outputs) {
+                if !is_known(proven_si) {
+                    *proven_si = ends_of(&positions, output);
+                }
+            }
+        }
+        let is_open = !proven_si.iter().all(is_known);
+        not_proven.push(is_open.then(|| NotProven { coordinate: 0, reaches_dead_centre: false }));
+        for (rows, proven_si) in of_outputs.iter_mut().zip(proven_si) {
+            rows[row].proven_si = proven_si;
         }
     }
-    Some(CycleWorstCase { of_outputs, not_proven })
+    // Where joints repeat each other, the rows that are solved are no measure of how regular the loops are.
+    let is_finished = !is_provable || search_across(cycle, outputs, &mut of_outputs, &mut not_proven, is_stopped);
+    is_finished.then_some(CycleWorstCase {
+        of_outputs,
+        not_proven,
+        #[cfg(test)]
+        proofs,
+    })
 }
 
-/// `[lowest, highest]` of each output at each position.
+/// Searches the other assembly too wherever nothing is proven and play reaches a dead centre; `false` if it was stopped.
+fn search_across(
+    cycle: &CycleOfPositions<'_>,
+    outputs: &[WeightedOutput],
+    of_outputs: &mut [Vec<FoundAndProven>],
+    not_proven: &mut [Option<NotProven>],
+    is_stopped: &dyn Fn() -> bool,
+) -> bool {
+    let mut loops = DisplacedLoops::new(cycle.mechanism, cycle.values);
+    let borders = starts_on_borders(cycle.reaches);
+    let mut before: Vec<Option<[WorstPosition; 2]>> = vec![None; outputs.len()];
+    for (row, not_proven) in not_proven.iter_mut().enumerate() {
+        let Some(not_proven) = not_proven else { continue };
+        if is_stopped() {
+            return false;
+        }
+        loops.set_position(cycle.coordinates[row]);
+        let Some(dead_centre) = dead_centre(&mut loops, cycle.reaches) else { continue };
+        not_proven.reaches_dead_centre = true;
+        let Some(other) = dead_centre.other else { continue };
+        for (number, (output, rows)) in outputs.iter().zip(of_outputs.iter_mut()).enumerate() {
+            let objective = Objective { readings: cycle.readings, weights: &output.weights[row] };
+            let across = [0, 1].map(|side| {
+                let last = before[number].as_ref().map(|before| before[side].displacements.as_slice());
+                let starts = std::iter::once(other.displacements.as_slice()).chain(last);
+                let starts: Vec<&[Vec2<f64>]> = starts.chain(borders.iter().map(Vec::as_slice)).collect();
+                best_across(&mut loops, &other, objective, cycle.reaches, &starts, [-1.0, 1.0][side])
+            });
+            for (own, across) in rows[row].found.iter_mut().zip(&across) {
+                if across.deviation_si.abs() > own.deviation_si.abs() {
+                    *own = across.clone();
+                }
+            }
+            before[number] = Some(across);
+        }
+    }
+    true
+}
+
+/// `[lowest, highest]` of each output at each position, in the assembly of the cycle.
 fn found_over_cycle(
     cycle: &CycleOfPositions<'_>,
     outputs: &[WeightedOutput],
@@ -164,4 +251,52 @@ fn found_over_cycle(
         }
     }
     Some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_mechanics::mechanism::{IdealMotion, Sample};
+    use loosepin_mechanics::model::Model;
+
+    /// Thirteen pins, each held by a guide and by its hole: 13 constraints too many.
+    const STRIKERS: &str = include_str!("../../../tests/files/mend/slow_motion.toml");
+
+    /// Work on one position of a model: proofs that were tried, and Newton steps for one displacement that no loop can follow.
+    fn work(text: &str) -> (usize, usize) {
+        let model = Model::from_text("model.toml", text).expect("the model is sound");
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).expect("it can be built");
+        let sample = Sample::new(&mechanism, &values).expect("the values fit");
+        let reaches = PlayReach::of_sample(&mechanism, &sample, sample.plays.iter().map(|_| 0.0)).expect("pins");
+        let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("it closes");
+        let readings: Vec<Position> =
+            crate::accuracy::position_outputs(&mechanism).into_iter().map(|output| output.reading).collect();
+        let cycle = CycleOfPositions {
+            mechanism: &mechanism,
+            values: &values,
+            reaches: &reaches,
+            readings: &readings,
+            coordinates: vec![ideal.coordinates(); 3],
+            driven_steps: None,
+        };
+        let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; 3], path: None };
+        let worst = worst_over_cycle(&cycle, &[output], &|| false).expect("nobody stops it");
+        let mut loops = DisplacedLoops::new(&mechanism, &values);
+        loops.set_position(ideal.coordinates());
+        let borders = starts_on_borders(&reaches);
+        let before = loops.newton_steps();
+        let _ = loops.displace(&borders[1]);
+        (worst.proofs, loops.newton_steps() - before)
+    }
+
+    #[test]
+    fn no_proof_is_tried_and_no_step_repeated_where_joints_repeat_each_other() {
+        let (proofs, newton_steps) = work(STRIKERS);
+        assert_eq!(proofs, 0, "what comes of it would be thrown away");
+        // Eleven parts of a way, each given up in the step after the one that solves the rows that can be: not in the twelfth.
+        assert!(newton_steps <= 11 * 4, "{newton_steps}");
+        let slider_crank = include_str!("../../../tests/files/mend/dead_centre.toml");
+        assert_eq!(work(slider_crank).0, 3);
+    }
 }

@@ -1,6 +1,6 @@
 //! The largest deviation that is found over the play, the loops closed exactly.
 
-use super::super::loops::DisplacedLoops;
+use super::super::loops::{DisplacedLoops, LoopsPlace};
 use super::super::play_reach::PlayReach;
 use loosepin_math::Vec2;
 use loosepin_mechanics::model::Position;
@@ -90,13 +90,39 @@ pub(in super::super) fn best_of(
     starts: &[&[Vec2<f64>]],
     sign: f64,
 ) -> (WorstPosition, bool) {
+    best_from(loops, None, objective, reaches, starts, sign)
+}
+
+/// As [`best_of`], in the assembly of `other`: the deviation is counted from the position in the middle of the play as before.
+pub(in super::super) fn best_across(
+    loops: &mut DisplacedLoops<'_>,
+    other: &LoopsPlace,
+    objective: Objective<'_>,
+    reaches: &[PlayReach],
+    starts: &[&[Vec2<f64>]],
+    sign: f64,
+) -> WorstPosition {
+    best_from(loops, Some(other), objective, reaches, starts, sign).0
+}
+
+fn best_from(
+    loops: &mut DisplacedLoops<'_>,
+    other: Option<&LoopsPlace>,
+    objective: Objective<'_>,
+    reaches: &[PlayReach],
+    starts: &[&[Vec2<f64>]],
+    sign: f64,
+) -> (WorstPosition, bool) {
     loops.centre();
     let centred = objective.value(loops);
     let mut best = WorstPosition { deviation_si: 0.0, displacements: loops.displacements().to_vec() };
     let mut is_blocked = false;
     // Whether the loops were in the way.
     let mut from = |start: &[Vec2<f64>], best: &mut WorstPosition| {
-        loops.centre();
+        match other {
+            Some(place) => loops.put(place),
+            None => loops.centre(),
+        }
         if loops.displace(start).is_err() {
             return true;
         }

@@ -12,6 +12,8 @@
 //! the position without play has too.
 
 use super::enclosure::Enclosed;
+use super::positions::Positions;
+use super::variables::balls_and_numbers;
 use loosepin_math::{Interval, QuadraticOverBalls, Real};
 use std::ops::Range;
 
@@ -37,22 +39,29 @@ pub(in super::super) struct Ends {
 
 impl Ends {
     /// `balls` of the play, `dimensions` numbers and perhaps the input.
-    pub fn new(mut balls: Vec<Range<usize>>, dimensions: usize, has_input: bool, reference: Reference) -> Self {
+    pub fn new(balls: Vec<Range<usize>>, dimensions: usize, has_input: bool, reference: Reference) -> Self {
         let plays = balls.last().map_or(0, |ball| ball.end);
         let first_of_reference = match reference {
             Reference::SameParts => plays,
             Reference::NominalParts => plays + dimensions,
             Reference::ThisPosition => usize::MAX,
         };
-        for _ in 0..dimensions + usize::from(has_input) {
-            let next = balls.last().map_or(0, |ball| ball.end);
-            balls.push(next..next + 1);
-        }
+        let balls = balls_and_numbers(balls, dimensions + usize::from(has_input));
         Self { balls, has_input, first_of_reference }
     }
 
     /// Ends `[lowest, highest]` of the output that counts positions by `weights`; infinite if unproven.
-    pub fn of(&self, enclosed: &Enclosed, weights: &[(usize, f64)]) -> [f64; 2] {
+    pub fn of(&self, positions: &Positions, weights: &[(usize, f64)]) -> [f64; 2] {
+        match positions {
+            Positions::InOneBox(enclosed) => self.in_one_box(enclosed, weights),
+            Positions::InSlices(sliced) => {
+                let end = |sign: f64| sliced.upper_end(weights, sign, &self.balls, self.first_of_reference);
+                [0.0 - end(-1.0), end(1.0)]
+            }
+        }
+    }
+
+    fn in_one_box(&self, enclosed: &Enclosed, weights: &[(usize, f64)]) -> [f64; 2] {
         let n = self.balls.last().map_or(0, |ball| ball.end);
         let sum = |parts: &[Vec<Interval>], at: usize, sign: f64| {
             weights.iter().fold(Interval::ZERO, |sum, (place, weight)| {
@@ -81,12 +90,18 @@ impl Ends {
 
     /// As [`Self::of`] for the error of a path at the places `coordinates`, of which `weights` gives x and y: they turn with the direction
     /// of the path while the input moves.
-    pub fn of_path(&self, enclosed: &Enclosed, coordinates: [usize; 2], weights: [f64; 2]) -> [f64; 2] {
-        let [low, high] = self.of(enclosed, &[(coordinates[0], weights[0]), (coordinates[1], weights[1])]);
+    pub fn of_path(&self, positions: &Positions, coordinates: [usize; 2], weights: [f64; 2]) -> [f64; 2] {
+        let [low, high] = self.of(positions, &[(coordinates[0], weights[0]), (coordinates[1], weights[1])]);
         if !self.has_input {
             return [low, high];
         }
-        let slope = |place: usize| enclosed.slopes[place].last().copied().unwrap_or(Interval::WHOLE);
+        let slope = |place: usize| {
+            let own = match positions {
+                Positions::InOneBox(enclosed) => enclosed.slopes[place].last().copied(),
+                Positions::InSlices(sliced) => sliced.slope_by_input(place),
+            };
+            own.unwrap_or(Interval::WHOLE)
+        };
         let [x, y] = coordinates.map(slope);
         let speed = (x.squared() + y.squared()).sqrt();
         let [along_x, along_y] = [x / speed, y / speed];
@@ -97,7 +112,7 @@ impl Ends {
         let sign = if weights[0] * now[0].middle() + weights[1] * now[1].middle() < 0.0 { -1.0 } else { 1.0 };
         let mut more = Interval::ZERO;
         for k in 0..2 {
-            let [low, high] = self.of(enclosed, &[(coordinates[k], 1.0)]);
+            let [low, high] = self.of(positions, &[(coordinates[k], 1.0)]);
             let reach = Interval::from_f64(f64::max(-low, high));
             more += (now[k] * Interval::from_f64(sign) - Interval::from_f64(weights[k])).abs() * reach;
         }

@@ -95,3 +95,12 @@ impl Variables {
         })
     }
 }
+
+/// Balls of the play, and behind them so many numbers that lie between -1 and 1 each.
+pub(super) fn balls_and_numbers(mut balls: Vec<Range<usize>>, numbers: usize) -> Vec<Range<usize>> {
+    for _ in 0..numbers {
+        let next = balls.last().map_or(0, |ball| ball.end);
+        balls.push(next..next + 1);
+    }
+    balls
+}

@@ -7,6 +7,7 @@ mod guide;
 mod kinematics;
 mod mechanics;
 mod motion;
+mod near_dead_centres;
 mod oracle;
 mod point_path;
 mod runs;

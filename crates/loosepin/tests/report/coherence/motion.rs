@@ -100,7 +100,11 @@ fn judged() -> MotionRecord {
     MotionRecord {
         kinematics: Default::default(),
         guide_overhangs: vec![GuideOverhang { joint: "rail".to_owned(), spans_rad: vec![[0.3, 0.9], [3.5, 3.5]] }],
-        unproven_spans: vec![UnprovenSpan { span_rad: [1.2, 1.3], words: "a dead point is near".to_owned() }],
+        unproven_spans: vec![UnprovenSpan {
+            span_rad: [1.2, 1.3],
+            words: "a dead point is near".to_owned(),
+            reaches_dead_centre: false,
+        }],
         requirements: vec![
             requirement(MotionVerdict::Met, None),
             requirement(MotionVerdict::NotMetInTheWorstCase, Some(0.7)),

@@ -3,7 +3,7 @@
 
 mod mechanism;
 mod optimiser;
-mod random;
+pub(super) mod random;
 
 use super::build_text;
 use super::worst_case_of_cycle::worst_of;

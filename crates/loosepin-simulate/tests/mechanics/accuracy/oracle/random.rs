@@ -1,7 +1,7 @@
 //! Numbers that look random, the same on every machine.
 
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
-pub(super) struct Random(u64);
+pub(in super::super) struct Random(u64);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
