@@ -96,6 +96,13 @@ impl Sample {
         Self { smooth, unseen, ..Self::of(Numbers::InMemory(values), self.replicate_ends.clone(), self.failed) }
     }
 
+    /// The magnitudes of these runs, counted: they have a kink, which no polynomial follows.
+    pub fn magnitudes(&self) -> Self {
+        let values: Arc<[f64]> = self.values.iter().map(|value| value.abs()).collect();
+        let unseen = self.unseen.map(|unseen| UnsampledEvents { below: unseen.largest(), above: unseen.largest() });
+        Self { unseen, ..Self::of(Numbers::InMemory(values), self.replicate_ends.clone(), self.failed) }
+    }
+
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
     pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
         debug_assert_eq!(self.replicate_ends, other.replicate_ends, "the same runs");

@@ -9,6 +9,7 @@ mod deviation;
 mod evidence;
 pub(crate) mod experiment;
 mod interval;
+mod inverted;
 mod limits;
 pub(crate) mod pinching;
 pub(crate) mod probability_box;

@@ -14,6 +14,9 @@ use crate::measures::of_statistic::{estimator, work_out};
 use crate::search::models::of_points::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
+/// More probabilities than this, as those at every pose of several curves, have their own models alone: quantiles take up to 26 more of each.
+const MOST_NARROWED: usize = 128;
+
 impl Experiment<'_> {
     /// The bounds over every α-cut, what is possible at all first; those over a cut hold those over the cuts within it.
     pub fn cuts(&self) -> Vec<CutBounds> {
@@ -55,8 +58,17 @@ impl Experiment<'_> {
         whole: &Focal<'_>,
     ) -> Vec<BoundPair> {
         let centre = self.centre(std::slice::from_ref(whole));
+        let are_narrowed = requests.iter().filter(|own| own.statistic.event().is_some()).count() <= MOST_NARROWED;
         let pair = |(&Request { column, statistic }, modelled): (&Request, &Modelled<'_>)| {
-            let ends = Direction::BOTH.map(|direction| self.bound(modelled, direction, whole));
+            let ends = Direction::BOTH.map(|direction| {
+                let bound = self.bound(modelled, direction, whole);
+                match modelled.measure.of.event().filter(|_| are_narrowed) {
+                    Some(event) => {
+                        self.narrowed_by_quantiles(bound, event, &self.pool.samples(column), direction, whole)
+                    }
+                    None => bound,
+                }
+            });
             let seen = modelled.measure.low.iter().map(Estimate::lower_limit).collect();
             let central = centre.map(|point| modelled.at(point));
             BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) }
