@@ -12,7 +12,8 @@ use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
 use loosepin_simulate::accuracy::{
-    AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until, dimension_direction,
+    AccuracyError, AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until,
+    dimension_direction,
 };
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::SiUnit;
@@ -62,6 +63,29 @@ enum Asked {
 
 const NO_POSITION: Asked = Asked::No("it is no position");
 
+/// How far positions go while inputs lie within limits.
+struct WithinLimits {
+    ends: AllDeviationEnds,
+    /// At least this share of all mechanisms has all inputs within the limits.
+    share: f64,
+    /// Why nothing is proven, where that is so.
+    reason: Option<String>,
+}
+
+/// Proven ends of deviations of positions over the turn of `study` in `positions` steps, its inputs within their limits; each at every angle of
+/// the drive. `None` where nothing is proven.
+pub(super) fn proven_over_turn(
+    study: &Study,
+    positions: usize,
+    questions: &[DeviationQuestion],
+) -> Option<Vec<DeviationEnds>> {
+    let set_values = study.model.planar()?.set_values(&[]).ok()?;
+    let stop = &AtomicBool::new(false);
+    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
+    let WithinLimits { ends, reason, .. } = judge.within_limits(&study.input_limits(), questions).ok()?;
+    reason.is_none().then_some(ends.of_questions)
+}
+
 struct Judge<'s> {
     study: &'s Study,
     model: &'s Model,
@@ -71,9 +95,12 @@ struct Judge<'s> {
 }
 
 impl Judge<'_> {
-    /// The verdict on each requirement with inputs within `limits`.
-    fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
-        let (questions, asked) = self.questions();
+    /// How far positions go with inputs within `limits`.
+    fn within_limits(
+        &self,
+        limits: &[InputLimits],
+        questions: &[DeviationQuestion],
+    ) -> Result<WithinLimits, AccuracyError> {
         let (values, mut reason) = self.with_most_play(limits);
         let mechanism = Mechanism::new(self.model, &values).map_err(|_| AccuracyError::NotDriven)?;
         let mut miss = 0.0;
@@ -100,12 +127,18 @@ impl Judge<'_> {
             AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
         } else {
             let turn = (self.study.cycle.span, self.positions);
-            deviation_ends_until(&mechanism, &values, turn, (&dimensions, &questions), self.stop)?
+            deviation_ends_until(&mechanism, &values, turn, (&dimensions, questions), self.stop)?
         };
         let reason = reason
             .or_else(|| ends.unproven.clone())
             .or_else(|| (!ends.is_whole_turn).then(|| "the mechanism does not go through its whole turn".to_owned()));
-        let share = 1.0 - miss;
+        Ok(WithinLimits { ends, share: 1.0 - miss, reason })
+    }
+
+    /// The verdict on each requirement with inputs within `limits`.
+    fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
+        let (questions, asked) = self.questions();
+        let WithinLimits { ends, share, reason } = self.within_limits(limits, &questions)?;
         let all = self.study.requirements.iter().zip(&asked);
         let each = all.flat_map(|(requirement, asked)| {
             let poses: Vec<Option<f64>> = match &requirement.location {
@@ -318,7 +351,7 @@ impl Judge<'_> {
 }
 
 /// The ends over the cycle, or over what the positions around a pose stand for.
-fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
+pub(super) fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
     let steps = drive_angle_rad.windows(2).map(|pair| pair[1] - pair[0]);
     // Half a step on either side, and round-off.
     let half_rad = 0.5 * steps.fold(0.0, f64::max) * (1.0 + 1e-9);
