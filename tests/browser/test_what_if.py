@@ -104,7 +104,7 @@ def test_caption_and_legend_say_what_is_shown_and_come_back(browser):
     browser.evaluate(MOVED)
     before = browser.evaluate(SAID)
     assert not before["isBackShown"] and not before["chosen"]
-    assert "in the middle of their ranges" in before["caption"] and before["legend"][1].endswith("random scatter only")
+    assert "mid-range values of the unknown inputs" in before["caption"] and before["legend"][1].endswith("random scatter only")
     point = browser.evaluate(STORED)["points"][4]
     browser.evaluate(CHOSEN % 4)
     now = browser.evaluate(SAID)

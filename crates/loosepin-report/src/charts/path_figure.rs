@@ -271,9 +271,9 @@ impl Words {
         };
         Self {
             sentences: if path.always_stands_still() {
-                format!("Orange: where {cause} it be, to first order. {reach}")
+                format!("Orange: where {cause} it be, by a linear estimate. {reach}")
             } else {
-                format!("Orange: where {cause} it be, to first order. {reach}{outlines} {marks}")
+                format!("Orange: where {cause} it be, by a linear estimate. {reach}{outlines} {marks}")
             },
             alternative: if magnification > 1.0 {
                 format!("The path of {} and the zone about it, magnified {magnified} times. {reach}", path.point)

@@ -89,6 +89,11 @@ impl Tag {
         }))
     }
 
+    /// A number of what treatments are compared for.
+    pub fn comparison(comparison: &TreatmentComparison, part: &str) -> Self {
+        Self::joint(&response(&comparison.output, comparison.of, comparison.at), "without dynamics", part)
+    }
+
     /// A number of the bands over the cycle.
     pub fn curve(curve: &DeviationCurve, part: &str) -> Self {
         Self::Result(Box::new(ResultTag {

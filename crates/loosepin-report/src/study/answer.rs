@@ -1,19 +1,19 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
-use crate::numbers::tag::Tag;
-use crate::study::output_summary::{between, largest, output_summaries, smallest};
+use crate::numbers::tag::{Tag, same_wording};
+use crate::study::output_summary::{OutputSummary, between, largest, output_summaries, smallest};
 use crate::words::error::error_sentence;
 use crate::words::failed::failed_sentence;
 use crate::words::force::{JointForces, study_sentences};
 use crate::words::turn::turns_sentence;
 use crate::words::wording::{
-    band_error, capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part,
-    place_words, verdict_words,
+    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
+    verdict_words,
 };
 use loosepin_result::study::{
     CountedMechanisms, Deviation, DeviationCurve, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
-    Treatment, TreatmentBand, TreatmentComparison, Verdict,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -64,7 +64,8 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     let verdict = result.verdict();
     let caveats = caveats(result, writer);
     let mut details = Vec::new();
-    details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
+    let first = answers.first().copied();
+    details.extend(curve.and_then(|curve| scatter_sentence(result, curve, first, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
     details.extend(gaps_sentence(result, writer));
     details.push(runs_sentence(result, writer));
@@ -79,8 +80,13 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
 fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
+        // A law that takes a restitution can take a smaller one.
+        let (reason, instead) = match joint.nominal_restitution {
+            Some(_) => (" Real parts rebound less at such speeds.", "a lower restitution"),
+            None => ("", "another contact law"),
+        };
         Some(format!(
-            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Such fast impacts lose more energy: widen the restitution downwards.",
+            "{} of the impacts in {} are faster than the contact law is valid for.{reason} You may use the answer if a second study, with {instead}, gives nearly the same.",
             writer.with_tag(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
             joint.joint
         ))
@@ -147,10 +153,12 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
         .filter(|curve| !curve.mixed.lower_si.is_empty())
 }
 
-/// The band of scatter alone beside that of all unknown values; `None` for the output itself, whose size is no deviation.
+/// The band of scatter alone at each angle, and that of all unknown values where `first`, the answer, has another number; `None` for the
+/// output itself, whose size is no deviation.
 fn scatter_sentence(
     result: &StudyResult,
     curve: &DeviationCurve,
+    first: Option<OutputSummary<'_>>,
     of_several: bool,
     writer: &NumberWriter,
 ) -> Option<String> {
@@ -160,8 +168,9 @@ fn scatter_sentence(
     let [random_ends, mixed_ends] =
         [&curve.random, &curve.mixed].map(|range| [smallest(&range.lower_si), largest(&range.upper_si)]);
     let magnitude = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
-    let (random, mixed) = (magnitude(random_ends), magnitude(mixed_ends));
-    let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
+    let (random_si, mixed_si) = (magnitude(random_ends), magnitude(mixed_ends));
+    let is_known = random_si.is_finite() && mixed_si.is_finite() && !curve.centre.is_empty();
+    let is_worth_saying = is_known && random_si < 0.95 * mixed_si;
     is_worth_saying.then(|| {
         let share = writer
             .with_tag(&Tag::Given("probability"))
@@ -169,7 +178,7 @@ fn scatter_sentence(
         let tags = ["random", "mixed"].map(|part| Tag::curve(curve, part));
         let is_on_both_sides = [random_ends, mixed_ends].into_iter().all(|[low, high]| low < 0.0 && high > 0.0);
         let [random, mixed] = if is_on_both_sides {
-            [(random, &tags[0]), (mixed, &tags[1])].map(|(most, tag)| {
+            [(random_si, &tags[0]), (mixed_si, &tags[1])].map(|(most, tag)| {
                 let reach = tag.part("reach");
                 let error_si = curve.numerical_error_si;
                 let reach = writer.with_tag(&reach).for_sentence(most, error_si, &curve.unit, Rounding::Up);
@@ -179,17 +188,23 @@ fn scatter_sentence(
             [(random_ends, &tags[0]), (mixed_ends, &tags[1])]
                 .map(|([low, high], tag)| between(low, high, &curve.unit, &writer.with_tag(tag)))
         };
-        let of_several = of_several.then(|| format!("the {} stays", deviation_of(&curve.output, curve.of, &result.outputs)));
-        match of_several {
-            None => format!(
-                "With the unknown values in the middle of their ranges, {share} of mechanisms stay {random} at each angle. With all \
-                 unknown values, they stay {mixed}."
+        let is_answer = match first {
+            // What is narrowed to the limit over the whole cycle is this limit.
+            Some(OutputSummary::Largest(bound, _)) => {
+                (&bound.output, bound.of) == (&curve.output, curve.of) && bound.upper.widened_si <= mixed_si
+            }
+            Some(OutputSummary::Curve(first)) => std::ptr::eq(first, curve),
+            Some(OutputSummary::Bound(_)) | None => false,
+        };
+        let stay = match of_several {
+            true => format!(
+                "the {} stays {random} in {share} of mechanisms",
+                deviation_of(&curve.output, curve.of, &result.outputs)
             ),
-            Some(it_stays) => format!(
-                "With the unknown values in the middle of their ranges, {it_stays} {random} in {share} of mechanisms at each angle. With all \
-                 unknown values, it stays {mixed}."
-            ),
-        }
+            false => format!("{share} of mechanisms stay {random}"),
+        };
+        let mixed = if is_answer { String::new() } else { format!("; for all values, {mixed}") };
+        format!("At each angle, {stay} at mid-range values of the unknown inputs{mixed}.")
     })
 }
 
@@ -319,17 +334,28 @@ pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 /// How finely the box of the unknown values was seen. Where surrogates answer, direct runs stand at their bounds alone.
 fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
     let gaps = result.gaps.filter(|_| !is_by_surrogate(result))?;
-    let [points, runs] = [(gaps.between_points, "gap between points"), (gaps.between_runs, "gap between runs")]
-        .map(|(share, what)| writer.with_tag(&Tag::Count(what)).percent(share, Rounding::Up));
-    let values = counted(result.counts.outer, "value", &writer.with_tag(&Tag::Count("values of the unknown inputs")));
-    let single = if runs == points {
+    let tried = counted(result.counts.outer, "value", &writer.with_tag(&Tag::Count("values of the unknown inputs")));
+    let Some([point_side, run_side]) =
+        gaps.side(gaps.between_points).zip(gaps.side(gaps.between_runs)).map(<[f64; 2]>::from)
+    else {
+        let share = writer.with_tag(&Tag::Count("gap between points")).percent(gaps.between_points, Rounding::Up);
+        return Some(format!(
+            "Peaks that fill less than {share} of the box of the unknown inputs could be missed ({tried} tried)."
+        ));
+    };
+    let whole = |side: f64, what| {
+        // To whole percents: a gap is sought, not known.
+        writer.with_tag(&Tag::Count(what)).percent((100.0 * side).ceil() / 100.0, Rounding::Up)
+    };
+    let [points, runs] =
+        [whole(point_side, "side of a gap between points"), whole(run_side, "side of a gap between runs")];
+    let single = if same_wording(&runs, &points) {
         String::new()
     } else {
-        format!(" Single runs leave gaps of {runs}, and see only peaks that stand out of their scatter.")
+        format!("; single runs show those down to {runs} that stand out of their scatter")
     };
-    Some(format!(
-        "Between the {values} of the unknown inputs that were tried, a peak of a result may be missed if it fills less than {points} of their box.{single}"
-    ))
+    let each = if gaps.axes == 1 { "the range of the unknown input" } else { "the range of each unknown input" };
+    Some(format!("Peaks narrower than {points} of {each} could be missed ({tried} tried){single}."))
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
@@ -376,85 +402,4 @@ pub(crate) fn turns(turns: f64, drive_speed_rad_s: Option<f64>, writer: &NumberW
 /// "turn" of the drive, or "cycle" where no drive turns at a constant speed.
 pub(crate) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
     if drive_speed_rad_s.is_some() { "turn" } else { "cycle" }
-}
-
-/// One paragraph a treatment: its assumption, the share of mechanisms that its band holds, its width compared with the mixed band.
-pub(crate) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
-    let sentence = |band: &TreatmentBand| {
-        let assumption = match band.treatment {
-            Treatment::ProbabilityOnly => "Probability only takes every unknown value as random.",
-            Treatment::IntervalOnly => "Interval only takes the worst case of all inputs, random ones included.",
-            Treatment::Mixed => "Mixed keeps random inputs random and unknown values unknown.",
-        };
-        let held = share_sentence(band, comparison, writer);
-        format!("{assumption} {held}{}", width_sentence(band, comparison, writer))
-    };
-    comparison.bands.iter().map(sentence).collect()
-}
-
-/// The share of mechanisms inside a band at the worst of the unknown values, beside the promised one.
-fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
-    let promised = comparison.promised_coverage;
-    let promise = writer.with_tag(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
-    let tag = |part: &str| Tag::band(comparison, band, part);
-    let (worst, error) = (tag("share at the worst values"), tag("error of the share"));
-    let least = writer.with_tag(&tag("counted share")).percent(band.coverage_minimum, Rounding::Down);
-    let writer = writer.with_tag(&worst);
-    if band.is_promise_unknown(promised) {
-        let (of_what, least_share) = if band.is_by_surrogate {
-            ("surrogate", band.least_share())
-        } else {
-            ("runs", (band.coverage_minimum - band.coverage_error).max(0.0))
-        };
-        return format!(
-            "At the worst unknown values, {} of mechanisms lie inside the band. The {of_what} cannot show whether the promised \
-             {promise} do.",
-            writer.percent_range(least_share, band.coverage_minimum)
-        );
-    }
-    if band.coverage_minimum >= 1.0 {
-        return format!("Every run lies inside the band; {promise} are promised.");
-    }
-    if !band.keeps_promise(promised) {
-        let is_less = band.least_share() < band.coverage_minimum;
-        let least = if is_less { writer.percent_range(band.least_share(), band.coverage_minimum) } else { least };
-        return format!(
-            "At the worst unknown values, only {least} of mechanisms lie inside the band; {promise} are promised."
-        );
-    }
-    if band.coverage_minimum < promised {
-        return format!(
-            "At the worst unknown values, {least} ± {} of mechanisms lie inside the band. This agrees with the promised {promise}.",
-            writer.with_tag(&error).percent(band.coverage_error, Rounding::Up)
-        );
-    }
-    format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
-}
-
-/// Difference in width from the mixed band, as far as its error resolves it; empty if both hardly differ.
-fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
-    let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
-    let is_known = |width: f64| width > 0.0 && width.is_finite();
-    let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && is_known(*mixed)) else {
-        return String::new();
-    };
-    // Beside a band without an end no width compares.
-    if !band.width_si().is_finite() {
-        return String::new();
-    }
-    let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
-    let tag = Tag::band(comparison, band, "width compared with the mixed band");
-    let by = writer.with_tag(&tag).percent(wider.abs(), Rounding::Nearest);
-    let compared = match wider {
-        0.02.. => format!("{by} wider than the mixed band"),
-        ..=-0.02 => format!("{by} narrower than the mixed band"),
-        _ => return String::new(),
-    };
-    if band.error_si().is_some_and(|error_si| error_si > (band.width_si() - mixed).abs()) {
-        let error = band_error(band, comparison, writer);
-        return format!(
-            " The band found is {compared}, but the error of its ends, {error}, is larger than this difference."
-        );
-    }
-    format!(" The band is {compared}.")
 }

@@ -1,16 +1,14 @@
 //! The summary of each output: one sentence each, the output that matters most first.
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::numbers::tag::{Tag, same_wording};
-use crate::words::bound::bound_value;
-use crate::words::failed::{finished_words, why_no_end, why_quantile_has_no_end};
+use crate::numbers::tag::Tag;
+use crate::study::place_sentence::{is_of_same, place_sentence};
+use crate::study::subject::{Subject, subject};
+use crate::words::failed::why_quantile_has_no_end;
 use crate::words::few_samples::too_few_samples;
-use crate::words::wording::{
-    deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words,
-};
+use crate::words::wording::output_words;
 use loosepin_result::study::{
-    BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, StudyResult, Treatment,
-    Verdict,
+    BoundRecord, Deviation, DeviationCurve, Guarantee, Reduction, ResponsePoint, StudyResult, Treatment, Verdict,
 };
 use loosepin_text::units::{SiUnit, distinct};
 
@@ -75,11 +73,6 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> 
         }
     }
     firsts.into_iter().take(MAX_PLACES).map(OutputSummary::Bound).collect()
-}
-
-/// Whether two bounds are of one number of a run.
-fn is_of_same(a: &BoundRecord, b: &BoundRecord) -> bool {
-    (&a.output, a.of, a.at, a.treatment, a.reading) == (&b.output, b.of, b.at, b.treatment, b.reading)
 }
 
 /// The first quantile of a largest total deviation that is asked for, with its probability.
@@ -159,36 +152,9 @@ impl<'r> OutputSummary<'r> {
         match self {
             Self::Largest(bound, probability) => largest_sentence(result, bound, probability, writer),
             Self::Curve(curve) => curve_sentence(result, curve, writer),
-            Self::Bound(bound) => statistic_sentence(result, bound, writer),
+            Self::Bound(bound) => place_sentence(result, bound, writer),
         }
     }
-}
-
-/// Subject of a sentence without its article, and from what an output stays within a limit: its ideal motion, or what the part of a path says. The limit of a
-/// distance has no sign.
-struct Subject {
-    name: String,
-    from: &'static str,
-    is_distance: bool,
-}
-
-fn subject(result: &StudyResult, output: &str, of: Deviation) -> Subject {
-    let due_to = match of {
-        Deviation::Dimensional => " as far as part scatter goes,",
-        Deviation::Clearance => " as far as play goes,",
-        Deviation::Value | Deviation::Total => "",
-    };
-    let part = path_part(output, &result.outputs);
-    let name = part.map_or_else(|| output_words(output, &result.outputs), |(point, _)| point.to_owned());
-    let from = match part.map(|(_, part)| part) {
-        None => "of its ideal motion",
-        Some(PathError::Magnitude) => "of where it should be",
-        Some(PathError::Along) => "of where it should be, along its path,",
-        Some(PathError::Normal) => "of its ideal path, across it,",
-        Some(PathError::Contour) => "of its ideal path, whatever the timing,",
-    };
-    let name = if due_to.is_empty() { name } else { format!("{name},{due_to}") };
-    Subject { name, from, is_distance: matches!(part, Some((_, PathError::Magnitude))) }
 }
 
 fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64, writer: &NumberWriter) -> String {
@@ -204,40 +170,6 @@ fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64,
         ),
         writer.with_tag(&Tag::Given("probability")).percent(probability, Rounding::Down)
     )
-}
-
-/// Statistics of one number of a run that were asked for: what they are of, and their two ends.
-fn statistic_sentence(result: &StudyResult, first: &BoundRecord, writer: &NumberWriter) -> String {
-    let unit = output_unit(result, &first.output);
-    let output = output_words(&first.output, &result.outputs);
-    let place = format!("{}, {}", deviation_words(first.of), place_words(first.at, writer));
-    let words = |bound: &BoundRecord| statistic_words(bound.statistic, &unit, writer);
-    let asked: Vec<&BoundRecord> = result.bounds.iter().filter(|bound| is_of_same(bound, first)).collect();
-    if let [only] = asked[..] {
-        return format!("The {} of {output} ({place}) {}.", words(only), ends_words(result, only, writer));
-    }
-    let parts: Vec<String> =
-        asked.into_iter().map(|bound| format!("the {} {}", words(bound), ends_words(result, bound, writer))).collect();
-    format!("For {output} ({place}), {}.", listed(&parts))
-}
-
-/// "lies between 1 and 2 mm", or "is 100 %" where both ends are shown as one number. An end that is infinite is none, and the reason stands
-/// with it where failed runs are the reason.
-fn ends_words(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let why = why_no_end(result, bound, writer).map_or_else(String::new, |why| format!(", since {why}"));
-    if bound.guarantee == Guarantee::FinishedRuns {
-        let found = finished_words(bound, [" (over the finished runs it lies between ", " and "], writer);
-        return format!("has no bound{why}{}", found.map_or_else(String::new, |found| found + ")"));
-    }
-    let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
-    let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
-    match (bound.lower.widened_si.is_infinite(), bound.upper.widened_si.is_infinite()) {
-        (true, true) => return format!("has no bound{why}"),
-        (false, true) => return format!("is at least {lower} and has no upper bound{why}"),
-        (true, false) => return format!("is at most {upper} and has no lower bound{why}"),
-        (false, false) => {}
-    }
-    if same_wording(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
 }
 
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> String {

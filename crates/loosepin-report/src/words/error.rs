@@ -3,9 +3,10 @@
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::output_summary::{OutputSummary, largest, smallest};
+use crate::study::place_sentence::asked_of_same;
 use crate::words::bound::{error_found, has_no_end};
 use crate::words::few_samples::too_few_samples;
-use crate::words::wording::{count, is_by_surrogate};
+use crate::words::wording::{capitalised, count, is_by_surrogate};
 use loosepin_result::study::{
     BoundRecord, DeviationCurve, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment,
 };
@@ -19,19 +20,18 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
-        let limit = summary.limit_words();
-        let (error, of_band) = match summary {
+        let reduced = reduction_words(result, *summary, writer).unwrap_or_default();
+        let of_several = (answers.len() > 1).then_some(("the first answer", "it"));
+        let (error, (of, them), of_band) = match summary {
             OutputSummary::Bound(bound) => {
-                let is_known = bound.lower.error.total_si().max(bound.upper.error.total_si()).is_finite();
-                let is_of_finished_runs = bound.guarantee == Guarantee::FinishedRuns;
-                let is_known = is_known && (is_of_finished_runs || !has_no_end(bound));
-                let error = is_known.then(|| error_found(bound, writer))?;
-                if is_of_finished_runs {
-                    return Some(format!(
-                        "Numerical error of the numbers over the finished runs: at most {error}, included in them."
-                    ));
-                }
-                (error, None)
+                let all = known_errors(result, bound);
+                let is_of_finished_runs = |bound: &&BoundRecord| bound.guarantee == Guarantee::FinishedRuns;
+                let of = match all.len() {
+                    _ if all.iter().all(is_of_finished_runs) => ("the numbers over the finished runs", "them"),
+                    1 => ("the bound", "it"),
+                    _ => ("these numbers", "them"),
+                };
+                (largest_errors(&all, writer)?, of, None)
             }
             OutputSummary::Largest(..) | OutputSummary::Curve(_) => {
                 let (error_si, unit) = summary.error_si().filter(|(error_si, _)| error_si.is_finite())?;
@@ -39,16 +39,14 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
                     let tag = Tag::curve(curve, "error");
                     writer.with_tag(&tag).error(curve.numerical_error_si, &curve.unit)
                 });
-                (writer.with_tag(&summary.error_tag()).error(error_si, unit), of_band)
+                (writer.with_tag(&summary.error_tag()).error(error_si, unit), (summary.limit_words(), "it"), of_band)
             }
         };
-        let reduced = reduction_words(result, *summary, writer).unwrap_or_default();
-        Some(match of_band {
-            None => format!("Numerical error of {limit}: at most {error}, included in it.{reduced}"),
-            Some(of_band) => format!(
-                "Numerical error of {limit}: at most {error}, included in it.{reduced} The band at single angles includes its own, up to {of_band}."
-            ),
-        })
+        let (of, them) = of_several.unwrap_or((of, them));
+        let of_band = of_band.map_or_else(String::new, |of_band| {
+            format!(" The band at single angles includes its own, up to {of_band}.")
+        });
+        Some(format!("Numerical error of {of}: at most {error}, included in {them}.{reduced}{of_band}"))
     });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let endless = |bound: &&BoundRecord| [&bound.lower, &bound.upper].iter().any(|end| end.widened_si.is_infinite());
@@ -97,6 +95,29 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
     sentence
 }
 
+/// The bounds that the sentence on the number of `first` has, but for those whose error is not known.
+fn known_errors<'r>(result: &'r StudyResult, first: &BoundRecord) -> Vec<&'r BoundRecord> {
+    let mut all = asked_of_same(result, first);
+    all.retain(|bound| {
+        let is_known = bound.lower.error.total_si().max(bound.upper.error.total_si()).is_finite();
+        is_known && (bound.guarantee == Guarantee::FinishedRuns || !has_no_end(bound))
+    });
+    all
+}
+
+/// The largest error of all: of numbers in the unit of the output, and of probabilities, which have none. `None` where no error is known.
+fn largest_errors(all: &[&BoundRecord], writer: &NumberWriter) -> Option<String> {
+    let largest = |is_probability: bool| {
+        let own = all.iter().filter(|bound| bound.statistic.is_probability() == is_probability);
+        let size_si = |bound: &BoundRecord| bound.lower.error.total_si().max(bound.upper.error.total_si());
+        own.max_by(|a, b| size_si(a).total_cmp(&size_si(b))).map(|bound| error_found(bound, writer))
+    };
+    match (largest(false), largest(true)) {
+        (Some(error), Some(of_probabilities)) => Some(format!("{error} (probabilities {of_probabilities})")),
+        (error, of_probabilities) => error.or(of_probabilities),
+    }
+}
+
 /// The band over the cycle of the output that a limit over the whole cycle answers for: its error is another one.
 fn band_beside<'r>(result: &'r StudyResult, summary: OutputSummary<'r>) -> Option<&'r DeviationCurve> {
     let OutputSummary::Largest(bound, _) = summary else { return None };
@@ -116,9 +137,12 @@ fn reduction_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Nu
             (largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)), curve.numerical_error_si)
         }
         OutputSummary::Bound(bound) => {
-            let [lower, upper] = [&bound.lower, &bound.upper];
-            let answer_si = lower.widened_si.abs().max(upper.widened_si.abs());
-            (answer_si, lower.error.total_si().max(upper.error.total_si()))
+            let all = known_errors(result, bound);
+            let of_unit =
+                || all.iter().filter(|own| own.statistic.is_probability() == bound.statistic.is_probability());
+            let ends = || of_unit().flat_map(|bound| [&bound.lower, &bound.upper]);
+            let answer_si = ends().map(|end| end.widened_si.abs()).fold(0.0, f64::max);
+            (answer_si, ends().map(|end| end.error.total_si()).fold(0.0, f64::max))
         }
     };
     if !(error_si.is_finite() && error_si > LARGE_SHARE * answer_si) {
@@ -150,7 +174,10 @@ fn reduction_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Nu
 fn largest_error(result: &StudyResult, summary: OutputSummary<'_>) -> Option<NumericalError> {
     match summary {
         OutputSummary::Largest(bound, _) => Some(bound.upper.error),
-        OutputSummary::Bound(bound) => Some(larger(bound.lower.error, bound.upper.error)),
+        OutputSummary::Bound(bound) => {
+            let errors = known_errors(result, bound).into_iter().map(|own| larger(own.lower.error, own.upper.error));
+            errors.reduce(larger)
+        }
         OutputSummary::Curve(curve) => {
             let errors = bounds_of_curve(result, curve).map(|bound| larger(bound.lower.error, bound.upper.error));
             errors.filter(|error| error.total_si().is_finite()).reduce(larger)
@@ -189,25 +216,26 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
         let runs = result.counts.runs as f64 * inner as f64 / result.counts.inner as f64;
         let inner = count(inner, &writer.with_tag(&Tag::Count("random samples that would halve the error")));
         let runs = count(two_digits(runs), &writer.with_tag(&Tag::Count("runs that would halve the error")));
-        format!("inner = {inner}, about {runs} runs")
+        (format!("about {runs} runs"), format!("set inner = {inner}"))
     };
     // sampling/sqrt(times) + search = (sampling + search)/2.
     let times = (2.0 * sampling_si / (sampling_si - search_si)).powi(2);
     if sampling_si > search_si && times <= MAX_TIMES {
-        return Some(format!(" More random samples should halve it: {}.", more(times)));
+        let (runs, setting) = more(times);
+        return Some(format!(" {} halve it ({setting}).", capitalised(&runs)));
     }
     let part = |part: &str, error_si: f64| {
         writer.with_tag(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
     };
     let mut words = format!(
-        " Of this, {} comes from the search over the unknown values and decreases slowly with more runs (outer)",
+        " Of this, {} comes from the search over the unknown values and decreases slowly with more of them (outer)",
         part("search", search_si)
     );
     if sampling_si > LARGE_SHARE * total_si {
+        let (runs, setting) = more(4.0);
         words.push_str(&format!(
-            ", and {} from random samples: {} should halve this part",
-            part("sampling", sampling_si),
-            more(4.0)
+            ", and {} from random samples: {runs} halve this part ({setting})",
+            part("sampling", sampling_si)
         ));
     }
     Some(words + ".")

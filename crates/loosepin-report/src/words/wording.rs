@@ -56,8 +56,8 @@ pub(crate) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &Numb
     number.map_or_else(|| description.words.to_owned(), |number| description.words.replace("{}", &number))
 }
 
-/// Digits of the width of a band.
-pub(crate) const WIDTH_DIGITS: usize = 3;
+/// Digits of the ends of bands, beside those in which the ends of the narrowest band are the same.
+const WIDTH_DIGITS: usize = 3;
 
 /// Digits of the ends of bands that resolve the least of their widths.
 pub(crate) fn band_digits(comparison: &TreatmentComparison) -> usize {
@@ -86,24 +86,34 @@ pub(crate) fn has_errors(comparison: &TreatmentComparison) -> bool {
     comparison.bands.iter().any(|band| band.ends.is_some())
 }
 
+/// Whether the ends of a band may be further off than it is wide: then the error says no more than that.
+pub(crate) fn is_error_beyond_band(band: &TreatmentBand) -> bool {
+    band.error_si().is_some_and(|error_si| error_si.is_finite() && error_si > band.width_si())
+}
+
 /// The larger numerical error of the ends of a band.
 pub(crate) fn band_error(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     // An end that is infinite has no error.
     if band.width_si().is_infinite() && band.error_si().is_some_and(f64::is_finite) {
         return NO_ERROR.to_owned();
     }
+    if is_error_beyond_band(band) {
+        return "> band".to_owned();
+    }
     let tag = Tag::band(comparison, band, "error");
     band.error_si().map_or_else(String::new, |error| writer.with_tag(&tag).error(error, &comparison.unit))
 }
 
-/// Whether a band holds what it promises, in a word.
-pub(crate) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str {
-    if band.is_promise_unknown(promised) {
-        "not known"
-    } else if band.keeps_promise(promised) {
-        "kept"
+/// Whether a band holds the share of mechanisms that it claims: "yes", "no, 65 %" or "not decided".
+pub(crate) fn holds_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let claimed = comparison.promised_coverage;
+    if band.is_promise_unknown(claimed) {
+        "not decided".to_owned()
+    } else if band.keeps_promise(claimed) {
+        "yes".to_owned()
     } else {
-        "broken"
+        let tag = Tag::band(comparison, band, "share lower");
+        format!("no, {}", writer.with_tag(&tag).percent(band.least_share(), Rounding::Down))
     }
 }
 

@@ -155,6 +155,11 @@ pub struct TreatmentComparison {
     pub promised_coverage: f64,
     /// One entry per treatment.
     pub bands: Vec<TreatmentBand>,
+    /// Ends that are proven without dynamics: nothing passes them while all parts lie within their limits, those without a limit within 3
+    /// standard deviations, and all joints within their play. Penetration of contacts and bending bodies add to them. Absent where nothing is
+    /// proven, and in records of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "extended")]
+    pub proven_without_dynamics_si: Option<[f64; 2]>,
 }
 
 /// The band that one treatment claims, and what it really holds.

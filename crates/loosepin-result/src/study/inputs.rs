@@ -187,6 +187,16 @@ pub struct GapRecord {
     /// The largest one without a run: a peak that stands out of the scatter of a single run is seen by that.
     #[serde(with = "extended")]
     pub between_runs: f64,
+    /// Unknown inputs that the box has an axis for, which is each but lists; 0 in records of older versions.
+    #[serde(default)]
+    pub axes: u64,
+}
+
+impl GapRecord {
+    /// Side of a cube of this share of the volume of the box, as a share of each range; `None` where nothing says how many axes there are.
+    pub fn side(&self, share: f64) -> Option<f64> {
+        (self.axes > 0).then(|| share.powf(1.0 / self.axes as f64))
+    }
 }
 
 /// Runs for one purpose.

@@ -1,6 +1,7 @@
 //! Counts, energy and impacts over all runs.
 
 use super::material::Material;
+use crate::file::EpistemicInput;
 use crate::response::extras::{JointExtras, RunExtras};
 use loosepin_bounds::{Gaps, Purpose};
 use loosepin_mechanics::mechanism::Sample;
@@ -37,7 +38,9 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
 /// How finely the box of the epistemic inputs was seen.
 pub fn gaps(material: &Material<'_>) -> Option<GapRecord> {
     let Gaps { between_points, between_runs } = material.bounds.gaps?;
-    Some(GapRecord { between_points, between_runs })
+    let is_wide = |input: &&EpistemicInput| input.variable.range().is_some_and(|range| range.lower() < range.upper());
+    let axes = material.study.epistemic.iter().filter(is_wide).count() as u64;
+    Some(GapRecord { between_points, between_runs, axes })
 }
 
 /// The runs by what they were for.

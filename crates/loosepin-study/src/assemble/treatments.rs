@@ -1,13 +1,30 @@
 //! The three treatments side by side.
 
 use super::material::Material;
+use crate::without_runs::proven_ends::proven_ends_si;
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
 use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd};
 
 /// The treatments of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
     let points = [material.bounds.outer_points.as_slice(); 3];
-    material.bounds.comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect()
+    let comparisons = &material.bounds.comparisons;
+    let records = comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect();
+    let columns: Vec<usize> = comparisons.iter().map(|comparison| comparison.column).collect();
+    with_proven_ends(material, records, &columns)
+}
+
+/// The records of `columns` with what is proven of each without dynamics.
+fn with_proven_ends(
+    material: &Material<'_>,
+    mut records: Vec<TreatmentComparison>,
+    columns: &[usize],
+) -> Vec<TreatmentComparison> {
+    let proven = proven_ends_si(material.study, material.plan(), columns);
+    for (record, ends_si) in records.iter_mut().zip(proven) {
+        record.proven_without_dynamics_si = ends_si;
+    }
+    records
 }
 
 /// The three treatments by surrogates, in the order of the compared columns.
@@ -28,9 +45,10 @@ pub fn learned_treatments(
             record.coverage_error += unknown;
             record.is_by_surrogate = true;
         }
-        Some(record)
+        Some((record, *column))
     };
-    plan.problem().compared_columns.iter().filter_map(of_column).collect()
+    let (records, columns): (Vec<_>, Vec<usize>) = plan.problem().compared_columns.iter().filter_map(of_column).unzip();
+    with_proven_ends(material, records, &columns)
 }
 
 fn treatment_record(
@@ -51,6 +69,7 @@ fn treatment_record(
             .zip(outer_points)
             .map(|(band, points)| treatment_band(material, column, band, points))
             .collect(),
+        proven_without_dynamics_si: None,
     }
 }
 

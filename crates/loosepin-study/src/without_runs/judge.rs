@@ -63,6 +63,29 @@ enum Asked {
 
 const NO_POSITION: Asked = Asked::No("it is no position");
 
+/// How far positions go while inputs lie within limits.
+struct WithinLimits {
+    ends: AllDeviationEnds,
+    /// At least this share of all mechanisms has all inputs within the limits.
+    share: f64,
+    /// Why nothing is proven, where that is so.
+    reason: Option<String>,
+}
+
+/// Proven ends of deviations of positions over the turn of `study` in `positions` steps, its inputs within their limits; each at every angle of
+/// the drive. `None` where nothing is proven.
+pub(super) fn proven_over_turn(
+    study: &Study,
+    positions: usize,
+    questions: &[DeviationQuestion],
+) -> Option<Vec<DeviationEnds>> {
+    let set_values = study.model.planar()?.set_values(&[]).ok()?;
+    let stop = &AtomicBool::new(false);
+    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
+    let WithinLimits { ends, reason, .. } = judge.within_limits(&study.input_limits(), questions).ok()?;
+    reason.is_none().then_some(ends.of_questions)
+}
+
 struct Judge<'s> {
     study: &'s Study,
     model: &'s Model,
@@ -72,9 +95,12 @@ struct Judge<'s> {
 }
 
 impl Judge<'_> {
-    /// The verdict on each requirement with inputs within `limits`.
-    fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
-        let (questions, asked) = self.questions();
+    /// How far positions go with inputs within `limits`.
+    fn within_limits(
+        &self,
+        limits: &[InputLimits],
+        questions: &[DeviationQuestion],
+    ) -> Result<WithinLimits, AccuracyError> {
         let (values, mut reason) = self.with_most_play(limits);
         let mechanism = Mechanism::new(self.model, &values).map_err(|_| AccuracyError::NotDriven)?;
         let mut miss = 0.0;
@@ -101,12 +127,18 @@ impl Judge<'_> {
             AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
         } else {
             let turn = (self.study.cycle.span, self.positions);
-            deviation_ends_until(&mechanism, &values, turn, (&dimensions, &questions), self.stop)?
+            deviation_ends_until(&mechanism, &values, turn, (&dimensions, questions), self.stop)?
         };
         let reason = reason
             .or_else(|| ends.unproven.clone())
             .or_else(|| (!ends.is_whole_turn).then(|| "the mechanism does not go through its whole turn".to_owned()));
-        let share = 1.0 - miss;
+        Ok(WithinLimits { ends, share: 1.0 - miss, reason })
+    }
+
+    /// The verdict on each requirement with inputs within `limits`.
+    fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
+        let (questions, asked) = self.questions();
+        let WithinLimits { ends, share, reason } = self.within_limits(limits, &questions)?;
         let all = self.study.requirements.iter().zip(&asked);
         let each = all.flat_map(|(requirement, asked)| {
             let poses: Vec<Option<f64>> = match &requirement.location {
@@ -321,7 +353,7 @@ impl Judge<'_> {
 }
 
 /// The ends over the cycle, or over what the positions around a pose stand for.
-fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
+pub(super) fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
     let nothing = [f64::NEG_INFINITY, f64::INFINITY];
     let rows = rows_of(drive_angle_rad, pose_rad).map(|row| ends[row]);
     rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(nothing)

@@ -2,5 +2,6 @@
 
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
+pub(crate) mod proven_ends;
 pub(crate) mod spatial_motion;
 pub(crate) mod widest_play;

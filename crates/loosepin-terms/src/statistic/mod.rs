@@ -173,6 +173,16 @@ impl Statistic {
         }
     }
 
+    /// Whether it is the mean.
+    pub fn is_mean(self) -> bool {
+        matches!(self.estimation(), Some(Estimation::Mean))
+    }
+
+    /// Whether it is the root of the variance.
+    pub fn is_root_of_variance(self) -> bool {
+        matches!(self.estimation(), Some(Estimation::RootOfVariance))
+    }
+
     /// The probability at which it is a quantile.
     pub fn probability_of_quantile(self) -> Option<f64> {
         match self.estimation() {

@@ -18,6 +18,7 @@ mod paths;
 mod planar_in_space;
 mod position_tolerance;
 mod promise;
+mod proven_ends;
 mod silent;
 mod space;
 mod stress;

@@ -155,7 +155,7 @@ pub(super) fn contributors_on_page(record: &SpatialMotionRecord) -> Option<Secti
         ""
     };
     let caption = format!(
-        "The parts of all joints add up to the worst case of first order. An offset and a lean of a journal share its clearance, so that \
+        "The parts of all joints add up to the linear estimate of the worst case. An offset and a lean of a journal share its clearance, so that \
                    the effects of each alone add up to more than the part of both.{shares}"
     );
     let mut section = Section::headed_on_page("contributors", "Contribution of each joint");

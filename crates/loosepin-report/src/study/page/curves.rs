@@ -169,7 +169,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
                 ", and inside the blue band for "
                 // The script says which value was chosen.
                 span data-inner="" {
-                    "unknown values in the middle of their ranges"
+                    "mid-range values of the unknown inputs"
                     @if !centre.is_empty() { " (" (centre) ")" }
                 }
             } @else if has_evidence(result) {

@@ -31,8 +31,6 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
     let mut all: Vec<_> = random.chain(unknown).filter(|(_, _, _, share, _)| share[1].is_finite()).collect();
     all.sort_by(|a, b| b.3[1].total_cmp(&a.3[1]));
     let left = all.len().saturating_sub(MAX_SHOWN);
-    let tag = Tag::contributors(one, "band width", "");
-    let width = writer.with_tag(&tag).rounded(one.band_width_si, &one.unit, 3, Rounding::Nearest);
     let has_estimates = one.random.iter().any(RandomContributor::is_linear_estimate);
     (!all.is_empty()).then(|| {
         html! {
@@ -52,7 +50,7 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
                 }
                 p.quiet {
                     (capitalised(&response_words(result, (&one.output, one.of, one.at), writer))) ": the band of "
-                    (band_probability(writer)) " of mechanisms is " (width) " wide. "
+                    (band_probability(writer)) " of mechanisms. "
                     @if has_estimates { "Shares of tolerances are estimates by linear scatter without play. " }
                     @if left > 0 { "Inputs with smaller shares: " a href="#contributors" { "Sensitivity" } "." }
                     @else { "Details: " a href="#contributors" { "Sensitivity" } "." }
@@ -70,13 +68,9 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
     let mut section = Section::headed_on_page("contributors", "Sensitivity");
     push_figure(&mut section, writer, || legend(writer));
     for one in &result.contributors {
-        let tag = Tag::contributors(one, "band width", "");
         let band = band_probability(writer);
         let heading = match one.band_width_si.is_finite() {
-            true => format!(
-                "Sensitivity: how much narrower the {band} band ({} wide) becomes without one input",
-                writer.with_tag(&tag).value(one.band_width_si, &one.unit)
-            ),
+            true => format!("Sensitivity: how much narrower the {band} band becomes without one input"),
             false => format!("Sensitivity: the {band} band has no known width, so no share of it is known"),
         };
         section.push_on(Medium::Terminal, Content::Heading(heading.into()));
@@ -148,7 +142,7 @@ fn caption(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> S
     let name = |path: &String| plain_name(path, &result.inputs);
     let error = one.epistemic.iter().map(|input| input.error).fold(0.0, f64::max);
     let mut caption = format!(
-        "The band is {} wide{}. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
+        "The band is {} wide{}, without its error. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
          the largest. It is computed from the existing runs, with an error of {}.",
         writer.with_tag(&Tag::contributors(one, "band width", "")).value(one.band_width_si, &one.unit),
         if one.at == ResponsePoint::Whole { " on average over the poses" } else { "" },

@@ -11,6 +11,7 @@ mod promise;
 mod runs;
 mod surrogate;
 mod surrogate_words;
+mod treatment_sentences;
 mod treatments;
 
 pub(crate) use accuracy::accuracy_section;

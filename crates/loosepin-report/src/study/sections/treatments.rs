@@ -1,14 +1,14 @@
-//! The three treatments side by side: band, width, share inside, promise.
+//! The three treatments side by side: band, share inside, whether that is the share that it claims.
 
 use maud::html;
 
 use crate::charts::still_figures::percent_of;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::study::answer::treatment_sentences;
+use crate::study::sections::treatment_sentences::treatment_sentences;
 use crate::words::wording::{
-    EQUALLY_PROBABLE, UNKNOWN_INPUTS, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists,
-    head, place_words, promise_word, response_words, share_words, treatment_words,
+    EQUALLY_PROBABLE, UNKNOWN_INPUTS, band_digits, band_error, deviation_words, has_errors, has_lists, head,
+    holds_words, place_words, response_words, share_words, treatment_words,
 };
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
@@ -27,7 +27,7 @@ pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) ->
     };
     let of_lists = has_lists(&result.inputs).then_some(EQUALLY_PROBABLE);
     let what = format!(
-        "Three treatments of the same inputs. Each gives a band that is intended to contain a promised share of mechanisms. The share \
+        "Three treatments of the same inputs. Each gives a band that is intended to contain the stated share of mechanisms. The share \
          inside depends on the unknown values. It was counted at all unknown values {counted}{}",
         of_lists.map_or(String::new(), |words| format!(" {words}"))
     );
@@ -37,7 +37,7 @@ pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) ->
         let heading = format!("{TITLE}: {} {}, {place}", comparison.output, deviation_words(comparison.of));
         section.push_on(Medium::Terminal, Content::Heading(heading.into()));
         section.push(Content::Table(table(result, comparison, writer)));
-        let bands = comparison.bands.iter().zip(treatment_sentences(comparison, writer));
+        let bands = comparison.bands.iter().zip(treatment_sentences(result, comparison, writer));
         let words = bands.map(|(band, sentence)| {
             let name = Text::default().strong(format!("{}. ", treatment_words(band.treatment)));
             Text::default().on(Medium::Page, name).plain(sentence)
@@ -73,24 +73,18 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
             ..Column::words(Text::by_medium(format!("Band for {promise} of mechanisms"), "band"))
         },
     ];
-    let further = [Column::numbers(head("width")), Column::words(head("share inside")), Column::words(head("promise"))];
+    let further = [Column::words(head("share inside")), Column::words(head(&format!("holds {promise}?")))];
     let row = |band: &TreatmentBand| {
         let error: Option<Cell> = has_errors.then(|| band_error(band, comparison, writer).into());
-        let tag = Tag::band(comparison, band, "width");
-        let width = writer.with_tag(&tag);
         let cells = [treatment_words(band.treatment).into(), band_bar(band, comparison, from, to, writer)];
-        let further = [
-            width.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest).into(),
-            coverage_strip(band, comparison, share_from, writer),
-            promise_cell(band, promised),
-        ];
+        let further = [coverage_strip(band, comparison, share_from, writer), holds_cell(band, comparison, writer)];
         cells.into_iter().chain(error).chain(further).collect()
     };
     let given = Tag::Given("axis");
     let axis = writer.with_tag(&given);
     let caption = format!(
-        "Bars: the bands on a common scale. Dots: the share inside at each tested value of the {}, from {} to {}. Vertical line: the \
-         promised {promise}.",
+        "Bars: the bands on a common scale. Dots: the share inside at each tested value of the {}, from {} to {}. Vertical line: \
+         {promise}.",
         UNKNOWN_INPUTS,
         axis.percent(share_from, Rounding::Nearest),
         axis.percent(1.0, Rounding::Nearest)
@@ -102,9 +96,10 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
     }
 }
 
-/// Whether a band holds what it promises, on a page in the colour of a verdict.
-fn promise_cell(band: &TreatmentBand, promised: f64) -> Cell {
-    let word = promise_word(band, promised);
+/// Whether a band holds what it claims, on a page in the colour of a verdict.
+fn holds_cell(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> Cell {
+    let promised = comparison.promised_coverage;
+    let words = holds_words(band, comparison, writer);
     let class = if band.is_promise_unknown(promised) {
         "verdict undecided"
     } else if band.keeps_promise(promised) {
@@ -112,7 +107,7 @@ fn promise_cell(band: &TreatmentBand, promised: f64) -> Cell {
     } else {
         "verdict not-met"
     };
-    Cell::Drawn { html: html! { span class=(class) { (word) } }.into_string(), text: word.to_owned() }
+    Cell::Drawn { html: html! { span class=(class) { (words) } }.into_string(), text: words }
 }
 
 fn padded(from: f64, to: f64) -> (f64, f64) {

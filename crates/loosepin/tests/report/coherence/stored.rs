@@ -9,14 +9,14 @@ use loosepin::units::SiUnit;
 use super::shown::Shown;
 
 /// Keys of numbers that are held against what is shown.
-const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds gaps.between_points gaps.between_runs settled_share further_turns nominal_trust.horizons[].until_s nominal_trust.horizons[].turns \
+const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds gaps.between_points gaps.between_runs gaps.axes settled_share further_turns nominal_trust.horizons[].until_s nominal_trust.horizons[].turns \
     nominal_trust.whole_m requirements[].probability[] \
     bounds[].lower.widened_si bounds[].upper.widened_si bounds[].lower.error.sampling_si bounds[].lower.error.optimisation_si \
     bounds[].lower.error.surrogate_si bounds[].upper.error.sampling_si bounds[].upper.error.optimisation_si \
     bounds[].upper.error.surrogate_si bounds[].lower.witness bounds[].upper.witness bounds[].lower.value_si bounds[].upper.value_si \
     requirements[].witness treatments[].bands[].lower_si treatments[].bands[].upper_si treatments[].bands[].coverage_minimum \
     treatments[].bands[].coverage_maximum treatments[].bands[].coverage_error treatments[].bands[].ends[].error \
-    treatments[].bands[].ends[].widened_si energy.median energy.quantile_90 energy.quantile_99 energy.maximum impacts[].impacts_per_turn[] \
+    treatments[].bands[].ends[].widened_si treatments[].proven_without_dynamics_si[] energy.median energy.quantile_90 energy.quantile_99 energy.maximum impacts[].impacts_per_turn[] \
     impacts[].nominal_restitution[] impacts[].delivered_restitution[] impacts[].share_outside_validity \
     impacts[].largest_penetration_share impacts[].peak_force_n impacts[].laws[].basis.largest_valid_speed_m_s \
     impacts[].laws[].basis.largest_valid_penetration_m impacts[].floored_contacts curves[].centre curves[].numerical_error_si \
@@ -46,7 +46,13 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     found.add(Tag::Count("rounds"), counts.rounds as f64);
     if let Some(gaps) = result.gaps {
         found.add(Tag::Count("gap between points"), 100.0 * gaps.between_points);
-        found.add(Tag::Count("gap between runs"), 100.0 * gaps.between_runs);
+        for (what, share) in
+            [("side of a gap between points", gaps.between_points), ("side of a gap between runs", gaps.between_runs)]
+        {
+            if gaps.axes > 0 {
+                found.add(Tag::Count(what), 100.0 * share.powf(1.0 / gaps.axes as f64));
+            }
+        }
     }
     if let Some(settled) = result.settled_share {
         found.add(Tag::whole("settled", ""), 100.0 * settled);
@@ -113,6 +119,10 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
         found.bounds(&each.bounds, Some(&percentile_group(each.percentile)));
     }
     for comparison in &result.treatments {
+        if let Some([lower_si, upper_si]) = comparison.proven_without_dynamics_si {
+            found.value(Tag::comparison(comparison, "proven lower"), lower_si, &comparison.unit);
+            found.value(Tag::comparison(comparison, "proven upper"), upper_si, &comparison.unit);
+        }
         for band in &comparison.bands {
             let tag = |part: &str| Tag::band(comparison, band, part);
             found.value(tag("lower"), band.lower_si, &comparison.unit);

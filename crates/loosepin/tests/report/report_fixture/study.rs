@@ -159,7 +159,7 @@ pub fn worn_pin() -> StudyResult {
             replicates: 8,
             rounds: 1,
         },
-        gaps: Some(GapRecord { between_points: 0.0525, between_runs: 0.0031 }),
+        gaps: Some(GapRecord { between_points: 0.0525, between_runs: 0.0031, axes: 2 }),
         failures: vec![FailureGroup {
             code: "step_below_minimum".to_owned(),
             words: "step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s: grazing contact in gudgeon"
@@ -465,6 +465,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
             range(5e-5, 7.3e-4, Treatment::IntervalOnly),
             range(ends(0.025, true), ends(0.975, false), Treatment::Mixed),
         ],
+        proven_without_dynamics_si: Some([0.0, 6.8636e-4]),
     }
 }
 

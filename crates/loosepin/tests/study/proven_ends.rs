@@ -1,0 +1,105 @@
+//! What is proven without dynamics beside the bands of a study: the ends of `motion`, and those of the closed form.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::silent::run;
+use loosepin::model::Model;
+use loosepin::study::result::{Reduction, ResponsePoint, StudyResult};
+use loosepin::study::{InputFile, Study};
+
+const MODEL: &str = include_str!("../../../../cases/slider_crank_worn_pin/model.toml");
+/// Crank, rod and the largest play, mm; 3 standard deviations of the lengths.
+const CRANK: f64 = 50.0;
+const ROD: f64 = 120.0;
+const PLAY: f64 = 0.5;
+const CRANK_OFF: f64 = 0.06;
+const ROD_OFF: f64 = 0.09;
+/// At 90° the crank takes the slider half a degree to either side, mm: what the lengths then do more, 0.06 mm times 0.0087, and the rod's slope.
+const HALF_A_STEP_MM: f64 = 2e-3;
+
+const STUDY: &str = r#"
+name = "few mechanisms"
+model = "model.toml"
+[cycle]
+transient_turns = 0
+recorded_turns = 1
+[sampling]
+outer = 5
+inner = 16
+replicates = 4
+[random]
+"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.02 mm" } }
+"parameter.rod_length" = { normal = { mean = "120 mm", standard_deviation = "0.03 mm" } }
+[epistemic]
+"joint.gudgeon.radial_clearance" = { interval = ["0.1 mm", "0.5 mm"] }
+[[ask]]
+output = "slider"
+of = "total"
+poses = { crank = ["90 deg"] }
+statistics = ["mean"]
+[[ask]]
+output = "slider"
+of = "total"
+reduce = "maximum_absolute"
+statistics = ["mean"]
+[[ask]]
+output = "slider"
+of = "total"
+reduce = "range"
+statistics = ["mean"]
+[[ask]]
+output = "slider_velocity"
+of = "total"
+reduce = "maximum_absolute"
+statistics = ["mean"]
+"#;
+/// The same places for `motion`.
+const REQUIRED: &str = r#"
+[[require]]
+output = "slider"
+of = "total"
+within = "2 mm"
+poses = { crank = ["90 deg"] }
+probability_at_least = 0.5
+[[require]]
+output = "slider"
+of = "total"
+within = "2 mm"
+over = "cycle"
+probability_at_least = 0.5
+"#;
+
+fn study(text: &str) -> Study {
+    let model = Model::from_text("model.toml", MODEL).expect("a model");
+    Study::from_text("study.toml", text, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+}
+
+fn proven_mm(result: &StudyResult, output: &str, is_there: impl Fn(ResponsePoint) -> bool) -> Option<[f64; 2]> {
+    let mut all = result.treatments.iter();
+    let own = all.find(|own| own.output == output && is_there(own.at)).expect("its treatments are compared");
+    own.proven_without_dynamics_si.map(|ends| ends.map(|end| 1e3 * end))
+}
+
+#[test]
+fn analytic_treatments_are_held_against_what_motion_proves() {
+    let result = run(&study(STUDY)).result;
+    let at_pose = proven_mm(&result, "slider", |at| matches!(at, ResponsePoint::Pose { .. })).expect("a proof");
+    let reduced = |reduction| move |at| at == ResponsePoint::Reduced { reduction };
+    let largest = proven_mm(&result, "slider", reduced(Reduction::MaximumAbsolute)).expect("a proof");
+    let range = proven_mm(&result, "slider", reduced(Reduction::Range)).expect("a proof");
+    // A velocity is no position.
+    assert_eq!(proven_mm(&result, "slider_velocity", reduced(Reduction::MaximumAbsolute)), None);
+    // x = √(l² - r²) at 90°: farthest down with the pin drawn along the rod, the rod short and the crank long.
+    let x = |crank: f64, rod: f64| (rod * rod - crank * crank).sqrt();
+    let down = x(CRANK, ROD) - x(CRANK + CRANK_OFF, ROD - ROD_OFF - PLAY);
+    let up = x(CRANK - CRANK_OFF, ROD + ROD_OFF + PLAY) - x(CRANK, ROD);
+    for (proven, due) in [(-at_pose[0], down), (at_pose[1], up)] {
+        assert!(due <= proven && proven <= due + HALF_A_STEP_MM, "{proven} {due}");
+    }
+    let file = InputFile::Study(Box::new(study(&format!("{STUDY}{REQUIRED}"))));
+    let motion = file.motion_answer(&[], &[], &AtomicBool::new(false)).expect("a motion");
+    let [of_pose, of_cycle] = [0, 1].map(|place| motion.requirements[place].proven_si.map(|end| 1e3 * end));
+    assert_eq!(at_pose, of_pose);
+    assert_eq!(largest, [0.0, of_cycle[1].max(-of_cycle[0])]);
+    assert!((range[1] - (of_cycle[1] - of_cycle[0])).abs() < 1e-12 && range[0] == 0.0, "{range:?} {of_cycle:?}");
+}
