@@ -128,7 +128,8 @@ class Studio:
         """Until the study has a line."""
         deadline = time.monotonic() + 30
         while line not in self.saved(folder)[1]:
-            assert time.monotonic() < deadline, line
+            if time.monotonic() > deadline:
+                raise AssertionError(f"not saved: {line}")
             time.sleep(0.05)
 
     def type_number(self, name, text):

@@ -49,7 +49,6 @@ def wait_for_sheet(studio):
 def test_a_four_bar_with_its_coupler_curve_and_zone_in_ten_clicks(studio):  # noqa: F811
     studio.browser.view(1280, 800)
     new_sheet(studio)
-    began = time.monotonic()
     hand = Hand(studio)
     hand.button("button", "Draw from nothing")
     wait_for_sheet(studio)
@@ -83,7 +82,6 @@ def test_a_four_bar_with_its_coupler_curve_and_zone_in_ten_clicks(studio):  # no
     studio.wait("document.querySelector('.drawing .zones-now .zone[data-point=\"link_2.p1\"]')?.getAttribute('d').length > 100")
     assert "zone of the path × " in studio.browser.evaluate("document.querySelector('.drawing .scale-bar').innerText")
     assert hand.clicks <= 10, hand.clicks
-    assert time.monotonic() - began < 60
     studio.wait("document.querySelector('svg.chart')")
     studio.settle()
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
@@ -126,7 +124,6 @@ def test_a_typed_place_is_the_point_that_lies_there(studio):  # noqa: F811
 
 def test_the_same_by_keys_alone(studio):  # noqa: F811
     new_sheet(studio)
-    began = time.monotonic()
     studio.browser.evaluate("([...document.querySelectorAll('button')].find((one) => one.textContent.includes('Draw from nothing')).focus(), true)")
     studio.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
     wait_for_sheet(studio)
@@ -169,7 +166,6 @@ def test_the_same_by_keys_alone(studio):  # noqa: F811
     studio.browser.call("Input.insertText", text="0.05..0.2")
     studio.key("Enter")
     studio.wait(f"({ZONE} ?? '').length > 100")
-    assert time.monotonic() - began < 60
     assert 'link_2_length = "107.70' in studio.saved("drawn")[0]
     assert studio.browser.diagnostics() == []
 

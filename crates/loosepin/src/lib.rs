@@ -34,6 +34,6 @@ pub use loosepin_study as study;
 pub use loosepin_study::cases;
 pub use loosepin_surrogate as surrogate;
 pub use loosepin_tape::{native, trace};
-pub use loosepin_text::{VERSION, article, diagnostics, document, units};
+pub use loosepin_text::{VERSION, article, diagnostics, document, units, work};
 pub use loosepin_uncertainty as uncertainty;
 pub use loosepin_uncertainty::{contributors, reliability};

@@ -1,17 +1,19 @@
 """Everything that a run records, as arrays: states, orbits, contact forces, spectra, exponents, measured curves."""
 
 import csv
+import faulthandler
 import json
 import os
 import signal
 import threading
-import time
 
 import loosepin as lp
 import numpy as np
 import pytest
 from conftest import MODEL, REPOSITORY, command
 
+# s; how long an end is waited for, on a busy machine.
+PATIENCE_S = 60
 TURNS = ["--turns", "1", "--transient", "0", "--samples", "60", "--tolerance", "1e-7 m"]
 PENDULUM = REPOSITORY / "crates/loosepin-simulate/tests/files/nodal_pendulum.toml"
 
@@ -96,13 +98,13 @@ def test_identity_lyapunov_exponent_is_that_of_the_command(model, tmp_path):
 
 @pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
 def test_ctrl_c_ends_a_long_measurement_of_the_exponent(model):
+    # By itself it ends after hours: a measurement that does not hear the signal ends the tests, with a trace.
+    faulthandler.dump_traceback_later(PATIENCE_S, exit=True)
     timer = threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT))
     timer.start()
-    began = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         model.simulate(turns=0.1, transient=0, tolerance="1e-6 m", second_run=False, lyapunov=1_000_000)
-    # s; signals are looked at ten times a second.
-    assert 0.4 < time.monotonic() - began < 5
+    faulthandler.cancel_dump_traceback_later()
 
 
 def test_nothing_is_measured_that_nobody_asked_for(run):

@@ -13,7 +13,7 @@ use loosepin_studio::Timeouts;
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
-/// Time for an answer on a busy machine.
+/// Time for an answer on a busy machine; a test fails where it does not come by then.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A server that ends with this.
@@ -73,7 +73,8 @@ impl Server {
             let _ = stream.shutdown(std::net::Shutdown::Write);
         }
         let mut answer = Vec::new();
-        let _ = stream.read_to_end(&mut answer);
+        let read = stream.read_to_end(&mut answer);
+        assert!(!read.is_err_and(|error| is_waiting(&error)), "the server does not end the connection: {answer:?}");
         answer
     }
 
@@ -124,6 +125,11 @@ impl Server {
     }
 }
 
+/// Whether reading has ended since nothing came for as long as the client waits: a server that has closed the connection gives another error.
+fn is_waiting(error: &std::io::Error) -> bool {
+    matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut)
+}
+
 impl Drop for Server {
     fn drop(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
@@ -163,6 +169,9 @@ impl Live {
         loop {
             match self.0.read() {
                 Ok(Message::Text(text)) => return serde_json::from_str(&text).ok(),
+                Err(tungstenite::Error::Io(error)) if is_waiting(&error) => {
+                    panic!("no message, and no end, in {PATIENCE:?}")
+                }
                 Ok(Message::Close(_)) | Err(_) => return None,
                 Ok(_) => {}
             }

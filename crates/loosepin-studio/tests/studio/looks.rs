@@ -211,12 +211,10 @@ fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
         let text = serde_json::json!({"path": "model.toml", "text": model});
         serde_json::json!({"kind": "look", "seq": seq, "model": text, "study": null, "positions": positions, "grip": null})
     };
-    let began = std::time::Instant::now();
     live.send(&look(1, &model, 720));
     let seen = live.next_of("look_answer");
-    let taken = began.elapsed().as_secs_f64();
     assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(1), &Value::from(true)), "{}", seen["diagnostics"]);
-    assert!(seen["view"].is_null() && taken >= 2.0, "{taken} s");
+    assert_eq!((&seen["view"], &seen["cost_ms"]), (&Value::Null, &Value::from(2000.0)));
     // What comes next is answered as ever: nothing goes on computing in its way, and no answer to the first one follows.
     live.send(&look(2, &chain(1), 36));
     let seen = live.next_of("look_answer");

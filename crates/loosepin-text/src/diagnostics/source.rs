@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
+use crate::work;
+
 /// Bytes between two positions of a text that are counted once and kept.
 const STRIDE_BYTES: usize = 512;
 
@@ -110,6 +112,7 @@ impl Source {
         let known = self.positions.get_or_init(|| self.counted());
         let start = known.partition_point(|position| position.byte <= byte).checked_sub(1);
         let mut position = start.map_or(Position::default(), |start| known[start]);
+        let known_byte = position.byte;
         for character in self.text[position.byte..].chars() {
             let next = position.passed(character);
             if next.byte > byte {
@@ -117,12 +120,14 @@ impl Source {
             }
             position = next;
         }
+        work::add(position.byte - known_byte);
         position
     }
 
     fn counted(&self) -> Vec<Position> {
         let mut known = Vec::with_capacity(self.text.len() / STRIDE_BYTES + 1);
         let mut position = Position::default();
+        work::add(self.text.len());
         for character in self.text.chars() {
             if position.byte >= known.len() * STRIDE_BYTES {
                 known.push(position);

@@ -1,5 +1,7 @@
 //! The name that was probably meant.
 
+use crate::work;
+
 /// The candidate nearest to `name` by edits of single characters, if it is near enough to be meant: at most one edit
 /// in three characters.
 pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
@@ -20,6 +22,7 @@ pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str
     let mut nearest: Option<(usize, &str)> = None;
     for candidate in candidates.into_iter().take(MAX_CANDIDATES) {
         let candidate_chars = candidate.chars().count();
+        work::add(candidate_chars);
         let lowercase = candidate.to_lowercase();
         if candidate_chars.abs_diff(length_chars) > allowed_edits || unshared(&letters, &lowercase) > allowed_edits {
             continue;
@@ -28,6 +31,7 @@ pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str
         if entries > MAX_ENTRIES {
             break;
         }
+        work::add(length_chars * candidate_chars);
         let edits = strsim::osa_distance(&name, &lowercase);
         let is_near = edits <= allowed_edits && edits < candidate_chars;
         if is_near && nearest.is_none_or(|(fewest, _)| edits < fewest) {

@@ -17,6 +17,7 @@ use crate::diagnostics::{
     Diagnostic, Diagnostics, Place, Problem, RefusedFile, Source, Span, first_control_character, nearest_name,
 };
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
+use crate::work;
 
 /// Mark in a file where a value is still to be filled in.
 const TO_FILL_IN: &str = "?";
@@ -97,6 +98,7 @@ pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Diagnost
         let problem = DocumentProblem::TooLarge { file: source.name().to_owned(), size_bytes };
         return Err(Diagnostics::one(&problem, None));
     }
+    work::add(size_bytes);
     let (table, errors) = DeTable::parse_recoverable(source.text());
     if errors.is_empty() {
         return Ok(table);
@@ -197,6 +199,7 @@ impl Reader {
         entries: &'t DeTable<'t>,
         keys: &'static Keys,
     ) -> Table<'t> {
+        work::add(entries.len());
         let table = Table { path, span, entries, keys };
         let words = table.path.describe();
         let mut meant = Vec::new();
@@ -305,6 +308,7 @@ impl Reader {
             self.wrong_type::<()>(entry, "a table");
             return Vec::new();
         };
+        work::add(entries.len());
         entries.iter().map(|(key, value)| Entry::below(&entry.path, key, value)).collect()
     }
 

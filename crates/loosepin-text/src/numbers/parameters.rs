@@ -1,6 +1,6 @@
 //! The parameters read so far.
 
-use crate::units::{Dimension, Names};
+use crate::units::{Dimension, ExpressionProblem, Names};
 use std::collections::{HashMap, HashSet};
 
 /// The parameters read so far.
@@ -21,15 +21,18 @@ impl Names for Parameters {
     fn find(&self, name: &str) -> Option<(usize, Dimension)> {
         self.known.get(name).copied()
     }
-    fn all(&self) -> Vec<&str> {
-        self.order.iter().map(String::as_str).collect()
+    fn all(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+        Box::new(self.order.iter().map(String::as_str))
+    }
+    fn is_reported(&self, name: &str) -> bool {
+        self.broken.contains(name)
     }
 }
 
 impl Parameters {
-    /// Whether a parameter of this name was reported.
-    pub fn is_broken(&self, name: &str) -> bool {
-        self.broken.contains(name)
+    /// Whether an expression is wrong since it uses a parameter that was reported: it is not reported again.
+    pub fn is_echo(&self, problem: &ExpressionProblem) -> bool {
+        matches!(problem, ExpressionProblem::UnknownName { name, .. } if self.is_reported(name))
     }
 
     /// Notes that a parameter is reported for its missing unit; false where it was before.

@@ -3,6 +3,7 @@
 use crate::diagnostics::{Code, Span, problems};
 use crate::document::describe_path;
 use crate::units::{Dimension, Expression, Op, Rule, format_apart, format_refused, run};
+use crate::work;
 use std::collections::HashMap;
 
 /// Key of the clearance of a revolute joint that is radius of the hole minus radius of the pin.
@@ -180,6 +181,7 @@ impl QuantityTable {
             }
             values.0[id.0] = value_si;
         }
+        work::add(self.program.len() + self.quantities.len());
         run(&self.program, &mut values.0);
         for (quantity, value_si) in self.quantities.iter().zip(&values.0) {
             quantity.check(*value_si)?;
@@ -197,6 +199,7 @@ impl QuantityTable {
         let mut roots = Vec::new();
         let mut seen = vec![false; self.len()];
         let mut waiting = vec![id];
+        work::add(self.len());
         while let Some(id) = waiting.pop() {
             if std::mem::replace(&mut seen[id.0], true) {
                 continue;
@@ -245,6 +248,7 @@ impl QuantityTable {
 
     /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.
     pub fn is_independent(&self, id: QuantityId) -> bool {
+        work::add(self.len() + self.orders.len());
         let is_used = |quantity: &Quantity| matches!(&quantity.origin, Origin::Expression { depends_on } if depends_on.contains(&id));
         !self.quantities.iter().any(is_used)
             && !self.orders.iter().any(|order| order.smaller == id || order.larger == id)

@@ -5,7 +5,8 @@ use super::problem::EntryProblem;
 use super::quantity::{Origin, Quantity, QuantityId, QuantityTable};
 use crate::diagnostics::{Diagnostic, Source, Span, nearest_name};
 use crate::document::{Entry, EntryPath, Keys, Reader, Table, Written};
-use crate::units::{Dimension, Expression, ExpressionProblem, Op, Rule, parse_expression, run};
+use crate::units::{Dimension, Expression, Op, Rule, parse_expression, run};
+use crate::work;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -112,7 +113,7 @@ impl NumberReader {
                     Some(expression)
                 }
                 Err(error) => {
-                    let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
+                    let is_echo = self.parameters.is_echo(&error.problem);
                     let is_blamed = due.is_some_and(|due| !is_echo && self.blames_parameter(entry, due));
                     if !is_echo && !is_blamed {
                         let error = due.map_or(error.clone(), |due| error.for_due(text, due));
@@ -142,6 +143,7 @@ impl NumberReader {
                 let measures = self.reader.measures(entry, expression.dimension, dimension);
                 if measures { self.add(entry, &expression, rule) } else { None }
             }
+            Err(error) if self.parameters.is_echo(&error.problem) => None,
             Err(error) => {
                 let error = error.for_due(text, dimension);
                 let span = self.reader.inside(entry, whole, &(error.span.start + skip..error.span.end + skip));
@@ -271,8 +273,10 @@ impl NumberReader {
         name: &str,
         list: &[(String, Option<T>)],
     ) -> Option<T> {
-        if let Some((_, meaning)) = list.iter().find(|(known, _)| known == name) {
-            return *meaning;
+        let place = list.iter().position(|(known, _)| known == name);
+        work::add(place.unwrap_or(list.len()));
+        if let Some(place) = place {
+            return list[place].1;
         }
         let known = list.iter().map(|(known, _)| format!("'{known}'")).collect();
         let nearest = nearest_name(name, list.iter().map(|(known, _)| known.as_str())).map(str::to_owned);

@@ -21,8 +21,11 @@ impl Names for Taken<'_> {
         let (slot, dimension) = self.parameters.find(name)?;
         Some((slot, if self.names.iter().any(|taken| taken == name) { self.dimension } else { dimension }))
     }
-    fn all(&self) -> Vec<&str> {
+    fn all(&self) -> Box<dyn Iterator<Item = &str> + '_> {
         self.parameters.all()
+    }
+    fn is_reported(&self, name: &str) -> bool {
+        self.parameters.is_reported(name)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::{ExpressionError, ExpressionProblem, LONGEST_EXPRESSION_CHARS};
+use crate::work;
 
 /// A word of the text, with its byte range.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,7 @@ fn superscript(character: char) -> Option<f64> {
 /// Text that is too long, characters that belong in no value, numbers that cannot be read.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ExpressionError> {
     let length_chars = text.chars().count();
+    work::add(length_chars);
     if length_chars > LONGEST_EXPRESSION_CHARS {
         return Err(ExpressionError { problem: ExpressionProblem::TooLong { length_chars }, span: 0..text.len() });
     }

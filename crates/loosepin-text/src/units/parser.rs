@@ -26,8 +26,12 @@ pub struct Measured {
 pub trait Names {
     /// Slot and dimension of the value called `name`.
     fn find(&self, name: &str) -> Option<(usize, Dimension)>;
-    /// All names, for suggestions.
-    fn all(&self) -> Vec<&str>;
+    /// All names, for suggestions. No more of them are looked at than suggestions need.
+    fn all(&self) -> Box<dyn Iterator<Item = &str> + '_>;
+    /// Whether `name` means nothing because it was reported where it is defined: then nothing is suggested in its place.
+    fn is_reported(&self, _name: &str) -> bool {
+        false
+    }
     /// Whether names mean anything where this value stands.
     fn are_allowed(&self) -> bool {
         true
@@ -41,8 +45,8 @@ impl Names for NoNames {
     fn find(&self, _name: &str) -> Option<(usize, Dimension)> {
         None
     }
-    fn all(&self) -> Vec<&str> {
-        Vec::new()
+    fn all(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+        Box::new(std::iter::empty())
     }
     fn are_allowed(&self) -> bool {
         false
@@ -407,8 +411,10 @@ impl Parser<'_> {
             let is_called = *self.ahead(1) == TokenKind::Sign('(');
             let known = is_called.then(|| functions.clone().map(str::to_owned).collect());
             let elsewhere = OTHER_NAMES.iter().find(|(other, _)| *other == name).map(|(_, here)| *here);
-            let nearest = elsewhere.or_else(|| nearest_name(&name, self.names.all().into_iter().chain(functions)));
-            let nearest = nearest.map(str::to_owned);
+            // Whoever reports a name does so once: a chain of a thousand parameters, of which the last is wrong, is not searched for each.
+            let is_searched = !self.names.is_reported(&name);
+            let similar = || is_searched.then(|| nearest_name(&name, self.names.all().chain(functions))).flatten();
+            let nearest = elsewhere.or_else(similar).map(str::to_owned);
             ExpressionProblem::UnknownName { name, known, nearest, example: None }
         };
         Err(self.error(problem, span))

@@ -1,9 +1,8 @@
 //! The kept corpus of the guided fuzzer (`just campaign fuzz-guided`): the fewest inputs that together reach all code of the readers that
-//! it has reached, and every input that was once a defect. Each is read as the fuzzer reads it: diagnostics that can be shown, no panic,
-//! in no time.
+//! it has reached, and every input that was once a defect. Each is read as the fuzzer reads it: diagnostics that can be shown, no panic. How
+//! long that takes the fuzzer measures.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 #[path = "../../../../tests/fuzz/src/files.rs"]
 mod files;
@@ -20,8 +19,6 @@ mod store;
 #[path = "../../../../tests/fuzz/src/study.rs"]
 mod study;
 
-/// No input takes longer, even unoptimised on a busy machine: most take a thousandth of a second, and the fuzzer allows one, optimised.
-const LONGEST: Duration = Duration::from_secs(20);
 /// A corpus that has lost most of its inputs checks nothing.
 const FEWEST: usize = 50;
 
@@ -37,10 +34,8 @@ fn inputs(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
 
 fn read_all(target: &str, read: impl Fn(&[u8])) {
     for (path, bytes) in inputs(target) {
-        let began = Instant::now();
         let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| read(&bytes)));
         assert!(done.is_ok(), "{} makes the reader panic", path.display());
-        assert!(began.elapsed() < LONGEST, "{} takes {:?}", path.display(), began.elapsed());
     }
 }
 

@@ -5,7 +5,7 @@ use crate::model::problem::ModelProblem;
 pub(super) use crate::model::values::function::Changing;
 use crate::model::values::function::{Beyond, Function, FunctionNames, Variable};
 use loosepin_text::document::{Entry, Written};
-use loosepin_text::units::{Dimension, ExpressionProblem, Names, parse_expression};
+use loosepin_text::units::{Dimension, Names, parse_expression};
 
 impl ModelReader {
     /// Reads an expression over parameters and `variables`. One without variables is a quantity like any other.
@@ -23,7 +23,7 @@ impl ModelReader {
         let expression = match parse_expression(text, &names) {
             Ok(expression) => expression,
             Err(error) => {
-                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.numbers.parameters.is_broken(name));
+                let is_echo = self.numbers.parameters.is_echo(&error.problem);
                 if !is_echo {
                     let span = self.numbers.reader.inside(entry, text, &error.span);
                     self.numbers.reader.report(&error.problem, span);

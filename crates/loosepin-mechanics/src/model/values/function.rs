@@ -214,8 +214,11 @@ impl Names for FunctionNames<'_> {
         // Variables are numbered from the largest slot downwards, where no quantity is.
         variable.map(|place| (usize::MAX - place, self.variables[place].1)).or_else(|| self.parameters.find(name))
     }
-    fn all(&self) -> Vec<&str> {
-        self.variables.iter().map(|(name, _)| *name).chain(self.parameters.all()).collect()
+    fn all(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+        Box::new(self.variables.iter().map(|(name, _)| *name).chain(self.parameters.all()))
+    }
+    fn is_reported(&self, name: &str) -> bool {
+        self.parameters.is_reported(name)
     }
 }
 
@@ -230,8 +233,8 @@ mod tests {
         fn find(&self, name: &str) -> Option<(usize, Dimension)> {
             (name == "swing").then_some((4, Dimension::ANGLE))
         }
-        fn all(&self) -> Vec<&str> {
-            Vec::new()
+        fn all(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+            Box::new(std::iter::empty())
         }
     }
 

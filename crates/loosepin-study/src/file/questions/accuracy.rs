@@ -73,24 +73,24 @@ problems! {
 /// A bound that an accuracy can be of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Askable {
-    ask: usize,
     output: usize,
     statistic: &'static str,
     dimension: Dimension,
 }
 
-/// Statistics of `asks` that the double loop counts, with what their bounds measure.
-fn askable(asks: &[Ask], dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askable> {
-    let of_ask = |(place, ask): (usize, &Ask)| {
+/// Statistics of `asks`, or of the one of them at `only`, that the double loop counts, with what their bounds measure.
+fn askable(asks: &[Ask], only: Option<usize>, dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askable> {
+    let of_ask = |ask: &Ask| {
         let counted = ask.statistics().filter(|statistic| !ask.is_by_method(*statistic));
         let known = counted.filter_map(|statistic| {
             let name = statistic_name(statistic)?;
             let dimension = dimension_of_statistic(statistic, dimension_of(ask.output));
-            Some(Askable { ask: place, output: ask.output, statistic: name, dimension })
+            Some(Askable { output: ask.output, statistic: name, dimension })
         });
         known.collect::<Vec<Askable>>()
     };
-    asks.iter().enumerate().flat_map(of_ask).collect()
+    let (first, count) = only.map_or((0, asks.len()), |only| (only, 1));
+    asks.iter().skip(first).take(count).flat_map(of_ask).collect()
 }
 
 /// Checks a value against the bounds that it concerns. `span` is its place in the text.
@@ -158,7 +158,7 @@ impl Study {
     }
 
     fn parse_accuracy(&self, text: &str) -> Result<AccuracyTarget, (AccuracyProblem, Range<usize>)> {
-        let asked = askable(&self.asks, |output| self.outputs[output].dimension);
+        let asked = askable(&self.asks, None, |output| self.outputs[output].dimension);
         let (named, value) = match text.split_once('=') {
             Some((named, value)) => (Some(named), value),
             None => (None, text),
@@ -310,9 +310,7 @@ impl StudyReader {
 
     /// The accuracies of `asks`; of the question `of_ask` alone if they stand in one.
     pub fn targets(&mut self, written: WrittenAccuracies, asks: &[Ask], of_ask: Option<usize>) -> Vec<AccuracyTarget> {
-        let asked = askable(asks, |output| self.outputs[output].dimension);
-        let concerned: Vec<Askable> =
-            asked.into_iter().filter(|bound| of_ask.is_none_or(|ask| bound.ask == ask)).collect();
+        let concerned = askable(asks, of_ask, |output| self.outputs[output].dimension);
         let mut targets = Vec::new();
         for (what, text, measured, span) in written.written {
             let is_twice = targets.iter().any(|target: &AccuracyTarget| target.dimension == measured.dimension);
