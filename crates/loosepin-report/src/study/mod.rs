@@ -10,3 +10,4 @@ pub(crate) mod sections;
 pub(crate) mod short_answer;
 pub(crate) mod text;
 pub(crate) mod together;
+mod way_to_decide;
