@@ -3,17 +3,16 @@
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::output_summary::{OutputSummary, between, largest, output_summaries, smallest};
+use crate::study::way_to_decide::way_to_decide;
 use crate::words::error::error_sentence;
 use crate::words::failed::failed_sentence;
 use crate::words::force::{JointForces, study_sentences};
 use crate::words::turn::turns_sentence;
 use crate::words::wording::{
-    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
-    verdict_words,
+    capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, path_part, place_words, verdict_words,
 };
 use loosepin_result::study::{
-    CountedMechanisms, Deviation, DeviationCurve, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
-    Verdict,
+    Deviation, DeviationCurve, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -257,49 +256,6 @@ fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWrit
         given.percent(promise.share, Rounding::Down),
         given.percent(promise.confidence, Rounding::Down),
     )
-}
-
-/// Hint for a requirement that is undecided.
-fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer: &NumberWriter) -> String {
-    // No more are made.
-    const MOST: f64 = 1e7;
-    let allowed = 1.0 - requirement.probability_at_least;
-    // None lies outside, and still so few mechanisms would not show a share that is small enough.
-    let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
-    let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
-    if requirement.promised.is_some() {
-        // A share of 0 may also come from a value at which every mechanism lies outside.
-        if let (Some(promise), 1..) = (&result.promise, requirement.failed_values) {
-            let values = failed_words(promise, requirement.failed_values, writer);
-            return format!("Runs failed at {values}: nothing is promised.");
-        }
-        return "The promised share is too small: increase 'inner' under [promise].".to_owned();
-    }
-    if is_by_surrogate(result) && result.counts.failed > 0 {
-        "Some runs failed, and only direct runs count failures: use direct = \"double-loop\".".to_owned()
-    } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {
-        format!(
-            "All {} passed, but {} can prove only {}: increase 'inner' to {} or more.",
-            counted(known.mechanisms, "mechanism", &writer.with_tag(&Tag::requirement(requirement, "mechanisms"))),
-            crate::words::wording::count(
-                known.mechanisms,
-                &writer.with_tag(&Tag::requirement(requirement, "mechanisms"))
-            ),
-            writer
-                .with_tag(&Tag::requirement(requirement, "share lower"))
-                .percent(requirement.probability[0], Rounding::Down),
-            crate::words::wording::count(
-                (needed(&known).ceil() as u64).next_power_of_two(),
-                &writer.with_tag(&Tag::requirement(requirement, "needed"))
-            )
-        )
-    } else if is_by_surrogate(result) {
-        "The required share lies within its error: increase 'training_runs' or 'inner', or use \
-         direct = \"double-loop\"."
-            .to_owned()
-    } else {
-        "The required share lies within its error: increase 'inner' and 'outer'.".to_owned()
-    }
 }
 
 /// The limits of a requirement; a distance stays within its limit, which has no sign.

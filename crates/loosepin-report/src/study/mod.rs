@@ -12,3 +12,4 @@ pub(crate) mod short_answer;
 mod subject;
 pub(crate) mod text;
 pub(crate) mod together;
+mod way_to_decide;

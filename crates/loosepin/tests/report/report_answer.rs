@@ -437,6 +437,40 @@ fn verdicts_stand_first_and_with_their_numbers() {
         "in 97.6 % to 100 % of mechanisms; required: at least 99.73 %. All 256 mechanisms passed, but 256 can prove only 97.6 %: increase \
          'inner' to 4096 or more.",
     );
+    // What was counted would do: the search between the 64 values is in the way.
+    result.requirements[0].probability = [0.604, 1.0];
+    result.requirements[0].counted = Some(CountedMechanisms { mechanisms: 4096, outside: 0, sampling_error: 0.0013 });
+    assert_says(
+        &result,
+        "in 60.4 % to 100 % of mechanisms; required: at least 99.73 %. Between the 64 values of the unknown inputs that were tried the \
+         share may still be smaller: increase 'outer' to 128 or more.",
+    );
+    // Both are: with enough mechanisms 60.4 % would still be all that is shown.
+    result.requirements[0].counted =
+        Some(CountedMechanisms { mechanisms: 256, outside: 0, sampling_error: 6.0 / 256.0 });
+    assert_says(
+        &result,
+        "increase 'inner' to 4096 or more. Between the 64 values of the unknown inputs that were tried the share may still be smaller: \
+         increase 'outer' to 128 or more.",
+    );
+    // 0.2 % of 4000 are outside: (0.002/0.0007)² times as many.
+    result.requirements[0].probability = [0.996, 0.999];
+    result.requirements[0].counted = Some(CountedMechanisms { mechanisms: 4000, outside: 8, sampling_error: 0.002 });
+    assert_says(
+        &result,
+        "Of 4000 mechanisms 8 are outside, fewer than permitted, but so few may be chance: increase 'inner' to 32768 or more.",
+    );
+    result.requirements[0].counted = Some(CountedMechanisms { mechanisms: 4000, outside: 14, sampling_error: 0.002 });
+    assert_says(
+        &result,
+        "Of 4000 mechanisms 14 are outside, more than permitted, but so few may be chance: 'inner' of 32768 or more shows whether it is \
+         not met.",
+    );
+    result.requirements[0].counted = Some(CountedMechanisms { mechanisms: 10_000, outside: 27, sampling_error: 0.002 });
+    assert_says(
+        &result,
+        "Of 10000 mechanisms 27 are outside, as many as permitted: no number of runs decides this, another limit or share does.",
+    );
     result.requirements[0].lower_si = f64::NEG_INFINITY;
     result.requirements[0].of = Deviation::Value;
     assert_says(&result, "Undecided: the value of slider stays below 0.7 mm over the whole cycle");

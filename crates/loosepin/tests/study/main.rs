@@ -5,9 +5,11 @@
 mod allowed_fits;
 mod allowed_together;
 mod any_statistic;
+mod ball_four_bar;
 mod contact_law_lists;
 mod drafts;
 mod drawn_journals;
+mod drawn_requirements;
 mod efforts;
 mod epistemic_inputs;
 mod exact_bounds;
@@ -24,4 +26,5 @@ mod space;
 mod stress;
 mod study_accuracy;
 mod surrogates;
+mod two_balls;
 mod warm;
