@@ -19,6 +19,7 @@ mod path;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;
+mod round_off;
 mod sensitivity;
 mod transmission;
 mod worst_case;
@@ -32,7 +33,7 @@ pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
 pub use motion::{
-    MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases,
+    AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases,
     motion_with_worst_cases_until,
 };
 pub use play_reach::PlayReach;

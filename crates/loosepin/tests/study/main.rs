@@ -18,6 +18,7 @@ mod paths;
 mod planar_in_space;
 mod position_tolerance;
 mod promise;
+mod shares;
 mod silent;
 mod space;
 mod stress;
