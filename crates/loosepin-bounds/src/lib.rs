@@ -62,7 +62,7 @@ pub use plan::promise::{
 pub use plan::refinement::{Assessment, Goal, Refinement, RefinementStatus};
 pub use readings::bounds::Bounds;
 pub use readings::coverage::{Coverage, CoveragePoint};
-pub use readings::pinching::{PinchedInput, Pinching};
+pub use readings::pinching::{PinchedEnd, PinchedInput, Pinching};
 pub use readings::probability_box::ProbabilityBox;
 pub use readings::promise::InnerRuns;
 pub use readings::second_order::{Percentile, StatisticPercentiles};

@@ -64,6 +64,9 @@ pub struct MotionRecord {
     /// Tolerances that the study may loosen, judged without dynamics, in file order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub allowances: Vec<MotionAllowance>,
+    /// What play and scatter do at the poses that the study asks about: those of requirements first, then those of questions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub asked: Vec<PoseEffect>,
     /// The mechanism and its ideal poses.
     pub drawing: Drawing,
 }
@@ -141,6 +144,38 @@ pub struct MotionAllowance {
     /// Why it was not judged, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
+}
+
+/// What play and scatter do to an output, to first order, at a pose that a study asks about.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PoseEffect {
+    /// Name of the output.
+    pub output: String,
+    /// The pose as it was asked for: an angle of the drive.
+    #[serde(with = "extended")]
+    pub pose_rad: f64,
+    /// Whether a requirement names the pose, not a question alone.
+    pub is_required: bool,
+    /// Sum of the first-order effects of all joints.
+    #[serde(with = "extended")]
+    pub first_order_si: f64,
+    /// That of each joint with play, in their order.
+    pub joints: Vec<NamedEffect>,
+    /// Standard deviation from the scatter of the dimensions, correlations included; 0 where none scatters.
+    #[serde(with = "extended")]
+    pub standard_deviation_si: f64,
+    /// That of each dimension alone.
+    pub dimensions: Vec<NamedEffect>,
+}
+
+/// The effect of one joint or one dimension.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NamedEffect {
+    /// Name of the joint, or path of the dimension.
+    pub name: String,
+    /// Its effect, >= 0.
+    #[serde(with = "extended")]
+    pub value_si: f64,
 }
 
 /// A position where the mechanism cannot transmit motion.
@@ -316,6 +351,13 @@ pub struct DimensionContributor {
     /// |derivative of the output| times the standard deviation of the quantity, over the cycle.
     #[serde(with = "extended")]
     pub standard_deviation_si: Vec<f64>,
+}
+
+impl MotionRecord {
+    /// The poses at which an output is asked about, those of requirements first.
+    pub fn asked_of<'r>(&'r self, output: &'r str) -> impl Iterator<Item = &'r PoseEffect> {
+        self.asked.iter().filter(move |asked| asked.output == output)
+    }
 }
 
 impl OutputMotion {

@@ -1,6 +1,6 @@
 //! The motion of a mechanism in space over a turn, and what play does to it, without dynamics. SI.
 
-use crate::motion::DimensionContributor;
+use crate::motion::{DimensionContributor, PoseEffect};
 use crate::repeat::Repeat;
 use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
@@ -39,6 +39,9 @@ pub struct SpatialMotionRecord {
     pub is_other_start: bool,
     /// The outputs in their order.
     pub outputs: Vec<SpatialOutputRecord>,
+    /// What scatter does at the poses that a study asks about: those of requirements first, then those of questions. Without joints.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub asked: Vec<PoseEffect>,
     /// The mechanism as it is drawn, in the same positions.
     pub picture: SpatialPicture,
 }

@@ -1,7 +1,7 @@
 //! `summary.json` of a motion in space: keys as those of a planar motion where they mean the same. SI.
 
 use crate::json::to_json;
-use crate::motion::DimensionContributor;
+use crate::motion::{DimensionContributor, PoseEffect};
 use crate::repeat::Repeat;
 use crate::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialWorstCase};
 use crate::spatial_picture::SpatialPicture;
@@ -30,6 +30,8 @@ struct Summary<'r> {
     #[serde(skip_serializing_if = "<[usize]>::is_empty")]
     dead_centre_samples: &'r [usize],
     outputs: Vec<Output<'r>>,
+    #[serde(skip_serializing_if = "<[PoseEffect]>::is_empty")]
+    asked: &'r [PoseEffect],
     drawing: &'r SpatialPicture,
 }
 
@@ -103,6 +105,7 @@ pub fn spatial_motion_summary(record: &SpatialMotionRecord) -> Result<String, se
         has_play: record.has_play,
         dead_centre_samples: &record.dead_centre_samples,
         outputs: record.outputs.iter().map(|output| summary_of(record, output)).collect(),
+        asked: &record.asked,
         drawing: &record.picture,
     })
 }

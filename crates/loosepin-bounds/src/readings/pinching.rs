@@ -39,8 +39,19 @@ pub struct Pinching {
     pub width_error: f64,
     /// The part of W that lies within the ends of the bands at single values of u, where W is: from the mean to the quantiles.
     pub scatter: f64,
+    /// Where both ends of the band of each column are.
+    pub ends: Vec<[PinchedEnd; 2]>,
     /// One for each epistemic input.
     pub inputs: Vec<PinchedInput>,
+}
+
+/// An end of a band at the value of u among those that were run at which it is furthest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PinchedEnd {
+    /// The quantile there.
+    pub quantile: f64,
+    /// u.
+    pub epistemic: Vec<f64>,
 }
 
 /// Width of the band that is left where one input is known.
@@ -91,9 +102,11 @@ impl Experiment<'_> {
         let attained = [0, 1].map(|end| {
             let values = &ends[end].0.values;
             let point = extreme_point(values, Direction::BOTH[end])?;
-            Some((values[point] - means[point]).abs())
+            let epistemic = self.pool.points[point].epistemic.clone();
+            Some(((values[point] - means[point]).abs(), PinchedEnd { quantile: values[point], epistemic }))
         });
-        let scatter = attained[0]? + attained[1]?;
+        let [(below, low_end), (above, high_end)] = [attained[0].clone()?, attained[1].clone()?];
+        let scatter = below + above;
         let mut inputs = Vec::new();
         for (index, input) in search_box.inputs().iter().enumerate() {
             // A discrete input is known by its combinations, any other by its axis.
@@ -114,7 +127,8 @@ impl Experiment<'_> {
             let remaining = remaining.map(|left| left.min(width));
             inputs.push(PinchedInput { remaining, error: error + excess });
         }
-        Some(Pinching { width, width_error: ERROR_FACTOR * (low.deviation + high.deviation), scatter, inputs })
+        let width_error = ERROR_FACTOR * (low.deviation + high.deviation);
+        Some(Pinching { width, width_error, scatter, ends: vec![[low_end, high_end]], inputs })
     }
 
     /// The furthest that the models of a quantile expect it to go, in the combinations that `holds` allows and where one axis is
@@ -155,15 +169,21 @@ impl Experiment<'_> {
 
 impl Pinching {
     fn add(self, other: Self) -> Self {
-        let inputs = self.inputs.iter().zip(&other.inputs).map(|(a, b)| PinchedInput {
-            remaining: [a.remaining[0] + b.remaining[0], a.remaining[1] + b.remaining[1]],
-            error: a.error + b.error,
-        });
+        let inputs: Vec<PinchedInput> = self
+            .inputs
+            .iter()
+            .zip(&other.inputs)
+            .map(|(a, b)| PinchedInput {
+                remaining: [a.remaining[0] + b.remaining[0], a.remaining[1] + b.remaining[1]],
+                error: a.error + b.error,
+            })
+            .collect();
         Self {
-            inputs: inputs.collect(),
+            inputs,
             width: self.width + other.width,
             width_error: self.width_error + other.width_error,
             scatter: self.scatter + other.scatter,
+            ends: self.ends.into_iter().chain(other.ends).collect(),
         }
     }
 }

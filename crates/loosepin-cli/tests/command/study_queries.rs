@@ -63,27 +63,28 @@ fn analytic_shares_of_a_linear_deviation() {
     assert!((band / (2.0 * 1.96 * 3.6e-5) - 1.0).abs() < 0.1, "{band}");
 }
 
-#[test]
-fn analytic_shares_of_a_linear_deviation_without_runs_for_them() {
-    /// Of the band: 1 - √(1 - share); a share is a sum over 72 positions of a turn, here over 3600.
+/// Squares of the effects of crank and rod by their standard deviations, mm: of the crank cos θ - λ sin²θ/√(1 - λ² sin²θ), of the rod
+/// 1/√(1 - λ² sin²θ).
+fn squares_mm2(crank_rad: f64) -> [f64; 2] {
+    let (sine, cosine) = crank_rad.sin_cos();
+    let ratio = 50.0 / 120.0;
+    let root = (1.0 - (ratio * sine).powi(2)).sqrt();
+    [0.02 * (cosine - ratio * sine * sine / root), 0.03 / root].map(|effect| effect * effect)
+}
+
+/// Shares of a study of the same deviation without runs for contributors, asked at `place`, where these are the squares of the effects.
+fn check_shares_without_runs(place: &str, [of_crank, of_rod]: [f64; 2]) {
+    /// Of the band: 1 - √(1 - share); over a turn a share is a sum over 72 positions, here over 3600.
     const TOLERANCE: f64 = 1e-4;
-    let ask = "[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nposes = { crank = [\"5 deg\"] }\nstatistics = [\"mean\"]\n";
+    let ask = format!("[[ask]]\noutput = \"slider\"\nof = \"dimensional\"\n{place}\nstatistics = [\"mean\"]\n");
     let result = summary(&format!("{SHORT}{ask}"));
     let found = &result["contributors"][0];
     assert_eq!((&found["output"], &found["pairs"]), (&Value::from("slider"), &Value::from(0)));
-    // Gradients over the turn: of the crank cos θ - λ sin²θ/√(1 - λ² sin²θ), of the rod 1/√(1 - λ² sin²θ).
-    let [of_crank, of_rod] = (0..3600).fold([0.0_f64; 2], |[crank, rod], k| {
-        let (sine, cosine) = (std::f64::consts::TAU * f64::from(k) / 3600.0).sin_cos();
-        let ratio = 50.0 / 120.0;
-        let root = (1.0 - (ratio * sine).powi(2)).sqrt();
-        let of_crank = 0.02 * (cosine - ratio * sine * sine / root);
-        [crank + of_crank * of_crank, rod + (0.03 / root).powi(2)]
-    });
     let whole = of_crank + of_rod;
-    for (place, (path, share)) in
+    for (rank, (path, share)) in
         [("parameter.rod_length", of_rod / whole), ("parameter.crank_length", of_crank / whole)].into_iter().enumerate()
     {
-        let input = &found["random"][place];
+        let input = &found["random"][rank];
         assert_eq!(input["paths"][0], path);
         assert_eq!(input["total"]["centre"], "nan", "no indices without runs: {input}");
         let expected = 1.0 - (1.0 - share).sqrt();
@@ -91,6 +92,21 @@ fn analytic_shares_of_a_linear_deviation_without_runs_for_them() {
     }
     let purposes = result["counts"]["by_purpose"].as_array().expect("a list");
     assert!(purposes.iter().all(|part| part["purpose"] != "contributors"), "{purposes:?}");
+}
+
+#[test]
+fn analytic_shares_at_a_pose_without_runs_for_them_are_those_of_the_pose() {
+    // None of the 72 positions: 5.7 degrees.
+    check_shares_without_runs("poses = { crank = [\"5.7 deg\"] }", squares_mm2(5.7_f64.to_radians()));
+}
+
+#[test]
+fn analytic_shares_of_the_largest_deviation_without_runs_for_them_are_those_of_the_turn() {
+    let over_the_turn = (0..3600).fold([0.0_f64; 2], |[crank, rod], k| {
+        let [of_crank, of_rod] = squares_mm2(std::f64::consts::TAU * f64::from(k) / 3600.0);
+        [crank + of_crank, rod + of_rod]
+    });
+    check_shares_without_runs("at = \"cycle\"", over_the_turn);
 }
 
 #[test]

@@ -224,15 +224,21 @@ def _boxes(axis: Any, box: dict[str, Any], units: dict[str, Any]) -> None:
 
 def _contributors(axis: Any, record: dict[str, Any], _units: dict[str, Any]) -> None:
     bars = [(" + ".join(each["paths"]), each["band_share"], each["band_share"], RANDOM) for each in record["random"]]
-    bars += [(each["path"], *each["band_share"], UNKNOWN) for each in record["epistemic"]]
+    measurable = [each for each in record["epistemic"] if each.get("can_be_measured", True)]
+    bars += [(each["path"], *each["band_share"], UNKNOWN) for each in measurable]
+    bars.sort(key=lambda bar: float(bar[2]))
+    # Nobody can do anything about these: they stand below all others.
+    others = [each for each in record["epistemic"] if each not in measurable]
+    bars = [("where the pins sit (not measurable)", *each["band_share"], UNKNOWN) for each in others] + bars
     # A share that nobody knows has no bar.
-    bars = sorted((bar for bar in bars if np.isfinite(float(bar[2]))), key=lambda bar: float(bar[2]))
+    bars = [bar for bar in bars if np.isfinite(float(bar[2]))]
     for row, (_, low, high, colour) in enumerate(bars):
         axis.barh(row, 100 * float(high), color=colour, alpha=0.55)
         axis.barh(row, 100 * float(low), color=colour)
     axis.set_yticks(range(len(bars)), [bar[0] for bar in bars])
     axis.set_xlabel("% by which the band becomes narrower")
-    at = record["at"].get("reduction", record["at"]["kind"]).replace("_", " ")
+    pose = record["at"].get("pose_rad")
+    at = record["at"].get("reduction", record["at"]["kind"]).replace("_", " ") if pose is None else f"at {np.degrees(float(pose)):.6g}°"
     axis.set_title(f"{record['output']}, {record['of']} {at}: held fixed (blue), known (orange)", fontsize="medium")
 
 

@@ -9,10 +9,11 @@ use serde::Serialize;
 
 use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
-use crate::motion::{angle_chart, moved_words, turn_angle};
+use crate::motion::{angle_chart, asked_place, moved_words, turn_angle};
+use crate::numbers::largest::places_of_largest;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::words::wording::named_words;
-use loosepin_result::motion::{DimensionContributor, MotionRecord, OutputMotion};
+use loosepin_result::motion::{DimensionContributor, MotionRecord, OutputMotion, PoseEffect};
 use loosepin_text::units::SiUnit;
 
 /// Standard deviations on either side of the middle.
@@ -40,7 +41,9 @@ pub struct LiveBand {
     pub si_per_unit: f64,
     /// Whether the band keeps each limit of its output, in a sentence.
     pub kept: Vec<String>,
-    /// Parts of the band where it is widest, the largest first.
+    /// The place that the parts are at, in words: the first pose of a requirement or a question, else where the band is widest.
+    pub parts_at: String,
+    /// Parts of the band there, the largest first.
     pub parts: Vec<BandPart>,
 }
 
@@ -129,8 +132,8 @@ impl BandSource<'_> {
     /// The position at which the outer band is widest, and half its width there, SI; `None` where it has none.
     pub fn largest_si(&self) -> Option<(usize, f64)> {
         let [outer_si, _] = self.half_widths_si();
-        let largest = outer_si.into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        largest.filter(|(_, value_si)| *value_si > 0.0)
+        let [_, last] = places_of_largest(&outer_si)?;
+        Some((last, outer_si[last])).filter(|(_, value_si)| *value_si > 0.0)
     }
 
     /// The band on a chart that has its horizontal axis; `at` is the place of the largest value in words, and `in_order` puts values in the order
@@ -140,7 +143,7 @@ impl BandSource<'_> {
         mut chart: Chart,
         at: &str,
         in_order: &dyn Fn(&[f64]) -> Vec<f64>,
-        (limits_si, parts): (&[f64], Vec<Part>),
+        (limits_si, parts): (&[f64], PlacedParts),
         writer: &NumberWriter,
     ) -> Option<LiveBand> {
         let (_, largest_si) = self.largest_si()?;
@@ -202,7 +205,8 @@ impl BandSource<'_> {
             unit: writer.symbol(self.unit),
             si_per_unit: 1.0 / writer.scaled(1.0, self.unit),
             kept,
-            parts: shares(parts, self.unit, writer),
+            parts_at: parts.place,
+            parts: shares(parts.parts, self.unit, writer),
         })
     }
 }
@@ -226,11 +230,33 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
     let angle_rad = record.drive_angle_rad.get(position).copied().unwrap_or(f64::NAN);
     let at = turn_angle(record, angle_rad, 3, writer);
     let chart = angle_chart(record, name_of("band", &output.name), writer);
-    source.band(chart, &at, &<[f64]>::to_vec, (limits_si, parts(output, position)), writer)
+    let parts = match record.asked_of(&output.name).next() {
+        Some(asked) => PlacedParts { place: asked_place(asked, writer), parts: asked_parts(asked) },
+        None => PlacedParts { place: widest_place(&at), parts: parts(output, position) },
+    };
+    source.band(chart, &at, &<[f64]>::to_vec, (limits_si, parts), writer)
 }
 
 /// Name, source and half width, SI, of a part of an outer band.
 pub(super) type Part = (String, PartKind, f64);
+
+/// Parts of a band with their place in words.
+pub(super) struct PlacedParts {
+    pub place: String,
+    pub parts: Vec<Part>,
+}
+
+/// The place of the widest band in words.
+pub(super) fn widest_place(at: &str) -> String {
+    format!("at {at}, where the band is widest")
+}
+
+/// Parts of the outer band at a pose that a study asks about.
+fn asked_parts(asked: &PoseEffect) -> Vec<Part> {
+    let plays = asked.joints.iter().map(|own| (own.name.clone(), PartKind::Play, own.value_si));
+    let dimensions = asked.dimensions.iter().map(|own| (own.name.as_str(), own.value_si));
+    plays.chain(shares_of_scatter(dimensions.collect(), asked.standard_deviation_si)).collect()
+}
 
 /// Parts of the outer band at a position.
 fn parts(output: &OutputMotion, position: usize) -> Vec<Part> {
@@ -245,19 +271,21 @@ fn parts(output: &OutputMotion, position: usize) -> Vec<Part> {
 }
 
 /// Parts of what scatters, with its standard deviation at a position. Dimensions share it as their variances do.
-pub(super) fn dimension_parts(
-    dimensions: &[DimensionContributor],
-    deviation_si: f64,
-    position: usize,
-) -> impl Iterator<Item = Part> {
-    let variance = move |dimension: &DimensionContributor| {
-        dimension.standard_deviation_si.get(position).copied().unwrap_or(0.0).powi(2)
+pub(super) fn dimension_parts(dimensions: &[DimensionContributor], deviation_si: f64, position: usize) -> Vec<Part> {
+    let own =
+        |dimension: &'_ DimensionContributor| dimension.standard_deviation_si.get(position).copied().unwrap_or(0.0);
+    let dimensions = dimensions.iter().map(|dimension| (dimension.path.as_str(), own(dimension)));
+    shares_of_scatter(dimensions.collect(), deviation_si)
+}
+
+/// Parts of what scatters with this standard deviation, by the paths and the standard deviations of the dimensions alone.
+fn shares_of_scatter(dimensions: Vec<(&str, f64)>, deviation_si: f64) -> Vec<Part> {
+    let variances: f64 = dimensions.iter().map(|(_, own_si)| own_si.powi(2)).sum();
+    let part = |(path, own_si): (&str, f64)| {
+        let share = if variances > 0.0 { own_si.powi(2) / variances } else { 0.0 };
+        (path.to_owned(), PartKind::Part, share * DEVIATIONS * deviation_si)
     };
-    let variances: f64 = dimensions.iter().map(variance).sum();
-    dimensions.iter().map(move |dimension| {
-        let share = if variances > 0.0 { variance(dimension) / variances } else { 0.0 };
-        (dimension.path.clone(), PartKind::Part, share * DEVIATIONS * deviation_si)
-    })
+    dimensions.into_iter().map(part).collect()
 }
 
 /// The parts, the largest first, with their shares.

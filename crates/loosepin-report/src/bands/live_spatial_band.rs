@@ -1,6 +1,6 @@
 //! The same band of an output of a mechanism in space.
 
-use super::live_band::{BandSource, LiveBand, LiveLimit, Part, PartKind, dimension_parts};
+use super::live_band::{BandSource, LiveBand, LiveLimit, Part, PartKind, PlacedParts, dimension_parts, widest_place};
 use crate::charts::figure::name_of;
 use crate::motion::spatial::{motion_chart, sorted, within_turn};
 use crate::numbers::number::NumberWriter;
@@ -45,7 +45,8 @@ fn band(
     let (position, _) = source.largest_si()?;
     let at = within_turn(record, position);
     let chart = motion_chart(record, name_of("band", &output.name));
-    source.band(chart, &at, &|values| sorted(record, values), (limits_si, parts(output, position)), writer)
+    let parts = PlacedParts { place: widest_place(&at), parts: parts(output, position) };
+    source.band(chart, &at, &|values| sorted(record, values), (limits_si, parts), writer)
 }
 
 /// Parts of the outer band at a position. Joints share their worst case there as they share the largest one.

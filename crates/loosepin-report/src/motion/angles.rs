@@ -1,8 +1,10 @@
 //! Place in the cycle of a motion.
 
 use crate::charts::chart::Chart;
+use crate::numbers::largest::places_of_largest;
 use crate::numbers::number::{NumberWriter, Rounding, within_turn_rad};
-use loosepin_result::motion::MotionRecord;
+use crate::numbers::tag::Tag;
+use loosepin_result::motion::{MotionRecord, PoseEffect};
 use loosepin_text::units::SiUnit;
 use std::f64::consts::TAU;
 
@@ -18,18 +20,42 @@ pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
         [first, .., last] => last - first,
         _ => 0.0,
     };
-    if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
+    let shown = if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad };
+    without_round_off_rad(shown)
 }
 
-/// Place and value of the maximum of a history over the cycle.
+/// An angle, or 0 where it is nothing but round-off: places are located to 1e-13 turns.
+pub(super) fn without_round_off_rad(angle_rad: f64) -> f64 {
+    const ROUND_OFF_RAD: f64 = 1e-12;
+    if angle_rad.abs() < ROUND_OFF_RAD { 0.0 } else { angle_rad }
+}
+
+/// Place and value of the maximum of a history over the cycle; of places alike the last one.
 pub(crate) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
-    record
-        .drive_angle_rad
-        .iter()
-        .copied()
-        .zip(values.iter().copied())
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .unwrap_or((f64::NAN, f64::NAN))
+    let values = &values[..values.len().min(record.drive_angle_rad.len())];
+    let place = places_of_largest(values).map(|[_, last]| last);
+    let largest = values.iter().copied().max_by(f64::total_cmp);
+    place.zip(largest).map_or((f64::NAN, f64::NAN), |(place, value)| (record.drive_angle_rad[place], value))
+}
+
+/// A pose that a study asks about, in words: `at 0°, where the requirement is`.
+pub(crate) fn asked_place(asked: &PoseEffect, writer: &NumberWriter) -> String {
+    format!("at {}, where the {} is", asked_angle(asked, writer), asking(asked))
+}
+
+/// The angle of a pose that a study asks about.
+pub(crate) fn asked_angle(asked: &PoseEffect, writer: &NumberWriter) -> String {
+    writer.with_tag(&Tag::Given("pose")).value_trimmed(asked.pose_rad, &SiUnit::ANGLE)
+}
+
+/// What asks about a pose.
+fn asking(asked: &PoseEffect) -> &'static str {
+    if asked.is_required { "requirement" } else { "question" }
+}
+
+/// Words behind a place of the cycle of an output: that it is another one than what a study asks about.
+pub(crate) fn not_the_asked_one(asked: Option<&PoseEffect>) -> String {
+    asked.map_or_else(String::new, |asked| format!(" in the cycle; the {} is at another place", asking(asked)))
 }
 
 /// A chart over the angle of the drive.

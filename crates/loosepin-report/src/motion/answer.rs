@@ -3,11 +3,11 @@
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::listed;
-use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, SingularPosition};
+use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, PoseEffect, SingularPosition};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
-use super::angles::{largest, shown_angle_rad, turn_angle};
+use super::angles::{asked_place, largest, shown_angle_rad, turn_angle};
 use super::kinematic_sentences::kinematic_sentences;
 use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
 use super::verdicts::{verdict_headline, verdict_sentences};
@@ -65,8 +65,11 @@ pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     }
     for output in record.outputs.iter().filter(|output| has_scatter(output)) {
         let [most, place] = scatter_words(record, output, writer);
+        let asked: Vec<String> =
+            record.asked_of(&output.name).map(|asked| asked_scatter(output, asked, writer)).collect();
+        let asked = if asked.is_empty() { String::new() } else { format!("{}, and ", listed(&asked)) };
         sentences.push(format!(
-            "Part scatter moves the {} with a standard deviation of at most {most} (at {place}).",
+            "Part scatter moves the {} with a standard deviation of {asked}at most {most} (at {place}).",
             moved_words(output)
         ));
     }
@@ -78,6 +81,14 @@ pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
     sentences.extend(kinematic_sentences(record, writer));
     verdicts.into_iter().chain(sentences).collect()
+}
+
+/// `0.0142 mm at 0°, where the requirement is`.
+fn asked_scatter(output: &OutputMotion, asked: &PoseEffect, writer: &NumberWriter) -> String {
+    let tag = Tag::joint(&output.name, &format!("scatter at {}", asked.pose_rad), "largest");
+    let deviation_si = asked.standard_deviation_si;
+    let deviation = writer.with_tag(&tag).rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up);
+    format!("{deviation} {}", asked_place(asked, writer))
 }
 
 /// The largest standard deviation of an output by the scatter of the parts, and the angle of the drive there.

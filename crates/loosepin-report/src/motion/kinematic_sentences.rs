@@ -4,7 +4,7 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::motion::MotionRecord;
 use loosepin_text::units::SiUnit;
 
-use super::angles::turn_angle;
+use super::angles::{turn_angle, without_round_off_rad};
 
 /// A sentence on each loop, each range at the ground and each transmission angle.
 pub(super) fn kinematic_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
@@ -19,7 +19,8 @@ pub(super) fn kinematic_sentences(record: &MotionRecord, writer: &NumberWriter) 
         sentences.push(format!("{kind} of {}: {extent}, dead centres at {low} and {high}{ratio}.", range.name));
     }
     for angle in &found.transmission_angles {
-        let [smallest, largest] = angle.extremes_rad.map(|value_rad| writer.value(value_rad, &SiUnit::ANGLE));
+        let [smallest, largest] =
+            angle.extremes_rad.map(|value_rad| writer.value(without_round_off_rad(value_rad), &SiUnit::ANGLE));
         let [first, second] = angle.at_rad.map(at);
         let [coupler, output] = &angle.bodies;
         let between = if angle.is_pressure_angle {

@@ -31,7 +31,7 @@ pub(crate) mod spatial;
 mod text;
 mod verdicts;
 
-pub(crate) use angles::{angle_chart, turn_angle};
+pub(crate) use angles::{angle_chart, asked_place, turn_angle};
 pub(crate) use answer::{headline_sentences, moved_words};
 pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
 pub use page::motion_page;

@@ -8,10 +8,10 @@ use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{head, named_words};
-use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{DimensionContributor, MotionRecord, OutputMotion};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 
-use super::angles::{angle_chart, largest, turn_angle};
+use super::angles::{angle_chart, asked_angle, asked_place, largest, not_the_asked_one, turn_angle};
 use super::answer::{has_scatter, scatter_words};
 
 /// A chart of each output but that which is `shown` already, and what each dimension adds; `None` if no part scatters.
@@ -38,43 +38,85 @@ pub(super) fn scatter_section(
         Column::numbers(head("share of variance")),
         Column { only: Some(Medium::Page), ..Column::numbers("Largest over the cycle") },
     ];
-    let groups = scattering().map(|output| group(record, output, writer)).collect();
+    let groups = scattering().flat_map(|output| groups(record, output, writer)).collect();
     section.push(Content::Table(Table { columns, groups, ..Table::default() }));
     Some(section)
 }
 
-/// The standard deviation of an output where it is largest, and what each dimension adds to it there, the largest first.
-fn group(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Group {
+/// What each dimension adds to the standard deviation of an output: at the poses that a study asks about, then where it is largest.
+fn groups(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Vec<Group> {
+    let name = named_words(&output.name, &output.words);
+    let asked = record.asked_of(&output.name).map(|asked| {
+        let parts = asked.dimensions.iter().map(|own| (own.value_si, own.name.as_str())).collect();
+        let place = Place {
+            statistic: format!("scatter at {}", asked.pose_rad),
+            at: asked_angle(asked, writer),
+            total_si: asked.standard_deviation_si,
+            parts,
+        };
+        let heading = format!("{name}, {}", asked_place(asked, writer));
+        Group { heading: heading.into(), rows: place.rows(record, output, writer) }
+    });
     let (angle_rad, total_si) = largest(record, &output.dimensional_standard_deviation_si);
     let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
-    let tag = |part: &str| Tag::joint(&output.name, "scatter", part);
-    let at = |digits: usize| turn_angle(record, angle_rad, digits, &writer.with_tag(&tag("at")));
-    let row = |name: Text, part_si: f64, path: &str, over_cycle_si: f64| -> Vec<Cell> {
-        let number = |part: &str, value_si: f64| {
-            writer.with_tag(&tag(part).at(path)).rounded(value_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
-        };
-        vec![
-            output.name.as_str().into(),
-            name.into(),
-            number("largest", part_si).into(),
-            at(PLAIN_DIGITS).into(),
-            writer.with_tag(&tag("share").at(path)).percent((part_si / total_si).powi(2), Rounding::Nearest).into(),
-            number("over the cycle", over_cycle_si).into(),
-        ]
+    let at_pose = |one: &DimensionContributor| one.standard_deviation_si.get(pose).copied().unwrap_or(f64::NAN);
+    let at = |digits: usize| {
+        let tag = Tag::joint(&output.name, "scatter", "at");
+        turn_angle(record, angle_rad, digits, &writer.with_tag(&tag))
     };
-    let mut dimensions: Vec<_> = output
-        .dimensional_contributors
-        .iter()
-        .map(|one| (one.standard_deviation_si.get(pose).copied().unwrap_or(f64::NAN), one))
-        .collect();
-    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let all = row(head("all (root sum of squares)"), total_si, "", total_si);
-    let parts = dimensions.into_iter().map(|(part_si, one)| {
-        let (_, over_cycle_si) = largest(record, &one.standard_deviation_si);
-        row(Text::default().code(&one.path), part_si, &one.path, over_cycle_si)
-    });
-    let heading = format!("{}, at {}, where it is largest", named_words(&output.name, &output.words), at(3));
-    Group { heading: Text::by_medium(heading, ""), rows: std::iter::once(all).chain(parts).collect() }
+    let place = Place {
+        statistic: "scatter".to_owned(),
+        at: at(PLAIN_DIGITS),
+        total_si,
+        parts: output.dimensional_contributors.iter().map(|one| (at_pose(one), one.path.as_str())).collect(),
+    };
+    let others = not_the_asked_one(record.asked_of(&output.name).next());
+    let heading = format!("{name}, at {}, where it is largest{others}", at(3));
+    // One table on a terminal, unless there are places to tell apart.
+    let on_terminal = if record.asked.is_empty() { "" } else { &heading };
+    let heading = Text::by_medium(heading.as_str(), on_terminal);
+    let largest = Group { heading, rows: place.rows(record, output, writer) };
+    asked.chain([largest]).collect()
+}
+
+/// The standard deviation of an output at a place, and those of the dimensions alone.
+struct Place<'r> {
+    /// What the numbers are of.
+    statistic: String,
+    at: String,
+    total_si: f64,
+    parts: Vec<(f64, &'r str)>,
+}
+
+impl Place<'_> {
+    /// All together, then the dimensions, the largest first.
+    fn rows(mut self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Vec<Vec<Cell>> {
+        self.parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let tag = |part: &str| Tag::joint(&output.name, &self.statistic, part);
+        let over_cycle = Tag::joint(&output.name, "scatter", "over the cycle");
+        let row = |name: Text, part_si: f64, path: &str, over_cycle_si: f64| -> Vec<Cell> {
+            let number = |tag: Tag, value_si: f64| {
+                writer.with_tag(&tag.at(path)).rounded(value_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
+            };
+            let share = if self.total_si > 0.0 { (part_si / self.total_si).powi(2) } else { 0.0 };
+            vec![
+                output.name.as_str().into(),
+                name.into(),
+                number(tag("largest"), part_si).into(),
+                self.at.as_str().into(),
+                writer.with_tag(&tag("share").at(path)).percent(share, Rounding::Nearest).into(),
+                number(over_cycle.clone(), over_cycle_si).into(),
+            ]
+        };
+        let (_, all_si) = largest(record, &output.dimensional_standard_deviation_si);
+        let all = row(head("all (root sum of squares)"), self.total_si, "", all_si);
+        let parts = self.parts.iter().map(|(part_si, path)| {
+            let own = output.dimensional_contributors.iter().find(|own| own.path == *path);
+            let (_, own_si) = largest(record, own.map_or(&[], |own| &own.standard_deviation_si));
+            row(Text::default().code(*path), *part_si, path, own_si)
+        });
+        std::iter::once(all).chain(parts).collect()
+    }
 }
 
 /// The standard deviation of an output over the cycle.

@@ -37,7 +37,7 @@ pub struct Contributors {
     pub confidence: f64,
     /// Random inputs, largest part of the band first.
     pub random: Vec<RandomContributor>,
-    /// Epistemic inputs, largest part of the band first.
+    /// Epistemic inputs, largest part of the band first; those that nobody can measure last.
     pub epistemic: Vec<EpistemicContributor>,
 }
 
@@ -91,6 +91,19 @@ pub struct EpistemicContributor {
     /// The share of its joint in the quasi-static worst case of all clearances; `None` for what is no clearance.
     #[serde(with = "extended")]
     pub quasi_static_share: Option<f64>,
+    /// Whether a measurement can find its value. Where the pins sit in their play is another place at each instant: such an input is the last one.
+    #[serde(default = "is_measurable", skip_serializing_if = "is_set")]
+    pub can_be_measured: bool,
+}
+
+/// What is the case where nothing is said.
+fn is_measurable() -> bool {
+    true
+}
+
+/// Whether nothing has to be said.
+fn is_set(value: &bool) -> bool {
+    *value
 }
 
 impl RandomContributor {
@@ -124,7 +137,8 @@ impl PartialEq for RandomContributor {
 impl PartialEq for EpistemicContributor {
     fn eq(&self, other: &Self) -> bool {
         let numbers = |input: &Self| [input.band_share[0], input.band_share[1], input.error];
-        (&self.path, self.quasi_static_share) == (&other.path, other.quasi_static_share)
+        (&self.path, self.quasi_static_share, self.can_be_measured)
+            == (&other.path, other.quasi_static_share, other.can_be_measured)
             && numbers(self).into_iter().zip(numbers(other)).all(|(one, other)| same(one, other))
     }
 }

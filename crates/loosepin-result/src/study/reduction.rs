@@ -49,6 +49,17 @@ impl Reduction {
         )
     }
 
+    /// How far a point of a curve between these ends may take the number, in its direction: the point that can take it furthest decides it.
+    /// `None` of numbers that all points make.
+    pub fn reach(self, [lower, upper]: [f64; 2]) -> Option<f64> {
+        match self {
+            Self::Maximum => Some(upper),
+            Self::Minimum => Some(-lower),
+            Self::MaximumAbsolute => Some(upper.max(-lower)),
+            Self::RootMeanSquare | Self::Mean | Self::Range => None,
+        }
+    }
+
     /// Whether no curve gives a negative number.
     pub const fn is_never_negative(self) -> bool {
         matches!(self, Self::MaximumAbsolute | Self::RootMeanSquare | Self::Range)
@@ -58,6 +69,13 @@ impl Reduction {
 #[cfg(test)]
 mod tests {
     use super::Reduction;
+
+    #[test]
+    fn analytic_an_extreme_is_decided_by_the_end_that_it_is_about() {
+        let reach = |reduction: Reduction| reduction.reach([-3.0, 2.0]);
+        let reaches = Reduction::ALL.map(reach);
+        assert_eq!(reaches, [Some(2.0), Some(3.0), Some(3.0), None, None, None]);
+    }
 
     #[test]
     fn analytic_reductions_of_curves_are_in_the_order_that_is_stated() {

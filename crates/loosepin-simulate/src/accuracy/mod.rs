@@ -20,6 +20,7 @@ mod path;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;
+mod round_off;
 mod sensitivity;
 mod transmission;
 mod unproven;
@@ -34,7 +35,7 @@ pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
 pub use motion::{
-    MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases,
+    AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases,
     motion_with_worst_cases_until,
 };
 pub use play_reach::PlayReach;

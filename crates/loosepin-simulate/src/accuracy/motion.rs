@@ -11,6 +11,7 @@ use super::overhang::{Overhangs, overhanging};
 use super::path::{PathRecorder, points_of_paths};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
+use super::round_off::{drop_round_off, round_off_si};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 use crate::kinematics::{MovedOutput, Walked, kinematic_properties, mechanical_advantages};
@@ -18,10 +19,13 @@ use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
 use loosepin_mechanics::model::{CycleSpan, PointId, Position, QuantityId, Values};
-use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
+use loosepin_result::motion::{
+    ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, NamedEffect, OutputMotion, PoseEffect,
+};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_text::units::{DisplayUnits, SiUnit};
+use std::f64::consts::{PI, TAU};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
@@ -40,8 +44,21 @@ pub struct MotionPlan {
     pub correlations: Vec<ScatterCorrelation>,
     /// Points whose paths are recorded, besides those of outputs.
     pub paths: Vec<PointId>,
+    /// Poses that a study asks about; empty without a study.
+    pub asked: Vec<AskedPose>,
     /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
+}
+
+/// An output at a pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AskedPose {
+    /// Name of the output, as in the record. One that the record does not have is left out of it, as a force is.
+    pub output: String,
+    /// Angle of the drive; whole turns do not matter.
+    pub pose_rad: f64,
+    /// Whether a requirement names it, not a question alone.
+    pub is_required: bool,
 }
 
 /// A quantity that scatters.
@@ -188,6 +205,8 @@ fn motion_with(
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;
     }
+    let asked = recorder.effects_at(&plan.asked, &Walked { states: &cycle.states, input: &input }, plan.positions)?;
+    drop_round_off(&mut recorder.outputs, mechanism.size_m);
     let moved = recorder.moved_outputs();
     let paths = recorder.paths.into_paths();
     let mut kinematics = kinematic_properties(mechanism, values, &cycle.states, &input);
@@ -227,6 +246,7 @@ fn motion_with(
         },
         requirements: Vec::new(),
         allowances: Vec::new(),
+        asked,
         drawing,
     })
 }
@@ -366,25 +386,15 @@ impl<'a> Recorder<'a> {
     }
 
     fn record(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<(), AccuracyError> {
-        let (mechanism, values) = (self.mechanism, self.values);
-        self.loops.set_position(state.coordinates());
-        let gradients = play_gradients(&mut self.loops, &self.readings)?;
-        let velocities: Vec<f64> = jets.iter().map(|jet| jet[1]).collect();
-        let weights: Vec<Vec<(usize, f64)>> = self.parts.iter().map(|part| part.weights(&velocities)).collect();
-        for ((output, part), weights) in self.outputs.iter_mut().zip(&self.parts).zip(&weights) {
+        let effects = self.effects(state, jets)?;
+        for (number, (output, part)) in self.outputs.iter_mut().zip(&self.parts).enumerate() {
             // The ideal motion has no error.
             if let AccuracyOutputKind::Position(place) = *part {
                 output.value_si.push(self.loops.value(self.readings[place]));
                 output.velocity_si.push(jets[place][1]);
                 output.acceleration_si.push(jets[place][2]);
             }
-            let gradient = |play: usize| {
-                weights
-                    .iter()
-                    .fold(Vec2::zero(), |sum: Vec2<f64>, (place, weight)| sum + gradients[*place][play] * *weight)
-            };
-            let joints: Vec<_> =
-                self.reaches.iter().enumerate().map(|(play, reach)| (*reach, gradient(play))).collect();
+            let joints = effects.joints(number, &self.reaches);
             let answer = &mut output.clearance;
             answer.first_order_si.push(first_order_si(&joints));
             answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
@@ -393,40 +403,139 @@ impl<'a> Recorder<'a> {
                 contributor.first_order_si.push(first_order_si(&[*joint]));
             }
         }
-        self.paths.record(jets, &gradients, &self.reaches);
-        let mut variances = vec![0.0; self.outputs.len()];
-        let mut signed_si = vec![Vec::with_capacity(self.directions.len()); self.outputs.len()];
-        for (index, (entry, direction)) in self.directions.iter().enumerate() {
-            let derivatives = dimension_derivatives(
-                &mut self.loops,
-                mechanism,
-                values,
-                direction,
-                self.input,
-                state.time_s(),
-                &self.readings,
-            )?;
-            self.paths.add_scatter(entry.standard_deviation_si, &derivatives);
-            for (number, (output, weights)) in self.outputs.iter_mut().zip(&weights).enumerate() {
-                let derivative: f64 = weights.iter().map(|(place, weight)| derivatives[*place] * weight).sum();
-                signed_si[number].push(derivative * entry.standard_deviation_si);
-                let deviation_si = derivative.abs() * entry.standard_deviation_si;
-                variances[number] += deviation_si * deviation_si;
-                output.dimensional_contributors[index].standard_deviation_si.push(deviation_si);
-            }
+        self.paths.record(jets, &effects.gradients, &self.reaches);
+        for ((entry, _), derivatives) in self.directions.iter().zip(&effects.derivatives) {
+            self.paths.add_scatter(entry.standard_deviation_si, derivatives);
         }
         if !self.directions.is_empty() {
             self.paths.end_scatter(&self.correlated);
-            for ((output, mut variance), signed_si) in self.outputs.iter_mut().zip(variances).zip(signed_si) {
-                for &(first, second, twice) in &self.correlated {
-                    variance += twice * signed_si[first] * signed_si[second];
+            for (number, output) in self.outputs.iter_mut().enumerate() {
+                let signed_si = effects.signed_si(number, self.directions);
+                for (contributor, signed_si) in output.dimensional_contributors.iter_mut().zip(&signed_si) {
+                    contributor.standard_deviation_si.push(signed_si.abs());
                 }
-                // What cancels in full leaves round-off, of either sign.
-                output.dimensional_standard_deviation_si.push(variance.max(0.0).sqrt());
+                output.dimensional_standard_deviation_si.push(root_sum_of_squares(&signed_si, &self.correlated));
             }
         }
         Ok(())
     }
+
+    /// What play and dimensions do at a state, to first order.
+    fn effects(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<StateEffects, AccuracyError> {
+        let (mechanism, values) = (self.mechanism, self.values);
+        self.loops.set_position(state.coordinates());
+        let gradients = play_gradients(&mut self.loops, &self.readings)?;
+        let velocities: Vec<f64> = jets.iter().map(|jet| jet[1]).collect();
+        let weights = self.parts.iter().map(|part| part.weights(&velocities)).collect();
+        let (input, time_s) = (self.input, state.time_s());
+        let derivatives = self.directions.iter().map(|(_, direction)| {
+            dimension_derivatives(&mut self.loops, mechanism, values, direction, input, time_s, &self.readings)
+        });
+        let derivatives = derivatives.collect::<Result<_, _>>()?;
+        Ok(StateEffects { gradients, derivatives, weights })
+    }
+
+    /// The effects at the poses that are asked about, each reached from the nearest of the walked states. Poses that the mechanism does not reach
+    /// are left out.
+    fn effects_at(
+        &mut self,
+        asked: &[AskedPose],
+        walked: &Walked<'_, '_>,
+        positions: usize,
+    ) -> Result<Vec<PoseEffect>, AccuracyError> {
+        let mut found = Vec::new();
+        for AskedPose { output, pose_rad, is_required } in asked {
+            let Some(number) = self.outputs.iter().position(|own| own.name == *output) else { continue };
+            let Some(state) = state_at(walked, *pose_rad, positions) else { continue };
+            let jets = jets(self.mechanism, self.values, &self.readings, &state);
+            let effects = self.effects(&state, &jets)?;
+            let joints = effects.joints(number, &self.reaches);
+            let signed_si = effects.signed_si(number, self.directions);
+            let own = &self.outputs[number];
+            let threshold_si = round_off_si(&own.unit, self.mechanism.size_m);
+            let effect = |name: &String, value_si: f64| {
+                let value_si = if value_si < threshold_si { 0.0 } else { value_si };
+                NamedEffect { name: name.clone(), value_si }
+            };
+            let of_joints = own.clearance.contributors.iter().zip(&joints);
+            let of_dimensions = own.dimensional_contributors.iter().zip(&signed_si);
+            let all = effect(output, first_order_si(&joints));
+            let scatter = effect(output, root_sum_of_squares(&signed_si, &self.correlated));
+            found.push(PoseEffect {
+                output: output.clone(),
+                pose_rad: *pose_rad,
+                is_required: *is_required,
+                first_order_si: all.value_si,
+                joints: of_joints.map(|(known, joint)| effect(&known.joint, first_order_si(&[*joint]))).collect(),
+                standard_deviation_si: scatter.value_si,
+                dimensions: of_dimensions.map(|(known, signed_si)| effect(&known.path, signed_si.abs())).collect(),
+            });
+        }
+        Ok(found)
+    }
+}
+
+/// What play and dimensions do at a state, to first order.
+struct StateEffects {
+    /// Of each reading by each play.
+    gradients: Vec<Vec<Vec2<f64>>>,
+    /// Of each reading by each direction of dimensions, direction by direction.
+    derivatives: Vec<Vec<f64>>,
+    /// The readings that each output is made of, with their weights.
+    weights: Vec<Vec<(usize, f64)>>,
+}
+
+impl StateEffects {
+    /// Reach and gradient of each play for an output.
+    fn joints(&self, output: usize, reaches: &[PlayReach]) -> Vec<(PlayReach, Vec2<f64>)> {
+        let weights = &self.weights[output];
+        let gradient = |play: usize| {
+            weights
+                .iter()
+                .fold(Vec2::zero(), |sum: Vec2<f64>, (place, weight)| sum + self.gradients[*place][play] * *weight)
+        };
+        reaches.iter().enumerate().map(|(play, reach)| (*reach, gradient(play))).collect()
+    }
+
+    /// Effect of a standard deviation of each dimension on an output, with its sign.
+    fn signed_si(&self, output: usize, directions: &[(Scatter, DimensionDirection)]) -> Vec<f64> {
+        let derivative = |derivatives: &Vec<f64>| -> f64 {
+            self.weights[output].iter().map(|(place, weight)| derivatives[*place] * weight).sum()
+        };
+        let each = directions.iter().zip(&self.derivatives);
+        each.map(|((entry, _), derivatives)| derivative(derivatives) * entry.standard_deviation_si).collect()
+    }
+}
+
+/// Standard deviation of a sum of effects; `correlated` holds two of them and twice their correlation.
+fn root_sum_of_squares(signed_si: &[f64], correlated: &[(usize, usize, f64)]) -> f64 {
+    let mut variance = signed_si.iter().fold(0.0, |sum, own| sum + own.abs() * own.abs());
+    for &(first, second, twice) in correlated {
+        variance += twice * signed_si[first] * signed_si[second];
+    }
+    // What cancels in full leaves round-off, of either sign.
+    variance.max(0.0).sqrt()
+}
+
+/// The ideal motion at an angle of the drive, from the nearest state of a walk in `positions` steps; `None` if that is more than a step away, or
+/// the way there is not possible.
+fn state_at<'a>(walked: &Walked<'_, 'a>, pose_rad: f64, positions: usize) -> Option<IdealMotion<'a>> {
+    /// Angles nearer to each other are one.
+    const SAME_RAD: f64 = 1e-12;
+    let away_rad = |state: &IdealMotion<'_>| {
+        let away = (pose_rad - walked.input.angle_rad(state.time_s())).rem_euclid(TAU);
+        if away > PI { away - TAU } else { away }
+    };
+    let near = walked.states.iter().map(|state| (away_rad(state), state));
+    let (away_rad, nearest) = near.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+    if away_rad.abs() * positions as f64 > TAU * (1.0 + SAME_RAD) {
+        return None;
+    }
+    let mut state = nearest.clone();
+    if away_rad.abs() > SAME_RAD {
+        state.move_to(state.time_s() + away_rad / walked.input.speed_rad_s).ok()?;
+    }
+    Some(state)
 }
 
 /// Places of correlated quantities among the directions; a quantity that has nothing to do with the motion has none.

@@ -30,6 +30,7 @@ fn properties(case: &str, change: &[(&str, &str)]) -> KinematicProperties {
         scatter: Vec::new(),
         correlations: Vec::new(),
         paths: Vec::new(),
+        asked: Vec::new(),
         overrides: Vec::new(),
     };
     motion(&mechanism, &values, &plan).expect("it moves").kinematics

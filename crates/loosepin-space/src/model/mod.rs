@@ -10,6 +10,7 @@
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases | `over_turn.rs` |
 //! | what random dimensions do to it | `scatter.rs` |
+//! | numbers that are round-off | `round_off.rs` |
 //! | whether its parts fit | `fit.rs` |
 //! | whether a file forgot to say that it is in space | `forgotten.rs` |
 //! | what is drawn of it | `drawn.rs` |
@@ -33,6 +34,7 @@ mod placing;
 mod problem;
 mod read;
 mod reader;
+mod round_off;
 mod sampled;
 mod scatter;
 

@@ -4,6 +4,7 @@ use super::compile::CycleInput;
 use super::drawn::Trace;
 use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
 use super::problem::SpatialMotionProblem;
+use super::round_off::drop_round_off;
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
 use crate::closure::assembly::Starts;
 use crate::closure::cycle::{Cycle, cycle_from};
@@ -108,7 +109,8 @@ impl SpatialModel {
             let record = self.output_record(output, course, worst, &states)?;
             Ok(SpatialOutputRecord { worst_regular, ..record })
         });
-        let outputs = outputs.collect::<Result<_, Diagnostics>>()?;
+        let mut outputs: Vec<SpatialOutputRecord> = outputs.collect::<Result<_, Diagnostics>>()?;
+        outputs.iter_mut().for_each(|output| drop_round_off(output, mechanism.characteristic_length_m()));
         let record = self.record(&mechanism, &input, inputs_si, (outputs, picture));
         Ok(SpatialMotionRecord { is_proven, dead_centre_samples, is_other_start, ..record })
     }
@@ -148,6 +150,7 @@ impl SpatialModel {
             is_proven: false,
             dead_centre_samples: Vec::new(),
             is_other_start: false,
+            asked: Vec::new(),
             outputs,
             inputs_si,
             picture,
@@ -299,6 +302,11 @@ impl SpatialModel {
         let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
         let table = if output.is_empty() { "cycle".to_owned() } else { format!("output.{output}") };
         Diagnostic::error(&problem, self.place(&table))
+    }
+
+    /// Unit of an output.
+    pub(super) fn unit_of(&self, output: usize) -> SiUnit {
+        self.words(self.outputs[output].kind).1
     }
 
     fn words(&self, kind: ModelOutputKind) -> (String, SiUnit) {

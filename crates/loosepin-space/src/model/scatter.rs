@@ -12,6 +12,7 @@
 use super::over_turn::is_path;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
+use super::round_off::round_off_si;
 use crate::closure::error::ClosureError;
 use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
 use crate::stop::{IsStopped, NEVER};
@@ -19,7 +20,7 @@ use loosepin_result::motion::DimensionContributor;
 use loosepin_result::spatial_motion::SpatialScatter;
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::describe_path;
-use loosepin_text::numbers::QuantityId;
+use loosepin_text::numbers::{QuantityId, Values};
 
 /// Step of a difference, in standard deviations: the error of the formula is of its square, that of the closed loops of its inverse.
 const STEP: f64 = 1e-2;
@@ -53,17 +54,48 @@ impl SpatialModel {
         plan: &SpatialScatterPlan,
         is_stopped: IsStopped,
     ) -> Result<Vec<SpatialScatter>, Diagnostics> {
+        let values = self.values_of(&plan.set)?;
+        let input = self.cycle_input(&values).map_err(|error| self.diagnostic(&error))?;
+        let turns: Vec<f64> = (0..=input.samples).map(|sample| sample as f64 / input.samples as f64).collect();
+        self.scatter_at(plan, &turns, is_stopped)
+    }
+
+    /// The same at other places: turns of the cycle since time zero, ascending.
+    ///
+    /// # Errors
+    /// Those of [`SpatialModel::scatter_until`].
+    pub fn scatter_at(
+        &self,
+        plan: &SpatialScatterPlan,
+        turns: &[f64],
+        is_stopped: IsStopped,
+    ) -> Result<Vec<SpatialScatter>, Diagnostics> {
         if plan.quantities.is_empty() || self.outputs.is_empty() {
             return Ok(vec![SpatialScatter::default(); self.outputs.len()]);
         }
-        let values_of = |set: &[(QuantityId, f64)]| {
-            let values = self.quantities.evaluate(set);
-            values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
-        };
-        let values = values_of(&plan.set)?;
-        let input = self.cycle_input(&values).map_err(|error| self.diagnostic(&error))?;
-        let turns: Vec<f64> = (0..=input.samples).map(|sample| sample as f64 / input.samples as f64).collect();
         let parts: Vec<SampledPart> = self.sampled_parts();
+        let effects = self.effects_on_parts(plan, turns, &parts, is_stopped)?;
+        let scatter = (0..self.outputs.len()).map(|output| {
+            let own = parts.iter().enumerate().filter(|(_, part)| part.output == output);
+            let starts: Vec<usize> = own.map(|(number, _)| number * turns.len()).collect();
+            self.scatter_of(plan, &effects, &starts, turns.len())
+        });
+        Ok(scatter.collect())
+    }
+
+    /// The effect of a standard deviation of each random quantity, with its sign, on each part at each place: that of a part at a place is at part ×
+    /// places + place. Without play. Parts are numbers, not lengths of displacements, which have no derivative where there is none.
+    ///
+    /// # Errors
+    /// Those of [`SpatialModel::scatter_until`]; a path without a direction where a part is read off along it.
+    pub fn effects_on_parts(
+        &self,
+        plan: &SpatialScatterPlan,
+        turns: &[f64],
+        parts: &[SampledPart],
+        is_stopped: IsStopped,
+    ) -> Result<Vec<Vec<f64>>, Diagnostics> {
+        let values = self.values_of(&plan.set)?;
         let no_scatter = |path: &str, error: SamplingError| {
             if let SamplingError::DoesNotClose { why: why @ ClosureError::Stopped, .. } = &error {
                 return self.not_closed(why);
@@ -71,25 +103,32 @@ impl SpatialModel {
             let problem = SpatialMotionProblem::NoScatter { what: describe_path(path), why: error.to_string() };
             Diagnostics::one(&problem, self.place(path))
         };
-        let sampler = TurnSampler::new_until(self, &values, &turns, &parts, is_stopped);
+        let sampler = TurnSampler::new_until(self, &values, turns, parts, is_stopped);
         let sampler = sampler.map_err(|error| Diagnostics::from(self.not_sampled(&values, &error)))?;
+        let threshold =
+            |part: &SampledPart| round_off_si(&self.unit_of(part.output), sampler.characteristic_length_m());
+        let thresholds: Vec<f64> = parts.iter().map(threshold).collect();
         let effects = plan.quantities.iter().map(|&(quantity, deviation_si)| {
             let at = |side: f64| {
                 let own = (quantity, values[quantity] + side * STEP * deviation_si);
                 let set: Vec<(QuantityId, f64)> = plan.set.iter().copied().chain([own]).collect();
-                let sample = sampler.sample_until(&values_of(&set)?, is_stopped);
+                let sample = sampler.sample_until(&self.values_of(&set)?, is_stopped);
                 sample.map_err(|error| no_scatter(&self.quantities[quantity].path, error))
             };
             let [above, below] = [at(1.0)?.from_nominal_si, at(-1.0)?.from_nominal_si];
-            Ok(above.iter().zip(&below).map(|(above, below)| (above - below) / (2.0 * STEP)).collect())
+            let differences = above.iter().zip(&below).map(|(above, below)| (above - below) / (2.0 * STEP));
+            let effects = differences.enumerate().map(|(number, effect)| {
+                let is_round_off = effect.abs() < thresholds[number / turns.len()];
+                if is_round_off { 0.0 } else { effect }
+            });
+            Ok(effects.collect())
         });
-        let effects: Vec<Vec<f64>> = effects.collect::<Result<_, Diagnostics>>()?;
-        let scatter = (0..self.outputs.len()).map(|output| {
-            let own = parts.iter().enumerate().filter(|(_, part)| part.output == output);
-            let starts: Vec<usize> = own.map(|(number, _)| number * turns.len()).collect();
-            self.scatter_of(plan, &effects, &starts, turns.len())
-        });
-        Ok(scatter.collect())
+        effects.collect()
+    }
+
+    fn values_of(&self, set: &[(QuantityId, f64)]) -> Result<Values, Diagnostics> {
+        let values = self.quantities.evaluate(set);
+        values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
     }
 
     /// The parts that deviations are read off from: of a path its three coordinates.

@@ -53,6 +53,19 @@ impl PartOfOutput {
         matches!(self, Self::Across | Self::Magnitude)
     }
 
+    /// The numbers that make it, with factors: to first order in small displacements its mean square is the sum of their mean squares times these.
+    pub fn mean_square_of(self) -> &'static [(Self, f64)] {
+        match self {
+            Self::Number => &[(Self::Number, 1.0)],
+            Self::X => &[(Self::X, 1.0)],
+            Self::Y => &[(Self::Y, 1.0)],
+            Self::Z => &[(Self::Z, 1.0)],
+            Self::Along => &[(Self::Along, 1.0)],
+            Self::Across => &[(Self::X, 1.0), (Self::Y, 1.0), (Self::Z, 1.0), (Self::Along, -1.0)],
+            Self::Magnitude => &[(Self::X, 1.0), (Self::Y, 1.0), (Self::Z, 1.0)],
+        }
+    }
+
     /// Whether it is read off by the direction of the path.
     pub(super) fn needs_path(self) -> bool {
         matches!(self, Self::Along | Self::Across)

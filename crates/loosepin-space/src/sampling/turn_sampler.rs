@@ -106,6 +106,11 @@ impl TurnSampler {
         self.motion.places.len()
     }
 
+    /// Size of the nominal mechanism, m.
+    pub(crate) fn characteristic_length_m(&self) -> f64 {
+        self.motion.mechanism.characteristic_length_m()
+    }
+
     /// What is read off at each place.
     pub fn parts(&self) -> &[SampledPart] {
         &self.parts

@@ -823,7 +823,9 @@ export interface LiveBand {
   si_per_unit: number;
   /** Whether the band keeps each limit of its output, in a sentence. */
   kept: string[];
-  /** Parts of the band where it is widest, the largest first. */
+  /** The place that the parts are at, in words: the first pose of a requirement or a question, else where the band is widest. */
+  parts_at: string;
+  /** Parts of the band there, the largest first. */
   parts: BandPart[];
 }
 

@@ -403,7 +403,7 @@ export const words = {
     outerBand: 'The largest first-order effect of all play, plus 2 standard deviations of the dimensions.',
     innerBand: 'Two standard deviations, with every pin anywhere in its clearance and every dimension within its distribution.',
     limit: 'The largest deviation that a requirement of the study allows.',
-    contributions: 'Shares of the half width of the band, at the angle where the band is widest.',
+    contributions: 'Shares of the half width of the band, at the first pose of a requirement or question; without one, at the angle where the band is widest.',
     verdict: 'Met: the required share of mechanisms is within the limits for every value of the unknown inputs, numerical error included. Not met: for at least one value it is not. Undecided: more runs decide. Promised: shown for a stated share of the unknown values.',
   },
 

@@ -99,6 +99,7 @@ pub(super) fn quasi_static(
         scatter: case.scatter.clone(),
         correlations: case.correlations.clone(),
         paths: Vec::new(),
+        asked: Vec::new(),
         overrides: Vec::new(),
     };
     let of = match quantity.kind {

@@ -266,6 +266,11 @@ impl EpistemicInput {
         }
     }
 
+    /// Whether a measurement can find its value: the places of journals are others at each instant.
+    pub fn can_be_measured(&self) -> bool {
+        !matches!(self.subject, EpistemicSubject::Play)
+    }
+
     /// The unit of its values; that of a pure number for a law.
     pub fn unit(&self, model: &StudyModel) -> SiUnit {
         SiUnit::of_dimension(self.dimension(model))

@@ -84,6 +84,15 @@ impl InputTargets {
         random.iter().copied().chain(own)
     }
 
+    /// The random inputs as these values have them; places of journals, which they do not have, in the middle.
+    pub fn of_model(&self, values: &Values) -> Vec<f64> {
+        let own = |input: &RandomTarget| match *input {
+            RandomTarget::Quantity(quantity) => values[quantity],
+            RandomTarget::Journal => 0.5,
+        };
+        self.random.iter().map(own).collect()
+    }
+
     /// The values of a model for these inputs.
     ///
     /// # Errors

@@ -10,6 +10,7 @@ pub(crate) mod input_limits;
 pub(crate) mod input_targets;
 pub(crate) mod lanes;
 pub(crate) mod limits;
+pub(crate) mod linear_scatter;
 pub(crate) mod outputs;
 pub(crate) mod planar_response;
 pub(crate) mod problem;

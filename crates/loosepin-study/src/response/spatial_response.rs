@@ -9,12 +9,13 @@
 //!
 //! Where the places of the journals are drawn, both ends are what these places make.
 
-use crate::file::{Deviation, MAX_POSES, Study};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::file::{Deviation, MAX_POSES, Reduction, Study};
+use crate::response::columns::{ColumnPlan, Location, StudyColumn};
 use crate::response::ends::{Ends, reduced};
 use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::limits::MAX_COLUMNS;
+use crate::response::linear_scatter::LinearScatter;
 use crate::response::outputs::OutputSource;
 use crate::response::planar_response::{POSE_ROUND_OFF, check_poses, check_turns};
 use crate::response::problem::PrepareError;
@@ -25,6 +26,11 @@ use loosepin_space::{
     AccuracyError, PlayDistribution, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler,
 };
 use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
+
+/// Standard deviations of the scatter that count where the place of an extreme is sought.
+const DEVIATIONS: f64 = 2.0;
+/// Relative difference that is round-off.
+const SAME: f64 = 1e-9;
 
 /// A prepared study of a mechanism in space.
 #[derive(Debug)]
@@ -40,8 +46,8 @@ pub struct SpatialResponse {
     targets: InputTargets,
     quantities: QuantityTable,
     sampler: TurnSampler,
-    /// Places at which the motion is looked at.
-    places: usize,
+    /// Places at which the motion is looked at, in turns, ascending.
+    turns: Vec<f64>,
     /// Those of the cycle, with their weights in means; other places are poses that are asked for alone.
     grid: Vec<(usize, f64)>,
     /// The part that each column reads, and the places that it needs.
@@ -127,7 +133,7 @@ impl SpatialResponse {
         Ok(Self {
             recent: (targets.has_play()).then(|| RecentEnds::new(inputs, plan.columns.len())),
             nominal_at_pose: reads.iter().map(at_pose).collect(),
-            places: turns.len(),
+            turns,
             grid,
             targets,
             quantities: model.quantities.clone(),
@@ -162,7 +168,7 @@ impl SpatialResponse {
         let extras = RunExtras {
             energy_residual: f64::NAN,
             evaluations: 0.0,
-            steps: self.places as f64,
+            steps: self.turns.len() as f64,
             change_over_last_turn: f64::NAN,
             joints: Vec::new(),
         };
@@ -183,21 +189,69 @@ impl SpatialResponse {
         Ok(columns.map(|(read, column)| self.ends(&sample, read, column.deviation, column.spot)).collect())
     }
 
-    fn ends(&self, sample: &TurnSample, read: &Read, of: Deviation, spot: Location) -> Ends {
-        let at = |place: usize| {
-            let own = read.part * self.places + place;
-            match of {
-                Deviation::Value => Ends {
-                    lower: sample.ideal_si[own] + sample.smallest_si[own],
-                    upper: sample.ideal_si[own] + sample.largest_si[own],
-                },
-                Deviation::Dimensional => Ends::of(sample.from_nominal_si[own]),
-                Deviation::Clearance => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
-                Deviation::Total => {
-                    Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
-                }
-            }
+    /// The row of a run with all random quantities at the values of the model.
+    ///
+    /// # Errors
+    /// As for [`Self::row`].
+    pub fn without_scatter(&self, epistemic: &[f64]) -> Result<Vec<f64>, RunFailure> {
+        self.row(&self.targets.of_model(&self.nominal), epistemic)
+    }
+
+    /// What random quantities do to first order, without play; `None` where nothing scatters or where it is not known.
+    pub fn linear_scatter(&self, study: &Study, model: &SpatialModel) -> Option<LinearScatter> {
+        LinearScatter::new(study, model, &self.turns, self.sampler.parts())
+    }
+
+    /// The variance of a column by each random quantity: at its pose; of an extreme of the cycle at the place where play and [`DEVIATIONS`] standard
+    /// deviations take it furthest, which is where samples have it; of other numbers of the cycle added over it.
+    pub fn variances(&self, scatter: &LinearScatter, column: usize) -> Vec<f64> {
+        let (read, StudyColumn { deviation, spot, .. }) = (self.reads[column], self.plan.columns[column]);
+        let part = self.sampler.parts()[read.part];
+        let quantities = 0..scatter.paths.len();
+        let at = |place: usize| quantities.clone().map(move |quantity| scatter.variance(quantity, part, place));
+        let reach = |reduction: Reduction, place: usize| {
+            let Ends { lower, upper } = self.ends_at(self.sampler.nominal(), read.part, place, deviation);
+            let scatter = DEVIATIONS * at(place).sum::<f64>().sqrt();
+            reduction.reach([lower - scatter, upper + scatter])
         };
+        let Location::Reduced(reduction) = spot else { return at(read.place.unwrap_or_default()).collect() };
+        let mut furthest: Option<(f64, usize)> = None;
+        for &(place, _) in &self.grid {
+            // The first of several alike.
+            let Some(own) = reach(reduction, place) else { continue };
+            if furthest.is_none_or(|(most, _)| own > most + SAME * most.abs()) {
+                furthest = Some((own, place));
+            }
+        }
+        match furthest {
+            Some((_, place)) => at(place).collect(),
+            None => {
+                let sum = |quantity: usize| {
+                    self.grid.iter().map(|&(place, weight)| weight * scatter.variance(quantity, part, place)).sum()
+                };
+                quantities.map(sum).collect()
+            }
+        }
+    }
+
+    /// The ends of a part at a place.
+    fn ends_at(&self, sample: &TurnSample, part: usize, place: usize, of: Deviation) -> Ends {
+        let own = part * self.turns.len() + place;
+        match of {
+            Deviation::Value => Ends {
+                lower: sample.ideal_si[own] + sample.smallest_si[own],
+                upper: sample.ideal_si[own] + sample.largest_si[own],
+            },
+            Deviation::Dimensional => Ends::of(sample.from_nominal_si[own]),
+            Deviation::Clearance => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
+            Deviation::Total => {
+                Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
+            }
+        }
+    }
+
+    fn ends(&self, sample: &TurnSample, read: &Read, of: Deviation, spot: Location) -> Ends {
+        let at = |place: usize| self.ends_at(sample, read.part, place, of);
         match (read.place, spot) {
             (None, Location::Reduced(reduction)) => {
                 reduced(reduction, self.grid.iter().map(|&(place, weight)| (at(place), weight)))

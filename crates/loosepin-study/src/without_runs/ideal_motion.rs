@@ -7,7 +7,7 @@ use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{
-    AccuracyError, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
+    AccuracyError, AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
 };
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
@@ -87,6 +87,7 @@ impl InputFile {
             scatter: self.scatter(),
             correlations: self.linear_correlations(),
             paths,
+            asked: self.asked_poses(),
             overrides: Override::from_settings(&settings),
         };
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)
@@ -111,6 +112,14 @@ impl InputFile {
             |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
         let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
         widest.chain(set.iter().cloned()).collect()
+    }
+
+    /// Poses that are asked about, where the file is a study.
+    pub(super) fn asked_poses(&self) -> Vec<AskedPose> {
+        match self {
+            InputFile::Model(_) => Vec::new(),
+            InputFile::Study(study) => study.asked_poses(),
+        }
     }
 
     /// Linear correlations of random inputs, where the file is a study.

@@ -1,5 +1,6 @@
 //! Answers without dynamics: the ideal motion, worst cases, requirements judged by them. `loosepin motion` and the studio's band show it.
 
+pub(crate) mod asked_poses;
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
 pub(crate) mod proven_ends;

@@ -139,8 +139,15 @@ fn a_motion_tells_its_drawing_what_goes_to_and_fro() {
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
     let (span, overrides) = (model.cycle.span, Vec::new());
-    let plan =
-        MotionPlan { span, positions: 12, scatter: Vec::new(), correlations: Vec::new(), paths: Vec::new(), overrides };
+    let plan = MotionPlan {
+        span,
+        positions: 12,
+        scatter: Vec::new(),
+        correlations: Vec::new(),
+        paths: Vec::new(),
+        asked: Vec::new(),
+        overrides,
+    };
     let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(record.drawing.drives[0].sense, DriveSense::ToAndFro);
     let drawn: Vec<&str> = record.drawing.output_points.iter().map(|output| output.name.as_str()).collect();

@@ -36,6 +36,7 @@ fn picture(template: &Template) -> String {
         scatter: Vec::new(),
         correlations: Vec::new(),
         paths: Vec::new(),
+        asked: Vec::new(),
         overrides: Vec::new(),
     };
     let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{}: {error}", template.name));

@@ -21,6 +21,7 @@ mod planar_in_space;
 mod position_tolerance;
 mod promise;
 mod proven_ends;
+mod shares;
 mod silent;
 mod space;
 mod stress;

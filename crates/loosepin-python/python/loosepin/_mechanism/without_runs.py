@@ -137,6 +137,13 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         allowances: list[dict[str, Any]] = self.summary.get("allowances", [])
         return allowances
 
+    @property
+    def asked(self) -> list[dict[str, Any]]:
+        """What joints with play and scattering dimensions contribute at each pose of a requirement or a question of a study, those of requirements
+        first, as in `summary.json`. Elsewhere: `joints` and `dimensions` of each output."""
+        asked: list[dict[str, Any]] = self.summary.get("asked", [])
+        return asked
+
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with a row for each angle and columns such as `slider worst_case`; those that are empty are left out."""
         pandas_ = need("pandas", "to_pandas()")

@@ -8,7 +8,9 @@ use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::output_summary::output_summaries;
 use crate::words::wording::{capitalised, counted, listed, response_words};
-use loosepin_result::study::{Contributors, RandomContributor, ResponsePoint, ShareRange, StudyResult};
+use loosepin_result::study::{
+    Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange, StudyResult,
+};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
 /// Inputs that [`contributors_overview`] shows.
@@ -25,11 +27,16 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
         let tag = Tag::contributors(one, "band", &input.paths.join(" "));
         (name, "probability", "tighter tolerance", [input.band_share; 2], tag)
     });
-    let unknown = one.epistemic.iter().map(|input| {
-        (name(&input.path), "mixed", "measurement", input.band_share, Tag::contributors(one, "band", &input.path))
-    });
-    let mut all: Vec<_> = random.chain(unknown).filter(|(_, _, _, share, _)| share[1].is_finite()).collect();
+    let of_unknown = |input: &EpistemicContributor| {
+        let tag = Tag::contributors(one, "band", &input.path);
+        (unknown_name(input, result), "mixed", unknown_means(input), input.band_share, tag)
+    };
+    let measurable = one.epistemic.iter().filter(|input| input.can_be_measured).map(of_unknown);
+    let mut all: Vec<_> = random.chain(measurable).collect();
     all.sort_by(|a, b| b.3[1].total_cmp(&a.3[1]));
+    // What somebody can do something about comes first.
+    all.extend(one.epistemic.iter().filter(|input| !input.can_be_measured).map(of_unknown));
+    all.retain(|(_, _, _, share, _)| share[1].is_finite());
     let left = all.len().saturating_sub(MAX_SHOWN);
     let has_estimates = one.random.iter().any(RandomContributor::is_linear_estimate);
     (!all.is_empty()).then(|| {
@@ -106,8 +113,8 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
     let epistemic = one.epistemic.iter().map(|input| {
         let tag = |part: &str| Tag::contributors(one, part, &input.path);
         vec![
-            name(&input.path).into(),
-            "measurement".into(),
+            unknown_name(input, result).into(),
+            unknown_means(input).into(),
             bar("mixed", input.band_share, &writer.with_tag(&tag("band"))),
             Cell::Nothing,
             Cell::Nothing,
@@ -135,6 +142,16 @@ fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Tab
         caption: caption(result, one, writer).into(),
         ..Table::new(columns, rows)
     }
+}
+
+/// Name of an unknown input.
+fn unknown_name(input: &EpistemicContributor, result: &StudyResult) -> String {
+    if input.can_be_measured { plain_name(&input.path, &result.inputs) } else { "where the pins sit".to_owned() }
+}
+
+/// What makes the band narrower.
+fn unknown_means(input: &EpistemicContributor) -> &'static str {
+    if input.can_be_measured { "measurement" } else { "not measurable" }
 }
 
 /// Meaning and error of the numbers.

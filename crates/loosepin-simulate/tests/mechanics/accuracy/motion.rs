@@ -25,6 +25,7 @@ pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
         scatter: Vec::new(),
         correlations: Vec::new(),
         paths: Vec::new(),
+        asked: Vec::new(),
         overrides: Vec::new(),
     }
 }
@@ -199,6 +200,7 @@ fn analytic_an_error_of_the_radius_is_across_the_circle() {
             scatter: vec![Scatter { quantity, standard_deviation_si: DEVIATION_M }],
             correlations: Vec::new(),
             paths: Vec::new(),
+            asked: Vec::new(),
             overrides: Vec::new(),
         };
         let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");
@@ -226,6 +228,7 @@ fn identity_errors_of_a_path_are_those_of_its_coordinates_turned() {
         scatter: vec![Scatter { quantity, standard_deviation_si: 2e-5 }],
         correlations: Vec::new(),
         paths: Vec::new(),
+        asked: Vec::new(),
         overrides: Vec::new(),
     };
     let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");

@@ -3,6 +3,8 @@
 
 mod plan;
 mod record;
+mod subjects;
+mod without_dynamics;
 
 use super::found::{Found, StudyRun};
 use super::kind::{Planned, Question, QuestionContext};
@@ -13,6 +15,7 @@ use crate::file::Ask;
 use crate::runs::all_runs::Runs;
 use loosepin_bounds::{RunInputs, SampleTable};
 use plan::ContributorPlan;
+use subjects::subjects;
 
 /// What contributes to the answers.
 struct ContributorQuestion {
@@ -42,7 +45,8 @@ impl Question for ContributorQuestion {
 
     fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
         if let Some(double_loop) = &found.double_loop {
-            run.result.contributors = record::contributors(material, double_loop, self.plan.as_ref());
+            let subjects = subjects(material.plan(), &run.result.requirements);
+            run.result.contributors = record::contributors(material, double_loop, self.plan.as_ref(), &subjects);
         }
         Ok(())
     }

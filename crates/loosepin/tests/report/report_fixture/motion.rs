@@ -52,6 +52,7 @@ pub fn worn_pin() -> MotionRecord {
         is_proven_between_angles: true,
         requirements: Vec::new(),
         allowances: Vec::new(),
+        asked: Vec::new(),
         display_units: DisplayUnits::default(),
         outputs: vec![OutputMotion {
             name: "slider".to_owned(),

@@ -551,6 +551,7 @@ fn contributors() -> Vec<Contributors> {
         band_share,
         error: 0.015,
         quasi_static_share,
+        can_be_measured: true,
     };
     vec![Contributors {
         output: "slider".to_owned(),
