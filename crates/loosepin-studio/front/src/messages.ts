@@ -232,6 +232,26 @@ export interface AdoptedTexts {
   has_changed: boolean;
 }
 
+/** A text that is not saved. */
+export interface DraftText {
+  /** It. */
+  text: string;
+  /** Tag of the file from which it began. */
+  tag: string;
+}
+
+/** The unsaved texts of a path. */
+export interface Draft {
+  /** When they were kept, ms since 1970. */
+  at: number;
+  /** The path by which they were opened. */
+  path: string;
+  /** The model, where it has changed. */
+  model: DraftText | null;
+  /** The study, where it has changed. */
+  study: DraftText | null;
+}
+
 /** A template as the page shows it. */
 export interface TemplateCard {
   /** Its name, by which it is made. */
@@ -529,13 +549,14 @@ export interface Job {
   words: string[];
   /** Intermediate results before it is finished. */
   draft: JobDraft | null;
+  /** Why it failed, in a sentence. */
+  reason: string | null;
   /** Errors, if it failed. */
   diagnostics: string[];
   /** Folder of its results, in the served folder. */
   result: string | null;
   /** Over all requirements. */
   verdict: Verdict | null;
-  reason: string | null;
 }
 
 /** Intermediate results of a study. */
@@ -590,7 +611,7 @@ export interface Look {
   curve?: CurveKey | null;
   /** Points that are traced although no output is their path: `coupler.tip`. Those that the model does not have are left out. */
   traced?: string[];
-  /** Nothing changes now. */
+  /** Nothing changes now: the texts are then also tried as by `loosepin check`, which is told in a [`CheckAnswer`]. */
   is_at_rest?: boolean;
 }
 
@@ -722,6 +743,14 @@ export type ToPage =
       message: string;
     };
 
+/** What `loosepin check` finds in the texts of a look that has a view. */
+export interface CheckAnswer {
+  /** Sequence number of the look. */
+  seq: number;
+  /** What keeps them from running; none where they run. */
+  diagnostics: DiagnosticView[];
+}
+
 /** The answer to a look. */
 export interface LookAnswer {
   /** Sequence number of the look. */
@@ -774,13 +803,14 @@ export interface View {
   curves: CurveChoice[];
   /** The wanted one, or the first of its quantity. */
   curve: LiveCurve | null;
+  /** The angles between which the drive can turn, degrees, where it cannot go through its whole turn. */
+  drive_range_deg: [number, number] | null;
   /** The limits among them. */
   limits: LimitView[];
   /** Its parts. */
   outline: Outline;
   /** Its numbers. */
   quantities: QuantityView[];
-  drive_range_deg: [number, number] | null;
 }
 
 /** A curve that there is. */
@@ -898,6 +928,7 @@ export interface Outline {
   parts: BodyView[];
   /** Dimensions of bodies and joints. */
   dimensions: DimensionView[];
+  /** Four-bars and slider-cranks through the ground with their classes, in words, where it moves. */
   loops: string[];
 }
 
@@ -1132,6 +1163,34 @@ export interface RestructureRequest {
 export interface RestructureAnswer extends Partial<Restructured> {
   /** Why not. */
   refusal: Refused | null;
+}
+
+/** Unsaved texts of a tab, to be kept in place of those before. */
+export interface KeepDraftRequest {
+  /** Name of the tab: 32 hexadecimal digits. */
+  tab: string;
+  /** The path by which they were opened. */
+  path: string;
+  /** The model, where it has changed. */
+  model?: DraftText | null;
+  /** The study, where it has changed. */
+  study?: DraftText | null;
+}
+
+/** A path whose unsaved texts a tab asks for. */
+export interface TakeDraftRequest {
+  /** Name of the tab. */
+  tab: string;
+  /** The path. */
+  path: string;
+}
+
+/** Unsaved texts that belong to the tab from now on. */
+export interface TakeDraftAnswer {
+  /** They, where there are any. */
+  draft: Draft | null;
+  /** Another tab that is open has unsaved texts of the path. */
+  is_elsewhere: boolean;
 }
 
 /** A template, or two texts, to be made a mechanism of one's own. */
@@ -1391,33 +1450,4 @@ export interface AdoptAnswer {
   adopted: AdoptedTexts | null;
   /** Why not. */
   refusal: Refused | null;
-}
-
-export interface CheckAnswer {
-  seq: number;
-  diagnostics: DiagnosticView[];
-}
-export interface DraftText {
-  text: string;
-  tag: string;
-}
-export interface Draft {
-  at: number | null;
-  path: string;
-  model: DraftText | null;
-  study: DraftText | null;
-}
-export interface KeepDraftRequest {
-  tab: string;
-  path: string;
-  model?: DraftText | null;
-  study?: DraftText | null;
-}
-export interface TakeDraftRequest {
-  tab: string;
-  path: string;
-}
-export interface TakeDraftAnswer {
-  draft: Draft | null;
-  is_elsewhere: boolean;
 }
