@@ -48,8 +48,13 @@ pub(super) fn clearance_chart(record: &MotionRecord, output: &OutputMotion, writ
     if effect.shown == Shown::FirstOrder {
         band("first order", Role::Mixed, true, &answer.first_order_si);
     }
-    band("± standard deviation, anywhere in the circles", Role::Random, true, &answer.disc_standard_deviation_si);
-    band("± standard deviation, on the rims", Role::Mean, false, &answer.rim_standard_deviation_si);
+    band(
+        "± standard deviation, pins anywhere in the clearance",
+        Role::Random,
+        true,
+        &answer.disc_standard_deviation_si,
+    );
+    band("± standard deviation, pins at its edge", Role::Mean, false, &answer.rim_standard_deviation_si);
     band("± standard deviation of the dimensions", Role::Probability, false, &output.dimensional_standard_deviation_si);
     add_worst_case(&mut chart, output, writer);
     let words = format!("{} ({})", effect.written(output, writer), effect.words(record, output, writer));

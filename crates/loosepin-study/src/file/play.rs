@@ -25,7 +25,7 @@ pub fn journal_words(distribution: PlayDistribution) -> &'static str {
     match distribution {
         PlayDistribution::Inside => "journals anywhere in their play, all places alike, held over the turn",
         PlayDistribution::OnTheRim => {
-            "journals on the rims of their play, balls on the surface, all places there alike, held over the turn"
+            "journals at the edge of their play, balls on its surface, all places there alike, held over the turn"
         }
     }
 }
