@@ -205,7 +205,7 @@ fn motion_with(
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;
     }
-    let asked = recorder.effects_at(&plan.asked, &Walked { states: &cycle.states, input: &input }, plan.positions)?;
+    let asked = recorder.effects_at(&plan.asked, &Walked { states: &cycle.states, input: &input }, plan.positions);
     drop_round_off(&mut recorder.outputs, mechanism.size_m);
     let moved = recorder.moved_outputs();
     let paths = recorder.paths.into_paths();
@@ -436,19 +436,15 @@ impl<'a> Recorder<'a> {
     }
 
     /// The effects at the poses that are asked about, each reached from the nearest of the walked states. Poses that the mechanism does not reach
-    /// are left out.
-    fn effects_at(
-        &mut self,
-        asked: &[AskedPose],
-        walked: &Walked<'_, '_>,
-        positions: usize,
-    ) -> Result<Vec<PoseEffect>, AccuracyError> {
+    /// are left out, as are singular ones.
+    fn effects_at(&mut self, asked: &[AskedPose], walked: &Walked<'_, '_>, positions: usize) -> Vec<PoseEffect> {
         let mut found = Vec::new();
         for AskedPose { output, pose_rad, is_required } in asked {
             let Some(number) = self.outputs.iter().position(|own| own.name == *output) else { continue };
             let Some(state) = state_at(walked, *pose_rad, positions) else { continue };
             let jets = jets(self.mechanism, self.values, &self.readings, &state);
-            let effects = self.effects(&state, &jets)?;
+            // Nothing is known of first order in a singular position.
+            let Ok(effects) = self.effects(&state, &jets) else { continue };
             let joints = effects.joints(number, &self.reaches);
             let signed_si = effects.signed_si(number, self.directions);
             let own = &self.outputs[number];
@@ -471,7 +467,7 @@ impl<'a> Recorder<'a> {
                 dimensions: of_dimensions.map(|(known, signed_si)| effect(&known.path, signed_si.abs())).collect(),
             });
         }
-        Ok(found)
+        found
     }
 }
 

@@ -21,7 +21,7 @@ const NOMINAL_M: [f64; 2] = [0.150, 0.160];
 /// A tolerance is ± 3 standard deviations.
 const DEVIATIONS_M: [f64; 2] = [2e-4 / 3.0; 2];
 /// Of a share of the band: quantiles of the samples, and that standard deviations do not quite add as squares in a band with play.
-const REFIT_TOLERANCE: f64 = 0.01;
+const REFIT_TOLERANCE: f64 = 0.004;
 
 fn steer_rad(gear_rad: f64, [pitman, arm]: &[f64; 2]) -> f64 {
     let (a, b) = (0.5 + pitman * gear_rad.sin(), pitman * gear_rad.cos() - 0.1);
@@ -75,7 +75,7 @@ fn identity_the_band_is_narrower_as_stated_in_a_study_without_one_scatter() {
             // Over the cycle too: the largest deviation is at its end, where the scatter is largest and play as large as anywhere but for a
             // twentieth.
             assert!((share - by_hand).abs() < SHARE_TOLERANCE, "{gear_deg} {path}: {share}, not {by_hand}");
-            assert!(stated > 0.05 && (stated - refitted).abs() < REFIT_TOLERANCE, "{path}: {stated}, {refitted}");
+            assert!(stated > 0.035 && (stated - refitted).abs() < REFIT_TOLERANCE, "{path}: {stated}, {refitted}");
         }
     }
 }
