@@ -3,4 +3,5 @@
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
 pub(crate) mod spatial_motion;
+pub(crate) mod still;
 pub(crate) mod widest_play;
