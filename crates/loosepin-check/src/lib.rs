@@ -39,12 +39,13 @@ use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 
 use trial::TrialResult;
 
-/// Warnings about likely mistakes in a valid file.
-pub fn warnings(file: &InputFile) -> &[Diagnostic] {
-    match file {
+/// Warnings about likely mistakes in a valid file, and about outputs that its mechanism never moves.
+pub fn warnings(file: &InputFile) -> Vec<Diagnostic> {
+    let of_file = match file {
         InputFile::Model(model) => model.warnings(),
         InputFile::Study(study) => &study.warnings,
-    }
+    };
+    of_file.iter().cloned().chain(file.still_outputs()).collect()
 }
 
 /// Moves the mechanism of a file for the first time, and reports its loops, limits and first steps.

@@ -239,7 +239,8 @@ pub struct WearArguments {
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
     loosepin study study.toml --accuracy 1um --budget 30min\n  \
     loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs\n  \
-    loosepin study study.toml --path coupler.tool\n  loosepin study study.toml --shard 2/7 --resume"
+    loosepin study study.toml --path coupler.tool\n  loosepin study study.toml --set parameter.crank_length=51mm\n  \
+    loosepin study study.toml --shard 2/7 --resume"
 )]
 pub struct StudyArguments {
     /// Study file
@@ -251,6 +252,9 @@ pub struct StudyArguments {
     /// Run only shard I of N, in its own folder
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
+    /// Change a quantity of the model, with its unit; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE", conflicts_with = "shard")]
+    pub set: Vec<String>,
     /// Largest numerical error of the bounds, with its unit; may be repeated
     #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
     pub accuracy: Vec<String>,

@@ -107,6 +107,11 @@ impl Model {
         self.0.warnings.iter().map(Diagnostic::new).collect()
     }
 
+    /// Warnings of values that settings make hardly possible.
+    fn warnings_of_settings(&self, set: Vec<String>) -> Vec<Diagnostic> {
+        self.0.set_values(&set).map_or_else(|_| Vec::new(), |set| set.warnings.iter().map(Diagnostic::new).collect())
+    }
+
     /// Name, words and SI unit of each output.
     fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
         let values = self.0.set_values(&[]).map_err(raise)?.values;

@@ -85,6 +85,11 @@ impl Study {
         self.0.warnings.iter().map(Diagnostic::new).collect()
     }
 
+    /// Warnings of values that settings make hardly possible.
+    fn warnings_of_settings(&self, set: Vec<String>) -> Vec<Diagnostic> {
+        self.0.model.warnings_of_settings(&set).iter().map(Diagnostic::new).collect()
+    }
+
     /// How many runs it comes to at most.
     fn most_runs(&self, py: Python<'_>) -> PyResult<usize> {
         let planned = py.detach(|| study::plan_runs(&self.0));

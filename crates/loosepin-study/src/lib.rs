@@ -12,7 +12,6 @@ mod distribution_words;
 mod drafts;
 mod error;
 mod file;
-mod iso_286;
 mod model;
 mod planning;
 mod question;
@@ -30,13 +29,13 @@ pub use error::{StudyError, TooManyFailed};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
     Deviation, EpistemicInput, EpistemicSubject, EvaluatedModel, EvaluationProblem, Limit, MAX_POSES, MAX_RUNS,
-    MIN_SPECIMEN_ROWS, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject,
-    NameProblem, NamedPlace, NamedQuestion, PLAY, Push, RandomInput, RandomProblem, RandomSubject, RareMethod,
-    ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
-    Study, StudyProblem, StudySurrogate, UncertainParameter, Where, journal_words, named_model, number_and_unit,
-    says_study, signed_parts, states_nominal, study_schema, takes_mean_of_model,
+    MIN_SPECIMEN_ROWS, MeantLimit, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem,
+    MotionSubject, NameProblem, NamedPlace, NamedQuestion, PLAY, Push, RandomInput, RandomProblem, RandomSubject,
+    RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
+    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, journal_words, named_model,
+    says_study, study_schema, takes_mean_of_model,
 };
-pub use iso_286::FitError;
+pub use loosepin_text::tolerance::{FitError, number_and_unit, signed_parts, states_nominal};
 pub use model::{Clearance, StudyModel};
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;

@@ -35,7 +35,7 @@ pub fn run(arguments: &CheckArguments) -> Ending {
 
 fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Diagnostics> {
     let file = InputFile::from_path(path)?;
-    warn_once(warnings(&file), seen);
+    warn_once(&warnings(&file), seen);
     // Lines as they are: programs look for them.
     Ok(article_text(&check(&file)?, None))
 }

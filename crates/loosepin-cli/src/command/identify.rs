@@ -24,7 +24,7 @@ use std::path::PathBuf;
 
 /// Shows the bounds of the plays from the readings of a study; writes the narrowed study and a page if requested.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
-    let study = read_study(&arguments.study)?;
+    let study = read_study(&arguments.study, &[])?;
     if arguments.plan {
         let asked = motion_values(arguments);
         let plan = with_bar(|heard| plan_motion(&study, arguments.specimen.as_deref(), &asked, heard))?;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use loosepin::check::warnings;
 use loosepin::diagnostics::{Diagnostic, Diagnostics};
 use loosepin::model::Model;
 use loosepin::simulate::SmallestClearance;
@@ -16,19 +17,26 @@ use crate::ending::Failure;
 /// # Errors
 /// All errors in the file, and values that a run needs and that are missing; a study file.
 pub fn read_model(path: &Path) -> Result<Model, Failure> {
-    let model = InputFile::from_path(path)?.into_model()?;
-    warn(&model.warnings);
+    let file = InputFile::from_path(path)?;
+    let found = warnings(&file);
+    let model = file.into_model()?;
+    warn(&found);
     model.demand_dynamics()?;
     Ok(model)
 }
 
-/// Reads a study file and its model, which is to be run, and shows their warnings.
+/// Reads a study file and its model, which is to be run, and shows their warnings; `set` are values `path=value` in place of those of the model file.
 ///
 /// # Errors
-/// All errors in the files, and values that a run needs and that are missing; a model file.
-pub fn read_study(path: &Path) -> Result<Study, Failure> {
-    let study = InputFile::from_path(path)?.into_study()?;
-    warn(&study.warnings);
+/// All errors in the files and settings, and values that a run needs and that are missing; a model file.
+pub fn read_study(path: &Path, set: &[String]) -> Result<Study, Failure> {
+    let mut file = InputFile::from_path(path)?;
+    if let (InputFile::Study(study), false) = (&mut file, set.is_empty()) {
+        **study = Study::from_path_with_settings(path, set)?;
+    }
+    let found = warnings(&file);
+    let study = file.into_study()?;
+    warn(&found);
     if let Some(model) = study.model.planar() {
         model.demand_dynamics()?;
     }

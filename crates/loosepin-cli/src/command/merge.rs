@@ -30,7 +30,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let shards = ShardFolders::read(&arguments.folders).map_err(|error| Failure::of(&error))?;
     let record = &shards.record;
     let path = arguments.study.as_ref().unwrap_or(&record.study);
-    let (mut study, inputs) = read_study_with_options(path, &record.accuracy, record.budget.as_deref(), &[])?;
+    let (mut study, inputs) = read_study_with_options(path, [&[], &record.accuracy, &[]], record.budget.as_deref())?;
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
     }

@@ -18,7 +18,8 @@ use crate::ending::{Done, Ending};
 /// Shows the ideal motion, and the quasi-static effect of play and of random inputs on it.
 pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
-    warn(warnings(&file));
+    warn(&warnings(&file));
+    warn(&file.model().warnings_of_settings(&arguments.set));
     if let Some(model) = file.model().spatial() {
         return move_in_space(arguments, &file, model);
     }

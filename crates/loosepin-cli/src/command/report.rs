@@ -4,10 +4,11 @@ use std::path::Path;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::diagnostics::{Code, nearest_name, problems};
+use loosepin::files::read_named_text;
 use loosepin::identify::record::Identification;
 use loosepin::model::{Rule, measured_argument};
 use loosepin::report::{Figure, figures};
-use loosepin::results::{ResultKind, ResultsError, ResultsFolder, write_whole};
+use loosepin::results::{REPORT_FILE, ResultKind, ResultsError, ResultsFolder, write_whole};
 use loosepin::simulate::record::SimulationRecord;
 use loosepin::study::result::StudyResult;
 use loosepin::sweep::record::SweepRecord;
@@ -18,6 +19,8 @@ use crate::arguments::ReportArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
+/// The largest page that is read: that of a study with many outputs has a few megabytes.
+const MAX_PAGE_BYTES: u64 = 1 << 28;
 /// Millimetres in a metre.
 const MM_PER_M: f64 = 1e3;
 
@@ -91,7 +94,14 @@ fn save(path: &Path, text: &str) -> Result<(), Failure> {
 
 /// The page of a finished result, written again, so that figures are saved as this version draws them.
 fn page(folder: &Path) -> Result<String, Failure> {
-    let folder = ResultsFolder::reopen(folder)?;
+    let folder = match ResultsFolder::reopen(folder) {
+        // A motion in space is written without the marker of results: its page stands as it was written.
+        Err(ResultsError::NoMarker { folder: path }) => {
+            let page = read_named_text(&folder.join(REPORT_FILE), MAX_PAGE_BYTES);
+            return page.map_err(|_| ResultsError::NoMarker { folder: path }.into());
+        }
+        reopened => reopened?,
+    };
     match folder.kind() {
         ResultKind::Simulation => page_of::<SimulationRecord>(&folder),
         ResultKind::Study => page_of::<StudyResult>(&folder),

@@ -12,7 +12,7 @@ use loosepin::simulate::{Integrator, Plan, Settings, SmallestClearance};
 use loosepin::study::{check_measured, run_inputs, run_into};
 use loosepin::units::Dimension;
 
-use super::inputs::{check_tolerance, read_model};
+use super::inputs::{check_tolerance, read_model, warn};
 use super::stored::{StoredResult, claim, print_result, run_and_write, show_found};
 use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
@@ -26,6 +26,7 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
 pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?.with_paths(&arguments.path)?;
     let set = model.set_values(&arguments.set)?;
+    warn(&set.warnings);
     let plan = plan(arguments, &model)?;
     check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let measured = measured(arguments)?;

@@ -24,8 +24,8 @@ use crate::progress::Bar;
 
 /// Runs the study, or shows the stored one.
 pub fn run(arguments: &StudyArguments) -> Ending {
-    let (mut study, inputs) =
-        read_study_with_options(&arguments.study, &arguments.accuracy, arguments.budget.as_deref(), &arguments.path)?;
+    let beside = [&arguments.set, &arguments.accuracy, &arguments.path].map(Vec::as_slice);
+    let (mut study, inputs) = read_study_with_options(&arguments.study, beside, arguments.budget.as_deref())?;
     // Not an input of the results: it only decides when the study ends with an error.
     if let Some(share) = arguments.most_failed {
         study.set_most_failed(share);
@@ -56,17 +56,16 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     show_outcome(concluded, "continue with the same command and --resume")
 }
 
-/// Reads a study file and the options of the command line that change it; also returns the hash of all inputs.
+/// Reads a study file and the options of the command line that change it, its settings, accuracies and paths; also returns the hash of all inputs.
 ///
 /// # Errors
 /// All errors in the file and in the options.
 pub fn read_study_with_options(
     path: &Path,
-    accuracy: &[String],
+    [set, accuracy, paths]: [&[String]; 3],
     budget: Option<&str>,
-    paths: &[String],
 ) -> Result<(Study, InputsHash), Failure> {
-    let mut study = read_study(path)?;
+    let mut study = read_study(path, set)?;
     for accuracy in accuracy {
         study.add_accuracy(accuracy)?;
     }

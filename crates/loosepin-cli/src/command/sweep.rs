@@ -10,7 +10,7 @@ use loosepin::sweep::{
 };
 use loosepin::units::Dimension;
 
-use super::inputs::{add_planar_model, check_tolerance, read_model};
+use super::inputs::{add_planar_model, check_tolerance, read_model, warn};
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use super::threads::threads;
@@ -23,6 +23,7 @@ use crate::progress::Bar;
 pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
+    warn(&set.warnings);
     let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
     let request = request(arguments);
     let plan = request.plan(&model, &set, tolerance_m)?;

@@ -54,6 +54,39 @@ fn a_number_that_is_hardly_possible_is_warned_of_beside_the_answer() {
 }
 
 #[test]
+fn a_tolerance_in_a_model_shows_the_line_of_the_study() {
+    bad_model(
+        "slider_crank_5000",
+        "rod_length = \"120 mm\"",
+        "rod_length = \"120 mm +- 0.1 mm\"",
+        "model.toml:6:22: error[E0301]: '+-' gives a tolerance; a single value is expected here\n\
+         hint: a model holds nominal values: write \"120 mm\" here, and in study.toml under [random] \"parameter.rod_length\" = { tolerance = \"± 0.1 mm\" }",
+    );
+    let desk = Desk::with_model("slider_crank_5000");
+    for command in ["simulate", "motion"] {
+        desk.fail(
+            &[command, "model.toml", "--set", "parameter.rod_length=120 mm +- 0.1 mm"],
+            "--set:1:29: error[E0301]: '+-' gives a tolerance; a single value is expected here\n\
+             hint: a model holds nominal values: write \"120 mm\" here, and in study.toml under [random] \"parameter.rod_length\" = { tolerance = \"± 0.1 mm\" }",
+        );
+    }
+}
+
+#[test]
+fn a_value_that_is_set_and_hardly_possible_is_warned_of() {
+    let desk = Desk::with_model("slider_crank_5000");
+    for command in ["simulate", "motion"] {
+        let said = desk.succeed(&[command, "model.toml", "--set", "contact.steel_pin.density=7.8 kg/m^3"]).messages;
+        assert_eq!(
+            said.matches("--set:1:1: warning[E0823]: contact 'steel_pin': density 7.8 kg/m^3; usual values are")
+                .count(),
+            1,
+            "{said}"
+        );
+    }
+}
+
+#[test]
 fn a_missing_unit() {
     bad_model(
         "slider_crank_5000",

@@ -24,6 +24,24 @@ fn figures_are_listed_and_saved_by_name() {
 }
 
 #[test]
+fn figures_of_a_motion_in_space_are_listed_and_saved() {
+    let desk = Desk::new();
+    desk.write("model.toml", include_str!("../../../../docs/examples/spatial-slider-crank.toml"));
+    desk.succeed(&["motion", "model.toml", "--out", "motion"]);
+    let listed = desk.succeed(&["report", "motion", "--list"]).output;
+    let names: Vec<&str> = listed.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(!names.is_empty(), "{listed}");
+    for name in &names {
+        desk.succeed(&["report", "motion", "--figure", name, "--svg", "figure.svg"]);
+        assert!(desk.read("figure.svg").starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""), "{name}");
+    }
+    std::fs::create_dir(desk.path("other")).expect("a folder");
+    let nothing = "error[E0902]: other contains no results: it has no loosepin.json\n\
+        hint: results are in results/NAME/HASH, or in the folder given with --out";
+    desk.fail(&["report", "other", "--list"], nothing);
+}
+
+#[test]
 fn a_figure_that_is_not_there_is_told() {
     let desk = Desk::with_model("slider_crank_5000");
     desk.succeed(&["motion", "model.toml", "--out", "motion"]);

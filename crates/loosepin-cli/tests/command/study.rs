@@ -49,6 +49,52 @@ fn desk(study: &str) -> Desk {
 }
 
 #[test]
+fn identity_a_study_with_a_setting_is_that_of_a_model_with_the_value() {
+    let desk = Desk::new();
+    desk.succeed(&["new", "slider-crank", "."]);
+    let study = "name = \"rod\"\nmodel = \"model.toml\"\n[cycle]\ntransient_turns = 0\nrecorded_turns = 0.1\nsamples_per_turn = 40\n\
+        [sampling]\nouter = 8\ninner = 16\n[random]\n\"parameter.rod_length\" = { tolerance = \"± 0.1 mm\" }\n\
+        [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.3 mm\", \"0.5 mm\"] }\n\
+        [[ask]]\noutput = \"slider\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n";
+    desk.write("study.toml", study);
+    let set = ["--set", "parameter.rod_length=125 mm", "--set", "parameter.crank_length=48mm"];
+    desk.succeed(&[&["study", "study.toml", "--out", "set"][..], &set].concat());
+    let model = desk.read("model.toml");
+    let written = model
+        .replace("rod_length = \"120 mm\"", "rod_length = \"125 mm\"")
+        .replace("crank_length = \"50 mm\"", "crank_length = \"48 mm\"");
+    let read = |folder: &str| -> serde_json::Value {
+        serde_json::from_str(&desk.read(&format!("{folder}/summary.json"))).expect("JSON")
+    };
+    desk.write("model.toml", &written);
+    desk.succeed(&["study", "study.toml", "--out", "written"]);
+    desk.write("model.toml", &model);
+    desk.succeed(&["study", "study.toml", "--out", "plain"]);
+    let [of_set, of_written, plain] = ["set", "written", "plain"].map(read);
+    assert_eq!(of_set["treatments"], of_written["treatments"]);
+    assert_ne!(of_set["treatments"], plain["treatments"]);
+    // The command that makes it again, and those of its witnesses, have the settings.
+    let command = of_set["repeat"]["command"].as_str().expect("a command");
+    assert_eq!(
+        command,
+        "loosepin study study.toml --set 'parameter.rod_length=125 mm' --set parameter.crank_length=48mm"
+    );
+    let witness = of_set["witness_commands"].to_string();
+    assert!(
+        witness.contains("parameter.crank_length=48mm") && !plain["witness_commands"].to_string().contains("48mm"),
+        "{witness}"
+    );
+    // A value of what has none, and one that no model has.
+    desk.fail(
+        &["study", "study.toml", "--set", "joint.gudgeon.radial_clearance=0.4mm"],
+        "error[E0409]: 'joint.gudgeon.radial_clearance' is set, but is an unknown (epistemic) input of the study, which has no single value\n\
+         hint: change it under [epistemic], or remove it there",
+    );
+    let unknown = desk.run(&["study", "study.toml", "--set", "parameter.rod=1mm"]);
+    assert!(unknown.status == 2 && unknown.messages.contains("error[E0405]"), "{}", unknown.messages);
+}
+
+#[test]
 fn identity_one_and_two_threads_write_the_same_bytes() {
     let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
     let one = desk.succeed(&["study", "study.toml", "--threads", "1", "--out", "one"]);

@@ -48,6 +48,26 @@ fn motion(desk: &Desk, model: &str) -> serde_json::Value {
 }
 
 #[test]
+fn identity_a_motion_needs_no_radius_of_a_bearing_without_contact() {
+    let desk = desk("slider-crank");
+    let text = desk.read("light.toml");
+    let bare: String =
+        text.lines().filter(|line| !line.starts_with("bearing_radius")).map(|line| format!("{line}\n")).collect();
+    assert_ne!(bare, text);
+    desk.write("bare.toml", &bare);
+    assert_eq!(motion(&desk, "bare.toml"), motion(&desk, "light.toml"));
+    let said = desk.succeed(&["check", "bare.toml"]).output;
+    assert!(said.contains("play: radial clearance 0.5 mm\n"), "{said}");
+    assert!(said.contains("joint 'gudgeon': bearing_radius is missing\n"), "{said}");
+    let refused = desk.run(&["simulate", "bare.toml"]);
+    assert!(
+        refused.status == 2 && refused.messages.contains("joint 'gudgeon': bearing_radius is missing"),
+        "{}",
+        refused.messages
+    );
+}
+
+#[test]
 fn identity_ten_templates_move_alike_without_their_masses() {
     for template in TEMPLATES {
         let desk = desk(template);

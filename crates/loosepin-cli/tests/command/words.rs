@@ -244,13 +244,13 @@ fn check_tells_springs_loads_motions_initial_states_guides_and_slots() {
 }
 
 #[test]
-fn a_mechanism_that_forces_move_is_simulated_and_has_no_ideal_motion() {
+fn the_ideal_motion_of_a_mechanism_that_forces_move_is_that_of_a_run_without_play() {
     let desk = Desk::new();
     desk.write("model.toml", include_str!("../../../loosepin-simulate/tests/files/pendulum_on_a_spring.toml"));
     desk.fail(
         &["motion", "model.toml"],
-        "model.toml:45:2: error[E0701]: the drives alone do not determine the motion: without forces, there is no ideal motion\n\
-         hint: use `loosepin simulate`, which computes the motion from the forces",
+        "model.toml:45:2: error[E0701]: the drives alone do not determine the motion: it follows from the forces, which this command does not compute\n\
+         hint: use `loosepin simulate` or a study: their ideal motion is that under the same forces without play",
     );
     let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]);
     assert!(said.output.contains("energy balance"), "{}", said.output);

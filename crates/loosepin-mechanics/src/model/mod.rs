@@ -61,7 +61,6 @@ pub use parts::topology::{Body, Guess, Joint, Model, Point};
 pub use parts::wear::{
     CycleJumps, FoundationChoice, JointWear, LifeLimit, MAX_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
-pub use plausible::ImplausibleNumber;
 pub use problem::ModelProblem;
 pub use read::model_schema;
 pub use values::function::{Changing, Function};

@@ -238,7 +238,9 @@ class Model(NoArray):
 
         set: as for `simulate`. paths: points "body.point" whose paths are given besides those of outputs. Raises LoosepinError for a mechanism that its drives do not move alone.
         """
-        return Motion(self._native.motion(self._settings(set), texts("paths", paths)))
+        settings = self._settings(set)
+        warn(self._native.warnings_of_settings(settings))
+        return Motion(self._native.motion(settings, texts("paths", paths)))
 
     def sweep(
         self,

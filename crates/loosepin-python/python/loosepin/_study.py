@@ -147,7 +147,9 @@ class Study(NoArray):
 
         Clearances that are uncertain are taken where there is most play. set: as for `Model.simulate`. paths: as for `Model.motion`.
         """
-        return Motion(self._native.motion(settings("set", set, self.model._native), texts("paths", paths)))
+        given = settings("set", set, self.model._native)
+        warn(self._native.warnings_of_settings(given))
+        return Motion(self._native.motion(given, texts("paths", paths)))
 
     def check(self) -> Check:
         """Describes the study and its mechanism before anything runs: inputs, questions, number of runs, time, as `loosepin check`.

@@ -40,7 +40,8 @@ pub fn simulate(
         (Some(error), _) => Err(error),
         (None, Err(diagnostics)) => Err(raise(diagnostics)),
         (None, Ok((simulation, failure))) => {
-            let warnings = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None)).collect();
+            let coarse = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None));
+            let warnings = set.warnings.iter().cloned().chain(coarse).collect();
             Ok(Simulation::new(simulation, failure, warnings))
         }
     }

@@ -101,8 +101,9 @@ impl Sweep {
         let mut record = swept?;
         counts.tell(py, progress)?;
         record.repeat = request.repeat(model);
-        let warnings = coarse.iter().map(|warning| Diagnostic::new(&diagnostics::Diagnostic::warning(warning, None)));
-        Ok((Self(record), warnings.collect()))
+        let coarse = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None));
+        let warnings = set.warnings.iter().cloned().chain(coarse);
+        Ok((Self(record), warnings.map(|warning| Diagnostic::new(&warning)).collect()))
     }
 }
 

@@ -44,20 +44,29 @@ impl TrustedRun<'_> {
             writer.with_tag(&trust_tag("whole run", "length")).rounded(length_m, &SiUnit::LENGTH, 1, Rounding::Up)
         };
         let whole = measured.whole_m.map(|whole_m| format!("to {} until the end of the run", length(whole_m)));
+        let given = |horizon: &TrustHorizon| {
+            writer.with_tag(&Tag::Given("length of a horizon")).value_trimmed(horizon.length_m, &SiUnit::LENGTH)
+        };
         let until = |horizon: &TrustHorizon| {
-            let length =
-                writer.with_tag(&Tag::Given("length of a horizon")).value_trimmed(horizon.length_m, &SiUnit::LENGTH);
-            match horizon.until_s {
-                Some(until_s) => {
-                    format!("to {length} until {}", self.instant(horizon.length_m, until_s, horizon.turns, writer))
-                }
-                None => format!("to {length} not even at the start"),
-            }
+            let instant = self.instant(horizon.length_m, horizon.until_s?, horizon.turns, writer);
+            Some(format!("to {} until {instant}", given(horizon)))
         };
         // A length to which it is right to its end is larger than that to which all of it is.
         let is_shown = |horizon: &&TrustHorizon| !horizon.is_end || whole.is_none();
-        let horizons = measured.horizons.iter().filter(is_shown).map(until);
-        let parts: Vec<String> = whole.iter().cloned().chain(horizons).collect();
+        let horizons = measured.horizons.iter().filter(is_shown).filter_map(until);
+        let mut parts: Vec<String> = whole.iter().cloned().chain(horizons).collect();
+        // Of lengths to which nothing is right the largest one says it of all.
+        let never = measured.horizons.iter().filter(|horizon| horizon.until_s.is_none());
+        let coarsest = never.max_by(|a, b| a.length_m.total_cmp(&b.length_m));
+        let is_never = parts.is_empty() && coarsest.is_some() && measured.failure.is_none();
+        if is_never {
+            return vec![format!(
+                "{} are chaotic: single ones are not reproducible to {}; statistics are.",
+                self.subject,
+                coarsest.map(given).unwrap_or_default()
+            )];
+        }
+        parts.extend(coarsest.map(|horizon| format!("to {} or less not even at the start", given(horizon))));
         let mut sentences = vec![format!("{} can be trusted {}.", self.subject, listed(&parts))];
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
@@ -208,9 +217,26 @@ mod tests {
         assert_eq!(
             words(&measured(&parted, None, None), true),
             "Positions can be trusted to 0.01 mm until 15.10 ms (1.2 recorded turns), to 0.001 mm until 13.20 ms (1.1 recorded turns) and to \
-             0.0001 mm not even at the start. After that the errors of the steps have grown: the run shows one of many possible histories. \
+             0.0001 mm or less not even at the start. After that the errors of the steps have grown: the run shows one of many possible histories. \
              Statistics over many turns do not need exact positions."
         );
+    }
+
+    #[test]
+    fn what_is_right_at_no_instant_is_told_once() {
+        let none = [1e-5, 1e-6, 1e-7].map(|length_m| horizon(length_m, None, false));
+        assert_eq!(
+            words(&measured(&none, None, None), false),
+            "Positions are chaotic: single ones are not reproducible to 0.01 mm; statistics are."
+        );
+        let one = [horizon(1e-5, Some(0.0151), false), horizon(1e-6, None, false), horizon(1e-7, None, false)];
+        let told = words(&measured(&one, None, None), false);
+        assert!(
+            told.starts_with("Positions can be trusted to 0.01 mm until 15.10 ms (1.2 turns) and to 0.001 mm or less not even at the start."),
+            "{told}"
+        );
+        let stopped = words(&measured(&none, None, Some("no memory")), false);
+        assert!(stopped.starts_with("Positions can be trusted to 0.01 mm or less not even at the start."), "{stopped}");
     }
 
     #[test]

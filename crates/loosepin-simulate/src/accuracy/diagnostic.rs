@@ -24,7 +24,10 @@ impl Problem for AccuracyError {
         match self {
             Self::Sample(error) => error.hint(),
             Self::Quantity(error) => error.hint(),
-            Self::NotDriven => Some("use `loosepin simulate`, which computes the motion from the forces".to_owned()),
+            Self::NotDriven => Some(
+                "use `loosepin simulate` or a study: their ideal motion is that under the same forces without play"
+                    .to_owned(),
+            ),
             Self::StandsStill { .. } => Some("give it a speed, or use another drive in [cycle]".to_owned()),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),

@@ -15,7 +15,9 @@ pub enum AccuracyError {
     #[error(transparent)]
     Quantity(#[from] QuantityError),
     /// Forces move the mechanism, not drives alone.
-    #[error("the drives alone do not determine the motion: without forces, there is no ideal motion")]
+    #[error(
+        "the drives alone do not determine the motion: it follows from the forces, which this command does not compute"
+    )]
     NotDriven,
     /// The drive whose angle is the input does not turn.
     #[error("drive '{drive}' has speed zero, so it has no cycle")]

@@ -3,6 +3,7 @@
 mod advantage;
 mod loops;
 mod quantity;
+mod still;
 #[cfg(test)]
 mod tests;
 mod turning;
@@ -17,6 +18,7 @@ use loosepin_text::units::SiUnit;
 pub use advantage::{MovedOutput, mechanical_advantages};
 use loops::{GroundLoop, ground_loops};
 use quantity::{Angle, Quantity, Travel};
+pub use still::still_outputs;
 pub use turning::Walked;
 use turning::crossings;
 

@@ -23,7 +23,7 @@ record! {
     pub(super) struct GuessTable for ReadsNumbers;
     /// origin of its frame in that of the ground
     required at: Entry<'t> = LENGTHS, "[\"200 mm\", \"0 mm\", \"0 mm\"]";
-    /// turns in their order, each about an axis of the body as the turns before left it; none if omitted
+    /// turns in their order, each about x, y, z or a named axis of the body as the turns before left it; none if omitted
     optional turned: Entry<'t> = Kind::List(&Kind::Text), "[\"x 30 deg\", \"z 20 deg\"]";
 }
 
@@ -48,23 +48,24 @@ impl SpaceReader {
     fn read_guess(&mut self, entry: &Entry<'_>, body: usize) -> Option<ModelGuess> {
         let own = GuessTable::read(self, entry)?;
         let at_m = self.numbers.three(&own.at, Dimension::LENGTH);
-        let turned = own.turned.map_or(Some(Vec::new()), |list| self.turns(&list))?;
+        let turned = own.turned.map_or(Some(Vec::new()), |list| self.turns(&list, body))?;
         Some(ModelGuess { body, at_m: at_m?, turned })
     }
 
-    fn turns(&mut self, list: &Entry<'_>) -> Option<Vec<(Direction, QuantityId)>> {
+    fn turns(&mut self, list: &Entry<'_>, body: usize) -> Option<Vec<(Direction, QuantityId)>> {
         let elements = self.numbers.reader.list(list)?;
-        elements.iter().map(|element| self.turn(element)).collect()
+        elements.iter().map(|element| self.turn(element, body)).collect()
     }
 
-    /// A turn, written `x 30 deg`.
-    fn turn(&mut self, entry: &Entry<'_>) -> Option<(Direction, QuantityId)> {
+    /// A turn of a body, written `x 30 deg`, or with the name of an axis of the body in place of x.
+    fn turn(&mut self, entry: &Entry<'_>, body: usize) -> Option<(Direction, QuantityId)> {
         let text = self.numbers.reader.text(entry)?;
-        let axis = text.split_once(' ').and_then(|(word, _)| Some((Direction::from_word(word)?, word.len() + 1)));
-        let Some((axis, skip)) = axis else {
+        let is_name = |word: &&str| word.starts_with(|c: char| c.is_alphabetic() || c == '_');
+        let Some(word) = text.split_once(' ').map(|(word, _)| word).filter(is_name) else {
             let problem = SpatialModelProblem::NotATurn { entry: entry.path.describe(), found: text.to_owned() };
             return self.numbers.reader.refuse(&problem, entry.span);
         };
-        Some((axis, self.numbers.quantity_behind(entry, skip, Dimension::ANGLE, Rule::Finite)?))
+        let axis = self.axis_called(word, entry, body)?;
+        Some((axis, self.numbers.quantity_behind(entry, word.len() + 1, Dimension::ANGLE, Rule::Finite)?))
     }
 }

@@ -17,7 +17,6 @@ const PLANNED: &[(&str, &str)] = &[
     ("contact", "there are no runs in space yet, so nothing touches"),
     ("friction", "there are no runs in space yet"),
     ("wear", "wear is known in planar models"),
-    ("bearing_radius", "the motion without dynamics needs the clearance alone"),
     ("diametral_clearance", "give radial_clearance, which is half of it"),
 ];
 
@@ -55,6 +54,8 @@ record! {
     struct BearingPlay for ReadsNumbers;
     /// radius of the hole minus radius of the pin; without it the joint is ideal
     optional radial_clearance: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    /// radius of the hole; the motion does not depend on it, a clearance is compared with it
+    optional bearing_radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     /// length of the bearing, its middle at the point: the pin leans by up to 2 clearances over it
     optional bearing_length: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
 }
@@ -99,6 +100,8 @@ record! {
     include points: Points<'t>;
     /// radius of the socket minus radius of the ball; without it the joint is ideal
     optional radial_clearance: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    /// radius of the socket; the motion does not depend on it, a clearance is compared with it
+    optional bearing_radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     include shifts: Shifts<'t>;
 }
 
@@ -235,6 +238,9 @@ impl SpaceReader {
 
     fn spherical(&mut self, table: Table<'_>) -> Option<Read> {
         let own = SphericalTable::of(self, table)?;
+        if !self.fits_in_radius(&own.table, own.radial_clearance, own.bearing_radius) {
+            return None;
+        }
         let play = own.radial_clearance.map(|radial_clearance_m| ModelPlay::Ball { radial_clearance_m });
         let [bearing, journal] = [&own.points.bearing, &own.points.journal].map(|entry| self.point(entry));
         let marker =
@@ -293,8 +299,24 @@ impl SpaceReader {
         Some((ModelJointForm::Plain(kind), markers, None))
     }
 
+    /// Whether a clearance is smaller than the radius of its bearing, where that is stated; reports if not, and a radius without clearance.
+    fn fits_in_radius(&mut self, table: &Table<'_>, clearance: Option<QuantityId>, radius: Option<QuantityId>) -> bool {
+        let Some(radius) = radius else { return true };
+        let Some(clearance) = clearance else {
+            if !table.has("radial_clearance") {
+                self.numbers.report_missing(table, "bearing_radius", vec!["radial_clearance"]);
+            }
+            return false;
+        };
+        let span = table.get("radial_clearance").map_or(table.span, |entry| entry.span);
+        self.numbers.demand_order(clearance, radius, span)
+    }
+
     /// Radial clearance and length of a bearing; the outer option is absent after a diagnostic, the inner for an ideal joint.
     fn bearing_play(&mut self, table: &Table<'_>, own: &BearingPlay<'_>) -> Option<Option<[QuantityId; 2]>> {
+        if !self.fits_in_radius(table, own.radial_clearance, own.bearing_radius) {
+            return None;
+        }
         let (key, needs) = match (own.radial_clearance, own.bearing_length) {
             (Some(clearance), Some(length)) => return Some(Some([clearance, length])),
             (None, None) => return Some(None),

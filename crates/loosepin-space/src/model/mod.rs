@@ -15,7 +15,7 @@
 //! | whether a file forgot to say that it is in space | `forgotten.rs` |
 //! | what is drawn of it | `drawn.rs` |
 //! | why it cannot be sampled | `sampled.rs` |
-//! | what is wrong with it | `problem.rs` |
+//! | what is hardly possible; what is wrong with it | `plausible.rs`; `problem.rs` |
 
 mod assembly;
 mod body;
@@ -31,6 +31,7 @@ mod output;
 mod over_turn;
 mod parts;
 mod placing;
+mod plausible;
 mod problem;
 mod read;
 mod reader;

@@ -140,7 +140,7 @@ impl SpaceReader {
         if self.numbers.reader.diagnostics.has_errors() {
             return Err(self.numbers.reader.diagnostics);
         }
-        let model = SpatialModel {
+        let mut model = SpatialModel {
             name: own.name.unwrap_or_default(),
             quantities: self.numbers.quantities,
             gravity_m_s2,
@@ -160,6 +160,8 @@ impl SpaceReader {
         for output in 0..model.outputs.len() {
             model.outputs_of(output, &values).map_err(|error| model.diagnostic(&error))?;
         }
+        let hardly_possible = model.implausible_numbers();
+        model.warnings.extend(hardly_possible);
         Ok(model)
     }
 

@@ -120,6 +120,11 @@ impl SpaceReader {
             return self.numbers.three(entry, Dimension::NUMBER).map(Direction::Numbers);
         }
         let name = self.numbers.reader.text(entry)?;
+        self.axis_called(name, entry, body)
+    }
+
+    /// The axis `name` in the frame of a body: x, y, z, or one that the body names.
+    pub fn axis_called(&mut self, name: &str, entry: &Entry<'_>, body: usize) -> Option<Direction> {
         let own = self.bodies.get(body)?;
         let named = own.axes.iter().find(|(own, _)| own == name).map(|(_, direction)| *direction);
         if let Some(direction) = Direction::from_word(name).or(named) {

@@ -94,6 +94,62 @@ fn identity_turns_of_a_guess_are_about_the_turned_axes() {
 }
 
 #[test]
+fn analytic_a_guess_turns_about_a_named_axis_of_its_body() {
+    let text = FOUR_BAR.replace("[\"z -36.87 deg\", \"y 124 deg\", \"z 36.87 deg\"]", "[\"skew 90 deg\"]");
+    let model = read(&text);
+    let rocker = model.mechanism(&model.quantities.nominal()).unwrap().bodies()[3].start;
+    // A quarter turn about s = (0.6, 0.8, 0) takes z to s × z.
+    let turned = rocker.orientation.rotation();
+    assert!((turned.z - Vec3::new(0.8, -0.6, 0.0)).length() < 1e-15, "{turned:?}");
+    let unknown = SpatialModel::from_text("model.toml", &text.replace("skew 90 deg", "skiw 90 deg")).unwrap_err();
+    let said = unknown.to_string();
+    assert!(said.contains("body 'rocker' has no axis 'skiw'\nhint: available: 'skew'"), "{said}");
+}
+
+#[test]
+fn a_bearing_radius_is_compared_with_its_clearance_as_in_the_plane() {
+    let radius = |text: &str| SLIDER_CRANK.replacen("radial_clearance", &format!("{text}\nradial_clearance"), 1);
+    let model = read(&radius("bearing_radius = \"8 mm\""));
+    assert_eq!(model.quantities.nominal()[model.quantities.id("joint.main.bearing_radius").unwrap()], 8e-3);
+    assert_eq!(model.warnings, read(SLIDER_CRANK).warnings);
+    let tight = SpatialModel::from_text("model.toml", &radius("bearing_radius = \"1 µm\"")).unwrap_err().to_string();
+    assert!(tight.contains("error[E0502]: joint 'main': radial clearance "), "{tight}");
+    let ball = "kind = \"spherical\"\n";
+    let idle = SLIDER_CRANK.replacen(ball, &format!("{ball}bearing_radius = \"8 mm\"\n"), 1);
+    let idle = SpatialModel::from_text("model.toml", &idle).unwrap_err().to_string();
+    assert!(idle.contains("error[E0205]: joint 'crankpin': 'bearing_radius' needs 'radial_clearance'"), "{idle}");
+}
+
+#[test]
+fn numbers_in_space_that_are_hardly_possible_are_named() {
+    let said = |from: &str, to: &str| {
+        assert!(SLIDER_CRANK.contains(from), "{from}");
+        let model = read(&SLIDER_CRANK.replacen(from, to, 1));
+        model.warnings.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let clearance = SLIDER_CRANK.lines().find(|line| line.starts_with("radial_clearance")).unwrap();
+    let ball = said("kind = \"spherical\"\n", "kind = \"spherical\"\nradial_clearance = \"100 mm\"\n");
+    assert!(
+        ball.len() == 1
+            && ball[0].contains(
+                "joint 'crankpin': radial clearance 100 mm; usual values are up to a twentieth of the largest body, "
+            ),
+        "{ball:?}"
+    );
+    let tiny = said(clearance, "radial_clearance = \"1e-7 mm\"");
+    assert_eq!(tiny.len(), 1, "{tiny:?}");
+    assert!(
+        tiny[0].contains(
+            "radial clearance 1e-7 mm; usual values are above 0.1 µm, or 0\nhint: did you mean \"1e-7 m\" instead"
+        ),
+        "{tiny:?}"
+    );
+    let speed = SLIDER_CRANK.lines().find(|line| line.starts_with("speed")).unwrap();
+    let fast = said(speed, "speed = \"1e5 rad/s\"");
+    assert!(fast.len() == 1 && fast[0].contains("warning[E0823]: drive 'crank': speed"), "{fast:?}");
+}
+
+#[test]
 fn bodies_without_a_guess_are_placed_by_their_joints() {
     let model = read(SLIDER_CRANK);
     let mechanism = model.mechanism(&model.quantities.nominal()).unwrap();

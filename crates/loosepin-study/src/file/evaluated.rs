@@ -169,6 +169,7 @@ impl Study {
             accuracy: Vec::new(),
             budget: None,
             paths: Vec::new(),
+            settings: Vec::new(),
             stated: Vec::new(),
             budget_place: None,
             warnings: Vec::new(),

@@ -8,10 +8,12 @@ use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use crate::file::random_inputs::fit::{DIAMETER, FIT};
 use crate::file::random_inputs::random::{RANDOM_KEYS, RandomTable};
+use crate::file::random_inputs::random_problem::RandomProblem;
 use loosepin_mechanics::model::{ContactId, NormalDescription, QuantityId};
 use loosepin_text::document::{DocumentProblem, Entry, Kind, Reads};
 use loosepin_text::record;
-use loosepin_text::units::{Dimension, Rule, format_apart, format_value};
+use loosepin_text::tolerance::{limits_of_class, parse_tolerance};
+use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_value};
 use loosepin_uncertainty::{EpistemicVariable, Evidence, Interval, Members};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
@@ -241,10 +243,34 @@ impl StudyReader {
                 .refused(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
         }
         match self.model.find(entry.name) {
-            Ok(_) if !entry.is_table() => self.reader.wrong_type(entry, due),
+            Ok(quantity) if !entry.is_table() => match self.table_of_tolerance(entry, quantity, due) {
+                Some(table) => {
+                    let (found, path) = (entry.found(), entry.name.to_owned());
+                    let problem = RandomProblem::BareTolerance { entry: entry.path.describe(), found, path, table };
+                    self.refused(&problem, entry.span)
+                }
+                None => self.reader.wrong_type(entry, due),
+            },
             Ok(quantity) => Some(quantity),
             Err(error) => self.refused(&StudyProblem::from(error), entry.key_span),
         }
+    }
+
+    /// The table that is meant where a value with its tolerance stands in place of one; `None` where something else does.
+    fn table_of_tolerance(&self, entry: &Entry<'_>, quantity: QuantityId, due: &str) -> Option<String> {
+        let text = entry.as_text()?;
+        let dimension = self.model.quantities()[quantity].dimension;
+        let in_model = Measured { value_si: self.model.quantities().nominal()[quantity], dimension };
+        let limits = parse_tolerance(text, in_model).filter(|read| read.nominal.dimension == dimension);
+        if due == EPISTEMIC_EXAMPLE {
+            let [lower, upper] = limits?.limits.map(|limit| format_value(limit.value_si, dimension));
+            return Some(format!("{{ interval = [\"{lower}\", \"{upper}\"] }}"));
+        }
+        let deviations = match limits {
+            Some(_) => text.trim().to_owned(),
+            None => limits_of_class(text)??.deviations,
+        };
+        Some(format!("{{ tolerance = \"{deviations}\" }}"))
     }
 
     /// One period of a quantity: of an angle a whole turn, or a whole fraction of one.

@@ -40,7 +40,7 @@ pub use measurements::motion::MotionProblem;
 pub use measurements::specimen::MIN_ROWS as MIN_SPECIMEN_ROWS;
 pub use measurements::specimen_problem::SpecimenProblem;
 pub use play::{PLAY, journal_words};
-pub use problem::StudyProblem;
+pub use problem::{MeantLimit, StudyProblem};
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};
 pub use questions::location::{Where, named_angle_rad};
@@ -50,7 +50,6 @@ pub use questions::requirement::{Limit, Requirement};
 pub use questions::target::AccuracyTarget;
 pub use random_inputs::family::takes_mean_of_model;
 pub use random_inputs::random_problem::RandomProblem;
-pub use random_inputs::tolerance::{number_and_unit, signed_parts, states_nominal};
 use reader::StudyReader;
 pub(super) use reader::adopt;
 pub use sizes::{MAX_POSES, MAX_RUNS};
@@ -95,7 +94,23 @@ impl Study {
     /// # Errors
     /// Everything that is wrong with either file, each with its place.
     pub fn from_path(path: &Path) -> Result<Study, Diagnostics> {
-        Study::from_source(&read_source(path)?, path)
+        Study::from_source(&read_source(path)?, path, &[])
+    }
+
+    /// As [`Study::from_path`], with the values of settings `path=value` in place of those of the model file.
+    ///
+    /// # Errors
+    /// As for [`Study::from_path`]; settings that the model does not take; a setting of an unknown (epistemic) input.
+    pub fn from_path_with_settings(path: &Path, set: &[String]) -> Result<Study, Diagnostics> {
+        let mut study = Study::from_source(&read_source(path)?, path, set)?;
+        let is_set = |input: &&EpistemicInput| {
+            set.iter().any(|text| text.split_once('=').is_some_and(|(path, _)| path.trim() == input.path))
+        };
+        if let Some(input) = study.epistemic.iter().find(is_set) {
+            return Err(Diagnostics::one(&StudyProblem::SetsUnknown { path: input.path.clone() }, None));
+        }
+        study.state_settings(set);
+        Ok(study)
     }
 
     /// Reads a study from text as if it stood in the file `name`: the model that it names is opened, its path taken from the
@@ -104,10 +119,10 @@ impl Study {
     /// # Errors
     /// Everything that is wrong with the text or the model file, each with its place.
     pub fn from_text_at(name: &str, text: &str) -> Result<Study, Diagnostics> {
-        Study::from_source(&Source::new(name, text), Path::new(name))
+        Study::from_source(&Source::new(name, text), Path::new(name), &[])
     }
 
-    fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Diagnostics> {
+    fn from_source(source: &Arc<Source>, path: &Path, set: &[String]) -> Result<Study, Diagnostics> {
         let folder = path.parent().unwrap_or(Path::new(""));
         read(source, Stage::Complete, |written| {
             let model_path = folder.join(written);
@@ -119,7 +134,8 @@ impl Study {
                 };
                 return Err(Diagnostics::one(&problem, None));
             }
-            Ok((StudyModel::from_source(file)?, model_path))
+            let model = StudyModel::from_source(file)?;
+            Ok((if set.is_empty() { model } else { model.with_settings(set)? }, model_path))
         })
     }
 
@@ -177,7 +193,12 @@ impl Study {
         &self.paths
     }
 
-    /// Arguments of the command line that state accuracy, budget, failed runs and paths beside the file.
+    /// Settings `path=value` whose values stand in place of those of the model file.
+    pub fn settings(&self) -> &[String] {
+        &self.settings
+    }
+
+    /// Arguments of the command line that state settings, accuracy, budget, failed runs and paths beside the file.
     pub fn stated(&self) -> &[String] {
         &self.stated
     }
@@ -321,6 +342,7 @@ fn read(
         accuracy,
         budget,
         paths: Vec::new(),
+        settings: Vec::new(),
         stated: Vec::new(),
         budget_place,
         warnings,

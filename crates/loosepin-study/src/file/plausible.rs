@@ -1,4 +1,4 @@
-//! Warns of scatter that no manufacture has: a length that varies by a tenth of itself, or a sample that holds the other sign.
+//! Warns of scatter that no manufacture has: a length that varies by a thirtieth of itself, or a sample that holds the other sign.
 
 use super::check::entry_of;
 use super::description::RandomInput;
@@ -9,8 +9,8 @@ use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::units::{Dimension, format_value};
 use loosepin_uncertainty::Distribution;
 
-/// Standard deviation over the length from which it is warned of; the scatter of parts is below a hundredth.
-const MAX_SCATTER: f64 = 0.1;
+/// Standard deviation over the length from which it is warned of; the scatter of parts is below a hundredth, that of castings a little above.
+const MAX_SCATTER: f64 = 0.03;
 /// Scatter below this share of the largest body is one of a small offset, which may be as large as the offset.
 const SMALL_OFFSET: f64 = 0.01;
 

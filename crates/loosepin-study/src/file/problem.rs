@@ -7,6 +7,15 @@ use loosepin_text::document::{describe_path, listed};
 use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::DistributionError;
 
+/// What is meant by two ends, or by an end behind `±`, as it is to be written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MeantLimit {
+    /// The limit of a magnitude.
+    Magnitude(String),
+    /// A lower and an upper limit.
+    Two([String; 2]),
+}
+
 problems! {
     /// Problems of a study file. `entry` is a path in words.
     #[derive(Debug, Clone, PartialEq)]
@@ -245,6 +254,19 @@ problems! {
         OtherSign { path: String, found: String, nominal: String } => Code::ImplausibleNumber,
             says("the sample of '{path}' contains {found}, but the value in the model is {nominal}"),
             hint("correct the sign or remove the value, or ignore this warning if the value is intended");
+        /// A value that is set, of an input that has none.
+        SetsUnknown { path: String } => Code::SetTwice,
+            says("'{path}' is set, but is an unknown (epistemic) input of the study, which has no single value"),
+            hint("change it under [epistemic], or remove it there");
+        /// Two limits, or one with its sign, where that of a magnitude is due.
+        WithinIsOneLimit { entry: String, found: String, meant: MeantLimit } => Code::WrongType,
+            says("{entry} is {found}; expected one limit, that of the magnitude"),
+            hint_of(Some(match meant {
+                MeantLimit::Magnitude(limit) => format!("write within = \"{limit}\""),
+                MeantLimit::Two([lower, upper]) => {
+                    format!("write two [[require]], one with above = \"{lower}\" and one with below = \"{upper}\"")
+                }
+            }));
         /// Wear as a deviation from the ideal motion.
         WearOfDeviation { entry: String } => Code::AskNotPossible,
             says("{entry}: wear is not a deviation from an ideal motion; must be \"value\""),

@@ -73,6 +73,8 @@ pub struct Study {
     pub budget: Option<Budget>,
     /// Points `BODY.POINT` whose paths are shown besides those of outputs.
     pub(super) paths: Vec<String>,
+    /// Settings whose values the model has in place of those of its file.
+    pub(super) settings: Vec<String>,
     /// Statements of the command line besides the file.
     pub(super) stated: Vec<String>,
     /// Place of the budget.

@@ -55,7 +55,12 @@ impl StudyModel {
             PlayId::Coupling(_) => None,
         });
         joints
-            .map(|joint| (joint.name.clone(), joint.kind.pin_clearance().map(|clearance| clearance.bearing_radius_m)))
+            .map(|joint| {
+                (
+                    joint.name.clone(),
+                    joint.kind.pin_clearance().filter(|own| own.has_radius).map(|own| own.bearing_radius_m),
+                )
+            })
             .collect()
     }
 
@@ -81,14 +86,11 @@ impl StudyModel {
         own.flat_map(|model| model.play_clearances().map(|(play, id)| (model.play_words(play), id))).collect()
     }
 
-    /// Largest distance of a point of the model from the origin of its body, m.
+    /// The scale of the mechanism, m: the size of its largest body.
     pub fn largest_extent_m(&self, values: &Values) -> f64 {
         match self {
             Self::Planar(model) => model.largest_extent_m(values),
-            Self::Spatial(model) => {
-                let points = model.bodies.iter().flat_map(|body| &body.points);
-                points.flat_map(|point| point.position_m).map(|id| values[id].abs()).fold(0.0, f64::max)
-            }
+            Self::Spatial(model) => model.largest_extent_m(values),
         }
     }
 

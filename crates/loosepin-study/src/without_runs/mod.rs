@@ -5,4 +5,5 @@ pub(crate) mod ideal_motion;
 pub(crate) mod judge;
 pub(crate) mod proven_ends;
 pub(crate) mod spatial_motion;
+pub(crate) mod still;
 pub(crate) mod widest_play;

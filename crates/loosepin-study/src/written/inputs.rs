@@ -51,6 +51,9 @@ pub fn study_inputs(study: &Study, accuracy: &[String], budget: Option<&str>) ->
     let mut hasher = InputsHasher::new(ResultKind::Study);
     add_study(&mut hasher, study);
     add_model(&mut hasher, &study.model);
+    for setting in study.settings() {
+        hasher.add("set", setting);
+    }
     for accuracy in accuracy {
         hasher.add("accuracy", accuracy);
     }

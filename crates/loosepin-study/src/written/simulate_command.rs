@@ -62,13 +62,14 @@ pub fn exact_value(value_si: f64, unit: &SiUnit) -> String {
     format!("{value_si:?}{symbol}")
 }
 
-/// With the cycle and the tolerance of the study.
+/// With the cycle and the tolerance of the study, and the settings that it was run with.
 fn command(study: &Study, model_path: &str, settings: &[String]) -> String {
+    let path = |text: &str| text.split_once('=').map_or(text, |(path, _)| path).trim().to_owned();
+    let of_study = study.settings().iter().filter(|own| settings.iter().all(|set| path(set) != path(own)));
+    let set: String = of_study.chain(settings).map(|setting| format!(" --set \"{setting}\"")).collect();
     if study.model.spatial().is_some() {
-        let set: String = settings.iter().map(|setting| format!(" --set \"{setting}\"")).collect();
         return format!("loosepin motion {}{set}", shell_word(model_path));
     }
-    let set: String = settings.iter().map(|setting| format!(" --set \"{setting}\"")).collect();
     format!(
         "loosepin simulate {}{set} --transient {} --turns {} --tolerance \"{:?} m\"",
         shell_word(model_path),

@@ -136,7 +136,8 @@ with their reasons."
 "A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
 \"2 * crank_length + 1 mm\". Known are + - * / ^, parentheses, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, abs, min \
 and max. The column points at the first character that cannot be read. After `/`, several units need parentheses: \
-`J/(kg m)`."
+`J/(kg m)`. A value with its tolerance, \"30 ± 0.05 mm\", \"30 mm +- 0.05 mm\" or \"30 h9\", belongs in a study: the model has the nominal value, \
+and `[random]` in study.toml the deviations."
 
     UnknownUnit "E0302" "a unit is not known"
 "Lengths are m, mm, µm (um), nm, cm, dm, km, in, ft, mil, thou; masses kg, g, mg, t, lb; times s, ms, µs (us), ns, min, h; \
@@ -257,8 +258,9 @@ above 1), and these runs would fail. Choose a distribution within the range: tru
 "Probabilities lie between 0 and 1. Quantiles exclude both ends; a requirement excludes 0 and allows 1."
 
     AskNotPossible "E0608" "a question is not possible"
-"The statistic, deviation or place does not fit the output. A path has two columns: ask for its coordinates as outputs. A pose is \
-given by the angle of the drive that the cycle counts."
+"The statistic, deviation or place does not fit the output. A planar path has two columns, one in space three: name one with component, for example \
+component = \"x\", or in space \"magnitude\" for the distance from the ideal point. In space there are no runs: outputs are positions, paths and turns, and their \
+deviations come from play, dimensions and errors of manufacture. A pose is given by the angle of the drive that the cycle counts."
 
     NothingUncertain "E0609" "a study has no uncertain input"
 "A study needs at least one random or unknown (epistemic) input. For a single run use `loosepin simulate`."
@@ -488,9 +490,10 @@ play have no such limit."
     ImplausibleNumber "E0823" "a number is implausible"
 "A warning: the number is permitted, but far from the values of real machines. Most often a unit is wrong by a factor of a thousand (MPa for \
 GPa, g for kg, mm for m), or a speed in rpm is written in rad/s. The check covers Young's modulus, Poisson's ratio, density, viscosity, \
-friction, speeds of drives, gravity, masses compared with one another, inertia and centre of mass compared with the points of the body, \
-clearances compared with the radius, a restitution that the law does not deliver, and parameters called length or radius below zero. In \
-studies it covers standard deviations of a tenth of a length, and samples of the opposite sign. The value is not changed: ignore the warning \
+friction, speeds of drives, smallest impact speeds, gravity, masses, inertia and centre of mass compared with the points of the body, \
+clearances, pitch circles of gears that do not touch, a restitution that the law does not deliver, and parameters called length or radius below \
+zero, in files and as values of --set. Outputs whose body stands still over the whole cycle are named as well: most often the loops are closed in \
+another way than meant. In studies it covers standard deviations above 3 % of a length, and samples of the opposite sign. The value is not changed: ignore the warning \
 if the number is intended."
 
     OutOfMemory "E0824" "out of memory"

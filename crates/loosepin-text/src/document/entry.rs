@@ -155,6 +155,11 @@ impl<'t> Entry<'t> {
         self.value.is_str()
     }
 
+    /// The text of the entry, if it is text.
+    pub fn as_text(&self) -> Option<&'t str> {
+        self.value.as_str()
+    }
+
     /// Whether the entry is a table.
     pub fn is_table(&self) -> bool {
         self.value.is_table()

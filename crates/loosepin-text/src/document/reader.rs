@@ -16,6 +16,7 @@ use super::synonyms::by_synonym;
 use crate::diagnostics::{
     Diagnostic, Diagnostics, Place, Problem, RefusedFile, Source, Span, first_control_character, nearest_name,
 };
+use crate::tolerance::for_single_value;
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 use crate::work;
 
@@ -493,7 +494,7 @@ impl Reader {
                         let problem = DocumentProblem::DecimalComma { entry: entry.path.describe(), written };
                         return self.refuse(&problem, entry.span);
                     }
-                    let error = error.for_due(text, dimension);
+                    let error = for_single_value(error, text, Some(dimension), None).for_due(text, dimension);
                     let span = self.inside(entry, text, &error.span);
                     return self.refuse(&error.problem, span);
                 }

@@ -157,6 +157,11 @@ impl QuantityTable {
         Values(self.nominal.clone())
     }
 
+    /// Takes `values`, which are of this table, for those that the file gives.
+    pub fn set_nominal(&mut self, values: Values) {
+        self.nominal = values.0;
+    }
+
     /// The values of all quantities when those in `set` replace what the file says. Expressions that use a replaced
     /// quantity follow it.
     ///

@@ -5,6 +5,7 @@ use super::problem::EntryProblem;
 use super::quantity::{Origin, Quantity, QuantityId, QuantityTable};
 use crate::diagnostics::{Diagnostic, Source, Span, nearest_name};
 use crate::document::{Entry, EntryPath, Keys, Reader, Table, Written};
+use crate::tolerance::for_single_value;
 use crate::units::{Dimension, Expression, Op, Rule, parse_expression, run};
 use crate::work;
 use std::collections::HashMap;
@@ -116,7 +117,11 @@ impl NumberReader {
                     let is_echo = self.parameters.is_echo(&error.problem);
                     let is_blamed = due.is_some_and(|due| !is_echo && self.blames_parameter(entry, due));
                     if !is_echo && !is_blamed {
-                        let error = due.map_or(error.clone(), |due| error.for_due(text, due));
+                        let error = for_single_value(error, text, due, Some(&entry.path.dotted()));
+                        let error = match due {
+                            Some(due) => error.for_due(text, due),
+                            None => error,
+                        };
                         let error = error.for_key(text, entry.example());
                         let span = self.reader.inside(entry, text, &error.span);
                         self.reader.report(&error.problem, span);
@@ -145,7 +150,7 @@ impl NumberReader {
             }
             Err(error) if self.parameters.is_echo(&error.problem) => None,
             Err(error) => {
-                let error = error.for_due(text, dimension);
+                let error = for_single_value(error, text, Some(dimension), None).for_due(text, dimension);
                 let span = self.reader.inside(entry, whole, &(error.span.start + skip..error.span.end + skip));
                 self.reader.refuse(&error.problem, span)
             }

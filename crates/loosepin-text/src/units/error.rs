@@ -64,6 +64,19 @@ problems! {
             hint("define parts of it under [parameter]");
         UnexpectedCharacter { character: char } => Code::ExpressionSyntax,
             says("the character '{character}' is not permitted in a value");
+        /// A nominal value with its tolerance where a single value is due.
+        Tolerance {
+            /// The sign, or the tolerance class.
+            written: String,
+            /// What to write, where that is known.
+            instead: Option<String>,
+        } => Code::ExpressionSyntax,
+            says("'{written}' gives a tolerance; a single value is expected here"),
+            hint_of(Some(instead.clone().unwrap_or_else(|| {
+                "tolerances stand under [random] in study.toml, for example \"parameter.length\" = { tolerance = \"± 0.05 mm\" }; a \
+                 difference is written with - alone"
+                    .to_owned()
+            })));
         BadNumber { text: String } => Code::ExpressionSyntax,
             says("'{text}' is not a number");
         NumberTooLarge { text: String } => Code::NotFinite,

@@ -47,7 +47,7 @@ fn superscript(character: char) -> Option<f64> {
 /// Splits the text into words; the last token is [`TokenKind::End`].
 ///
 /// # Errors
-/// Text that is too long, characters that belong in no value, numbers that cannot be read.
+/// Text that is too long, characters that belong in no value, numbers that cannot be read, signs of a tolerance.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ExpressionError> {
     let length_chars = text.chars().count();
     work::add(length_chars);
@@ -58,6 +58,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ExpressionError> {
     let mut rest = text.char_indices().peekable();
     while let Some((start, character)) = rest.next() {
         let mut end = start + character.len_utf8();
+        if let Some(written) = sign_of_tolerance(&text[start..]) {
+            let problem = ExpressionProblem::Tolerance { written: written.to_owned(), instead: None };
+            return Err(ExpressionError { problem, span: start..start + written.len() });
+        }
         let kind = if character.is_whitespace() {
             continue;
         } else if character.is_ascii_digit() || character == '.' {
@@ -88,6 +92,11 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ExpressionError> {
     }
     list.push(Token { kind: TokenKind::End, span: text.len()..text.len() });
     Ok(list)
+}
+
+/// The sign of a tolerance at the start of a text. `+-` is one where both are written together: `a + -b` is a difference.
+fn sign_of_tolerance(text: &str) -> Option<&str> {
+    ["±", "+-", "+−", "+/-", "+/−"].into_iter().find(|sign| text.starts_with(sign))
 }
 
 /// End of the number that begins at `start`: digits, point, and an exponent where digits follow the `e`.

@@ -18,9 +18,6 @@ use crate::model::{Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
-/// Largest relative difference of the distance of two gears from the sum of their pitch radii: rounded numbers of a drawing.
-const MAX_MISFIT: f64 = 0.01;
-
 impl<T: Real> ToothForce<T> {
     /// What the force of the teeth adds to the force of the first or second joint (`side`) on its second body, N, in the ground's
     /// frame, where the coupling acts with `effort` along the coordinate of the second joint, N m or N. Of the joint of a rack
@@ -72,7 +69,7 @@ pub(in crate::mechanism) fn demand_fit(
         let joints = [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, &number));
         let [first, second] = centres_m(&joints, &tree.coupling_place(model, index), kinematics);
         let distance_m = (second - first).length();
-        if due_m == 0.0 || (distance_m - due_m).abs() > MAX_MISFIT * due_m {
+        if !teeth.mesh.fits(distance_m, due_m) {
             let [distance, due] = format_apart([distance_m, due_m], Dimension::LENGTH);
             return Err(MechanismError::PitchCirclesApart { path: coupling.path.clone(), distance, due });
         }

@@ -1,6 +1,6 @@
 //! Two gears in mesh.
 
-use super::kind::{Coupled, KindOfCoupling};
+use super::kind::{Coupled, KindOfCoupling, PitchCircles};
 use super::play::{Backlash, BacklashTable};
 use super::proportion::{OFFSET, Proportion};
 use super::reading::CouplingReader;
@@ -19,6 +19,8 @@ use loosepin_text::{choices, record};
 pub struct Gears {
     /// Both wheels.
     pub wheels: Wheels,
+    /// Their pitch circles, where radii are stated.
+    pub pitch_circles: Option<PitchCircles>,
 }
 
 impl KindOfCoupling for Gears {
@@ -41,7 +43,9 @@ impl KindOfCoupling for Gears {
         let play = backlash.between_flanks(table, Some(wheels.sizes[1]), reader)?;
         let radii_m = wheels.sizes.map(|size| own.wheels.teeth.is_none().then_some(size));
         let teeth = Teeth::read((table, &own.pressure_angle, &own.second), joints, radii_m, own.mesh?, reader)?;
-        Some(Coupled { joints, kind: Self { wheels }, play, teeth })
+        let has_radii = own.wheels.radii.is_some();
+        let pitch_circles = own.mesh.filter(|_| has_radii).map(|mesh| PitchCircles { radii_m: wheels.sizes, mesh });
+        Some(Coupled { joints, kind: Self { wheels, pitch_circles }, play, teeth })
     }
 
     fn quantities(&self) -> Vec<QuantityId> {
@@ -50,6 +54,10 @@ impl KindOfCoupling for Gears {
 
     fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
         self.wheels.proportion(number)
+    }
+
+    fn pitch_circles(&self) -> Option<PitchCircles> {
+        self.pitch_circles
     }
 
     fn words(&self, names: &dyn Names) -> String {

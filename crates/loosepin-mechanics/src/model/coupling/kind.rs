@@ -2,7 +2,7 @@
 
 use super::play::CouplingPlay;
 use super::reading::CouplingReader;
-use super::teeth::Teeth;
+use super::teeth::{Mesh, Teeth};
 use crate::model::ids::JointId;
 use crate::model::words::part_names::Names;
 use loosepin_math::Real;
@@ -30,8 +30,22 @@ pub trait KindOfCoupling: Sized {
     /// The numbers of f, with those that `number` gives for its quantities.
     fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Self::Curve<T>;
 
+    /// The pitch circles that must touch where both wheels are in mesh; `None` where the model states no radii, and of other kinds.
+    fn pitch_circles(&self) -> Option<PitchCircles> {
+        None
+    }
+
     /// How the second joint follows, behind "follows 'first'": `times 2.5`.
     fn words(&self, names: &dyn Names) -> String;
+}
+
+/// Two pitch circles in mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct PitchCircles {
+    /// Their radii, m.
+    pub radii_m: [QuantityId; 2],
+    /// How they mesh.
+    pub mesh: Mesh,
 }
 
 /// The numbers of f: what the constraints evaluate.

@@ -21,7 +21,7 @@ pub use belt::Belt;
 pub use cam::Cam;
 pub use cam_profile::CamProfile;
 pub use gears::Gears;
-pub use kind::{Coupled, Curve, KindOfCoupling};
+pub use kind::{Coupled, Curve, KindOfCoupling, PitchCircles};
 pub use play::CouplingPlay;
 pub use proportion::Proportion;
 pub use rack::Rack;
@@ -125,6 +125,11 @@ macro_rules! coupling_kinds {
             /// See [`KindOfCoupling::quantities`].
             pub fn quantities(&self) -> Vec<QuantityId> {
                 match self { $(Self::$kind(kind) => kind.quantities(),)* }
+            }
+
+            /// See [`KindOfCoupling::pitch_circles`].
+            pub fn pitch_circles(&self) -> Option<PitchCircles> {
+                match self { $(Self::$kind(kind) => kind.pitch_circles(),)* }
             }
 
             /// See [`KindOfCoupling::words`].

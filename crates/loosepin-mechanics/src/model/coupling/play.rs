@@ -49,7 +49,8 @@ pub(super) struct Backlash {
 impl Backlash {
     /// Reads both keys.
     pub fn read(own: &BacklashTable<'_>, reader: &mut dyn CouplingReader) -> Self {
-        const KEYS: PlayKeys = PlayKeys { clearance: "backlash", needed: &["contact"], beside: &["contact"] };
+        const KEYS: PlayKeys =
+            PlayKeys { clearance: "backlash", needed: &["contact"], with_contact: &[], beside: &["contact"] };
         Self { contact: own.contact, backlash_m: reader.play_clearance(&own.table, &KEYS) }
     }
 

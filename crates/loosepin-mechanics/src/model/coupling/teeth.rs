@@ -36,6 +36,9 @@ pub enum Mesh {
     },
 }
 
+/// Largest relative difference of the distance of two gears from that of their pitch radii: rounded numbers of a drawing.
+const MAX_MISFIT: f64 = 0.01;
+
 impl Mesh {
     /// Whether the second one moves along a line: along it the coupling acts already.
     pub fn is_rack(self) -> bool {
@@ -49,6 +52,11 @@ impl Mesh {
             Self::Internal => Some((first_m - second_m).abs()),
             Self::Rack { .. } => None,
         }
+    }
+
+    /// Whether the centres are as far apart as the pitch radii demand, `due_m`.
+    pub fn fits(self, distance_m: f64, due_m: f64) -> bool {
+        due_m > 0.0 && (distance_m - due_m).abs() <= MAX_MISFIT * due_m
     }
 
     /// The force on the second wheel along the common tangent of the pitch circles and across it, N, in the ground's frame, where

@@ -94,7 +94,7 @@ impl KindOfJoint for CircularSlot {
 /// The clearance; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &CircularSlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option<CircularSlotClearance>> {
     const NEEDED: &[&str] = &["half_width", "contact"];
-    const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
+    const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, with_contact: &[], beside: NEEDED };
     let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
     let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()));
     let (half_width_m, contact) = (own.half_width.flatten()?, contact?);

@@ -8,6 +8,8 @@ use loosepin_text::numbers::QuantityId;
 pub struct Clearance {
     /// Radius R_i of the bearing (hole), m, > 0.
     pub bearing_radius_m: QuantityId,
+    /// Whether the file states it: else the model is complete for its motion only, and the number stands for nothing.
+    pub has_radius: bool,
     /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
     pub radial_clearance_m: QuantityId,
     /// Length L of the bearing, m, > 0; there where the contact is a line contact.

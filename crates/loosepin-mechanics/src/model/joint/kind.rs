@@ -200,7 +200,7 @@ impl PlayParts<'_> {
             Self::Pin(own) => JointPlay {
                 clearance_m: own.radial_clearance_m,
                 contact: own.contact,
-                radius_m: Some(own.bearing_radius_m),
+                radius_m: own.has_radius.then_some(own.bearing_radius_m),
             },
             Self::Block { clearance: own, .. } => {
                 JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: None }

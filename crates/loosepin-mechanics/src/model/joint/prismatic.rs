@@ -135,6 +135,7 @@ fn clearance(own: &PrismaticTable<'_>, reader: &mut dyn JointReader) -> Option<O
     const PLAY_KEYS: PlayKeys = PlayKeys {
         clearance: "clearance",
         needed: &["half_length", "half_height", "contact"],
+        with_contact: &[],
         beside: &["half_length", "half_height", "contact", "corner_radius"],
     };
     let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };

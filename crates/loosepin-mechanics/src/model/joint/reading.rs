@@ -12,6 +12,8 @@ pub struct PlayKeys {
     pub clearance: &'static str,
     /// Keys that a clearance above zero needs; the contact only where the model is run.
     pub needed: &'static [&'static str],
+    /// Keys that it needs where a contact is named or parts are warm, and that the motion without dynamics does not use else.
+    pub with_contact: &'static [&'static str],
     /// All keys that have a meaning beside a clearance only.
     pub beside: &'static [&'static str],
 }

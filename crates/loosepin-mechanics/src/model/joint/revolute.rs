@@ -71,7 +71,8 @@ impl KindOfJoint for Revolute {
     fn play_words(&self, names: &dyn Names) -> Option<String> {
         let own = self.clearance.as_ref()?;
         let [clearance, radius] = [own.radial_clearance_m, own.bearing_radius_m].map(|id| names.length(id));
-        Some(format!("play: radial clearance {clearance} in a bearing of radius {radius}"))
+        let bearing = if own.has_radius { format!(" in a bearing of radius {radius}") } else { String::new() };
+        Some(format!("play: radial clearance {clearance}{bearing}"))
     }
 }
 
@@ -80,7 +81,8 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
     let (table, on_diameter) = (&own.table, own.diametral_clearance.is_some());
     let keys = PlayKeys {
         clearance: if on_diameter { DIAMETRAL } else { RADIAL },
-        needed: &["bearing_radius", "contact"],
+        needed: &["contact"],
+        with_contact: &["bearing_radius"],
         beside: &["bearing_radius", "bearing_length", "contact"],
     };
     if let Some(radial) = own.radial_clearance.as_ref().filter(|_| on_diameter) {
@@ -89,8 +91,12 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
     }
     let Some(stated_m) = reader.play_clearance(table, &keys)? else { return Some(None) };
     let radial_clearance_m = if on_diameter { half_of(stated_m, &table.path.join(RADIAL), reader) } else { stated_m };
-    let bearing_radius_m = own.bearing_radius.flatten()?;
-    if !reader.demand_order(radial_clearance_m, bearing_radius_m, own.clearance_span()) {
+    let has_radius = own.bearing_radius.is_some();
+    let bearing_radius_m = match own.bearing_radius {
+        Some(radius_m) => radius_m?,
+        None => no_radius(radial_clearance_m, &table.path, reader),
+    };
+    if has_radius && !reader.demand_order(radial_clearance_m, bearing_radius_m, own.clearance_span()) {
         return None;
     }
     let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
@@ -105,7 +111,16 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
         return reader.document().refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
     }
     let bearing_length_m = own.bearing_length.flatten();
-    Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
+    Some(Some(Clearance { bearing_radius_m, has_radius, radial_clearance_m, bearing_length_m, contact }))
+}
+
+/// What stands for the radius of a bearing that states none, for drawings: a model with it is not run, and its motion does not depend on it.
+fn no_radius(clearance_m: QuantityId, joint: &EntryPath, reader: &mut dyn JointReader) -> QuantityId {
+    /// Clearances in a radius, about as parts have it.
+    const CLEARANCES: f64 = 100.0;
+    let ops = vec![Op::Load(clearance_m.0), Op::Number(CLEARANCES), Op::Multiply];
+    let path = joint.join("(no bearing_radius)").dotted();
+    reader.derived(path, Dimension::LENGTH, Rule::NonNegative, ops, &[clearance_m])
 }
 
 /// The radial clearance at `path` of a joint that states its diametral clearance: half of it, whatever that is set to.
@@ -128,7 +143,7 @@ record! {
     required bearing: Option<PointId> = Kind::Point, "\"rod.small_end\"";
     /// point at the centre of the pin
     required journal: Option<PointId> = Kind::Point, "\"slider.pin\"";
-    /// radius of the hole
+    /// radius of the hole; a clearance needs it where a contact is named or parts are warm
     optional bearing_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     /// radius of the hole minus radius of the pin; ideal joint if omitted or zero
     optional radial_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.5 mm\"";

@@ -84,7 +84,7 @@ impl KindOfJoint for Slot {
 /// The clearance; the outer option is absent after a diagnostic, the inner for an ideal joint.
 fn clearance(own: &SlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option<SlotClearance>> {
     const NEEDED: &[&str] = &["half_length", "end_radius", "contact"];
-    const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
+    const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, with_contact: &[], beside: NEEDED };
     let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
     let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
     let (half_length_m, end_radius_m) = (own.half_length.flatten()?, own.end_radius.flatten()?);

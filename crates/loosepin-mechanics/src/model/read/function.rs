@@ -5,6 +5,7 @@ use crate::model::problem::ModelProblem;
 pub(super) use crate::model::values::function::Changing;
 use crate::model::values::function::{Beyond, Function, FunctionNames, Variable};
 use loosepin_text::document::{Entry, Written};
+use loosepin_text::tolerance::for_single_value;
 use loosepin_text::units::{Dimension, Names, parse_expression};
 
 impl ModelReader {
@@ -25,6 +26,7 @@ impl ModelReader {
             Err(error) => {
                 let is_echo = self.numbers.parameters.is_echo(&error.problem);
                 if !is_echo {
+                    let error = for_single_value(error, text, Some(dimension), Some(&entry.path.dotted()));
                     let span = self.numbers.reader.inside(entry, text, &error.span);
                     self.numbers.reader.report(&error.problem, span);
                 }

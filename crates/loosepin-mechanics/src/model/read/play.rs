@@ -15,8 +15,10 @@ impl ModelReader {
     /// The clearance of a joint that may have play; the outer option is absent after a diagnostic, the inner for an ideal joint.
     pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
         let is_missing = |key: &&'static str| *key != CONTACT && !table.has(key);
-        let missing: Vec<&'static str> = keys.needed.iter().copied().filter(is_missing).collect();
         let has_no_contact = keys.needed.contains(&CONTACT) && !table.has(CONTACT);
+        let is_for_runs = has_no_contact && self.elongations.is_empty();
+        let needed = keys.needed.iter().chain(keys.with_contact.iter().filter(|_| !is_for_runs));
+        let missing: Vec<&'static str> = needed.copied().filter(is_missing).collect();
         let Some(entry) = table.get(keys.clearance) else {
             if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
                 self.numbers.report_missing(table, key, vec![keys.clearance]);
@@ -35,8 +37,10 @@ impl ModelReader {
             self.numbers.report_missing(table, keys.clearance, missing);
             return None;
         }
-        if has_no_contact {
-            self.miss_for_runs(table, CONTACT);
+        for key in keys.with_contact.iter().chain([&CONTACT].into_iter().filter(|_| has_no_contact)) {
+            if !table.has(key) {
+                self.miss_for_runs(table, key);
+            }
         }
         Some(Some(clearance_m))
     }

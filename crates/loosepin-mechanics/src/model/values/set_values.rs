@@ -17,6 +17,8 @@ pub struct SetValues {
     pub settings: Vec<Setting>,
     /// Every value of the model.
     pub values: Values,
+    /// Warnings of numbers that the settings make hardly possible.
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl Model {
@@ -67,7 +69,9 @@ impl Model {
         let set: Vec<(QuantityId, f64)> = settings.iter().map(|(setting, _)| (setting.id, setting.value_si)).collect();
         match self.quantities.evaluate(&set) {
             Ok(values) => {
-                Ok(SetValues { model, settings: settings.into_iter().map(|(setting, _)| setting).collect(), values })
+                let warnings = model.implausible_settings(&settings, &values);
+                let settings = settings.into_iter().map(|(setting, _)| setting).collect();
+                Ok(SetValues { model, settings, values, warnings })
             }
             Err(error) => Err(self.diagnostic_of_set(&error, &settings).into()),
         }
@@ -126,7 +130,7 @@ impl Model {
 /// # Errors
 /// A diagnostic whose place is in the text of the argument.
 pub fn measured_argument(name: &str, text: &str, due: Dimension, rule: Rule) -> Result<f64, Diagnostic> {
-    measured(&Source::new(name, text), 0, text, name, due, |value_si| {
+    measured(&Source::new(name, text), 0, text, name, None, due, |value_si| {
         if rule.allows(value_si) {
             return Ok(());
         }

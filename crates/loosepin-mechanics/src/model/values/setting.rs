@@ -8,6 +8,7 @@ use loosepin_text::numbers::{DIAMETRAL, Quantity, QuantityError, QuantityId, Qua
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Code, Diagnostic, Place, Source, problems};
+use loosepin_text::tolerance::for_single_value;
 use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
@@ -182,15 +183,18 @@ fn find_in(
 /// The value of a quantity that stands at `start` in the text of `source`, SI.
 fn value_in(source: &Arc<Source>, quantity: &Quantity, start: usize, value: &str) -> Result<f64, Diagnostic> {
     let (path, due) = (quantity.path.as_str(), quantity.dimension);
-    measured(source, start, value, path, due, |value_si| quantity.check(value_si).map_err(SettingError::from))
+    let check = |value_si| quantity.check(value_si).map_err(SettingError::from);
+    measured(source, start, value, path, Some(path), due, check)
 }
 
-/// The value with its unit that stands at `start` in the text of `source`, SI: of the dimension that is due, and as `check` wants it.
+/// The value with its unit that stands at `start` in the text of `source`, SI: of the dimension that is due, and as `check` wants it. `path` is that of a
+/// quantity of the model.
 pub(in crate::model) fn measured(
     source: &Arc<Source>,
     start: usize,
     text: &str,
     name: &str,
+    path: Option<&str>,
     due: Dimension,
     check: impl Fn(f64) -> Result<(), SettingError>,
 ) -> Result<f64, Diagnostic> {
@@ -198,7 +202,7 @@ pub(in crate::model) fn measured(
         Diagnostic::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
     };
     let measured = parse_quantity(text).map_err(|error| {
-        let error = error.for_due(text, due);
+        let error = for_single_value(error, text, Some(due), path).for_due(text, due);
         report(error.problem.into(), error.span)
     })?;
     let (path, found) = (name.to_owned(), measured.dimension);

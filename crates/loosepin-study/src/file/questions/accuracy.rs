@@ -151,6 +151,12 @@ impl Study {
         self.stated.extend(["--most-failed".to_owned(), share.to_string()]);
     }
 
+    /// Notes settings that the model has, which the command line states.
+    pub(crate) fn state_settings(&mut self, set: &[String]) {
+        self.settings.extend_from_slice(set);
+        self.stated.extend(set.iter().flat_map(|text| ["--set".to_owned(), text.clone()]));
+    }
+
     /// Notes points whose paths are shown, which the command line names.
     pub(crate) fn state_paths(&mut self, points: &[String]) {
         self.paths.extend_from_slice(points);

@@ -1,6 +1,6 @@
 //! Requirements: what an output must keep, and in how many mechanisms.
 
-use crate::file::problem::StudyProblem;
+use crate::file::problem::{MeantLimit, StudyProblem};
 use crate::file::questions::location::{POSES, Where};
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::reader::StudyReader;
@@ -8,7 +8,7 @@ use loosepin_bounds::Statistic;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Kind, Reads, choice};
-use loosepin_text::units::{Dimension, Rule, format_number, format_refused};
+use loosepin_text::units::{Dimension, Rule, format_number, format_refused, format_value, parse_quantity};
 use loosepin_text::{choices, record};
 
 /// Limit of a requirement, in the SI unit of the output.
@@ -97,6 +97,9 @@ record! {
     optional decided_by: DecidedBy = choice::<DecidedBy>(), "\"promise\"", or "search";
 }
 
+/// Signs before the limit of a magnitude, which is written without.
+const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
+
 impl StudyReader {
     /// Reads the requirements.
     pub fn read_requirements(&mut self, written: Option<&Entry<'_>>) -> Vec<Requirement> {
@@ -119,7 +122,7 @@ impl StudyReader {
         let output = output?;
         let dimension = self.outputs[output].dimension;
         let limit = if let Some(entry) = within {
-            let limit = self.reader.measured(entry, dimension, Rule::Finite);
+            let limit = self.magnitude(entry, dimension);
             limit.and_then(|limit| self.limit(entry, limit, dimension, Rule::Positive)).map(Limit::Within)
         } else if let Some(entry) = below {
             self.reader.measured(entry, dimension, Rule::Finite).map(Limit::Below)
@@ -159,6 +162,30 @@ impl StudyReader {
         }
         let columns = Vec::new();
         Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised, columns })
+    }
+
+    /// The limit of a magnitude. Two limits, and one behind `±`, are told what is to be written.
+    fn magnitude(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<f64> {
+        let of_text = |text: &str| {
+            let half = PLUS_MINUS.iter().find_map(|sign| text.trim_start().strip_prefix(sign))?.trim();
+            parse_quantity(half).is_ok().then(|| half.to_owned())
+        };
+        let meant = if entry.is_list() {
+            let ends = self.reader.pair(entry)?;
+            let [lower, upper] = [&ends[0], &ends[1]].map(|end| self.reader.measured(end, dimension, Rule::Finite));
+            let [lower, upper] = [lower?, upper?];
+            if lower == -upper {
+                MeantLimit::Magnitude(format_value(upper.abs(), dimension))
+            } else {
+                MeantLimit::Two([lower, upper].map(|end| format_value(end, dimension)))
+            }
+        } else if let Some(half) = entry.as_text().and_then(of_text) {
+            MeantLimit::Magnitude(half)
+        } else {
+            return self.reader.measured(entry, dimension, Rule::Finite);
+        };
+        let problem = StudyProblem::WithinIsOneLimit { entry: entry.path.describe(), found: entry.found(), meant };
+        self.refused(&problem, entry.span)
     }
 
     /// The cycles after which wear is stated; `None` if they are an input, of which each run has its own.

@@ -3,10 +3,10 @@
 use crate::file::description::AllowedFit;
 use crate::file::random_inputs::random_problem::RandomProblem;
 use crate::file::reader::StudyReader;
-use crate::iso_286::{Fit, FitError, FitLimits};
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Key, Kind, Table, optional};
+use loosepin_text::tolerance::{Fit, FitError, FitLimits};
 use loosepin_text::units::{Dimension, Rule, format_value};
 use loosepin_uncertainty::{Distribution, Interval};
 

@@ -9,4 +9,3 @@ pub(crate) mod parameter;
 pub(crate) mod random;
 pub(crate) mod random_problem;
 pub(crate) mod tails;
-pub(crate) mod tolerance;

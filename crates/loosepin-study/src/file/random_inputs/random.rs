@@ -5,7 +5,6 @@ use crate::file::problem::StudyProblem;
 use crate::file::random_inputs::family::{FAMILIES, FAMILY_COUNT, family_keys, names};
 use crate::file::random_inputs::fit::{DIAMETER, FIT};
 use crate::file::random_inputs::random_problem::{RandomProblem, short_number};
-use crate::file::random_inputs::tolerance::parse_tolerance;
 use crate::file::reader::{StudyReader, adopt};
 use crate::file::words::words;
 use loosepin_mechanics::model::QuantityId;
@@ -13,6 +12,7 @@ use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Diagnostic;
 use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, joined, read_beside};
 use loosepin_text::record;
+use loosepin_text::tolerance::parse_tolerance;
 use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_number, format_value, parse_quantity};
 use loosepin_uncertainty::{Distribution, FittedFamily, GoodnessOfFit, Interval, Parameter, RandomVariable};
 

@@ -1,8 +1,8 @@
 //! Problems of random inputs that are not stated as a distribution, and of correlations.
 
-use crate::iso_286::FitError;
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
+use loosepin_text::tolerance::{FitError, limits_of_class};
 use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::{FEWEST_FITTED, SampleFitError};
 
@@ -42,9 +42,17 @@ problems! {
             says("{entry}: '{text}' is not a nominal value with its limits"),
             hint_of(Some(match nominal {
                 _ if text.contains(',') => format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")),
+                _ if limits_of_class(text).is_some() => match limits_of_class(text).flatten() {
+                    Some(class) => format!("by ISO 286 write \"{}\"", class.deviations),
+                    None => "write the limits of the class: for 50 mm, \"+0.02 -0.01 mm\"".to_owned(),
+                },
                 Some(nominal) => format!("write \"± {text}\" about the value of the model, or \"{nominal} ± {text}\""),
                 None => "write the nominal value and its limits: for 50 mm, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
             }));
+        /// A value with its tolerance, where a table is due that says what is made of it.
+        BareTolerance { entry: String, found: String, path: String, table: String } => Code::WrongType,
+            says("{entry} is {found}; expected a table"),
+            hint("write \"{path}\" = {table}");
         /// Limits that leave nothing between them.
         NoRoom { entry: String, lower: String, upper: String } => Code::BadTolerance,
             says("{entry}: limits {lower} and {upper}; the lower one must be below the upper one");

@@ -1,6 +1,6 @@
 //! Ranges in which numbers of models usually lie, by their keys.
 
-use loosepin_text::units::Dimension;
+use crate::units::Dimension;
 
 /// The usual range of a number.
 pub(super) struct UsualRange {
@@ -96,6 +96,22 @@ pub(super) static USUAL_RANGES: &[UsualRange] = &[
         range: [0.0, 100.0],
         words: "up to 100 m/s",
         units: &[("m/s", "mm/s")],
+        factors: &[],
+    },
+    UsualRange {
+        keys: &[".minimum_impact_speed"],
+        dimension: Dimension::VELOCITY,
+        range: [1e-9, 1.0],
+        words: "up to 1 m/s; slower impacts lose energy as impacts of this speed do",
+        units: &[("m/s", "mm/s"), ("m/s", "um/s"), ("cm/s", "mm/s")],
+        factors: &[],
+    },
+    UsualRange {
+        keys: &[".mass"],
+        dimension: Dimension::MASS,
+        range: [1e-9, 1e7],
+        words: "1e-9 kg (1 µg) to 1e7 kg (10000 t)",
+        units: &[("kg", "g"), ("t", "kg"), ("g", "kg")],
         factors: &[],
     },
     UsualRange {

@@ -1,6 +1,6 @@
 //! A value with its tolerance, as on a drawing: `50 ± 0.05 mm`, `50 +0.02 -0.01 mm`.
 
-use loosepin_text::units::{Measured, parse_quantity};
+use crate::units::{Measured, parse_quantity};
 
 /// The limits that a drawing allows, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,35 +11,79 @@ pub struct Tolerance {
     pub limits: [Measured; 2],
 }
 
+/// A number with its unit, as they are written.
+type Piece<'t> = (&'t str, &'t str);
+
+/// A value with its tolerance as a model and a study say it: the model has the nominal value, the study the deviations.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SeparateTolerance {
+    /// The nominal value with its unit; `None` where the text begins with the deviations.
+    pub nominal: Option<String>,
+    /// The deviations as `tolerance` of a random input has them: `± 0.05 mm`, `+0.02 -0.01 mm`.
+    pub deviations: String,
+}
+
 /// Reads a value with its tolerance; `None` if the text is none. A part without a unit has that of the last part with one. Where the text
 /// begins with its deviations, the nominal value is `in_model`.
 pub fn parse_tolerance(text: &str, in_model: Measured) -> Option<Tolerance> {
     let text = plain_signs(text);
-    let parts = nominal_and_deviations(&text)?;
-    let is_relative = parts[0].1.trim().is_empty();
-    let split: Vec<(bool, &str, &str)> = parts
-        .into_iter()
-        .skip(usize::from(is_relative))
-        .map(|(negate, part)| number_and_unit(part).map(|(n, u)| (negate, n, u)))
-        .collect::<Option<_>>()?;
-    let common = split.iter().rev().map(|part| part.2).find(|unit| !unit.is_empty()).unwrap_or("");
-    let mut measured = split.into_iter().map(|(negate, number, unit)| {
-        let unit = if unit.is_empty() { common } else { unit };
-        let part = parse_quantity(&format!("{number} {unit}")).ok()?;
-        Some(Measured { value_si: if negate { -part.value_si } else { part.value_si }, ..part })
-    });
-    let nominal = if is_relative { in_model } else { measured.next()?? };
-    let (first, second) = (measured.next()??, measured.next()??);
+    let (nominal, [(first_is_negated, first), (_, second)]) = pieces(&text)?;
+    let nominal = nominal.map_or(Some(in_model), measured)?;
+    let (first, second) = (measured(first)?, measured(second)?);
     if first.dimension != nominal.dimension || second.dimension != nominal.dimension {
         return None;
     }
-    let limit = |deviation: Measured| Measured { value_si: nominal.value_si + deviation.value_si, ..nominal };
-    let mut limits = [limit(first), limit(second)];
+    let first_si = if first_is_negated { -first.value_si } else { first.value_si };
+    let limit = |deviation_si: f64| Measured { value_si: nominal.value_si + deviation_si, ..nominal };
+    let mut limits = [limit(first_si), limit(second.value_si)];
     // A drawing writes the upper deviation first, or above the other one.
     if limits[0].value_si > limits[1].value_si && !text.contains('±') {
         limits.swap(0, 1);
     }
     Some(Tolerance { nominal, limits })
+}
+
+/// The nominal value and the deviations of a text, each by itself; `None` if the text is no value with its tolerance.
+pub fn separate_tolerance(text: &str) -> Option<SeparateTolerance> {
+    let text = plain_signs(text);
+    let (nominal, [(is_symmetric, first), (_, second)]) = pieces(&text)?;
+    let dimension = measured(second)?.dimension;
+    if [Some(first), nominal]
+        .into_iter()
+        .flatten()
+        .any(|piece| measured(piece).is_none_or(|m| m.dimension != dimension))
+    {
+        return None;
+    }
+    let with_unit = |(number, unit): Piece<'_>| format!("{number} {unit}").trim_end().to_owned();
+    let signed = |(number, unit): Piece<'_>| {
+        let sign = if number.starts_with('-') { "" } else { "+" };
+        format!("{sign}{}", with_unit((number, unit)))
+    };
+    let deviations = if is_symmetric {
+        format!("± {}", with_unit(second))
+    } else if first.1 == second.1 {
+        format!("{} {}", signed((first.0, "")), signed(second))
+    } else {
+        format!("{} {}", signed(first), signed(second))
+    };
+    Some(SeparateTolerance { nominal: nominal.map(with_unit), deviations })
+}
+
+/// The nominal value, where it is written, and two deviations, each with whether it is to be negated; numbers without a unit have the last one.
+fn pieces(text: &str) -> Option<(Option<Piece<'_>>, [(bool, Piece<'_>); 2])> {
+    let [(_, nominal), (is_negated, first), (_, second)] = nominal_and_deviations(text)?;
+    let nominal = if nominal.trim().is_empty() { None } else { Some(number_and_unit(nominal)?) };
+    let (first, second) = (number_and_unit(first)?, number_and_unit(second)?);
+    let units = [second.1, first.1, nominal.map_or("", |(_, unit)| unit)];
+    let common = units.into_iter().find(|unit| !unit.is_empty()).unwrap_or("");
+    let filled = |(number, unit)| (number, if unit == "" { common } else { unit });
+    Some((nominal.map(filled), [(is_negated, filled(first)), (false, filled(second))]))
+}
+
+/// A number with its unit.
+fn measured((number, unit): Piece<'_>) -> Option<Measured> {
+    parse_quantity(&format!("{number} {unit}")).ok()
 }
 
 /// Whether a tolerance states its nominal value: deviations alone, such as `+0.02 -0.01 mm`, count from the model.
@@ -100,8 +144,8 @@ pub fn number_and_unit(part: &str) -> Option<(&str, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse_tolerance, states_nominal};
-    use loosepin_text::units::{Dimension, Measured};
+    use super::{SeparateTolerance, parse_tolerance, separate_tolerance, states_nominal};
+    use crate::units::{Dimension, Measured};
 
     /// What the model has where the text has no nominal value.
     const IN_MODEL: Measured = Measured { value_si: 0.0713, dimension: Dimension::LENGTH };
@@ -176,6 +220,29 @@ mod tests {
             "50 ± 1 xyz",
         ] {
             assert_eq!(parse_tolerance(text, IN_MODEL), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn nominal_values_and_deviations_are_told_apart() {
+        for (text, nominal, deviations) in [
+            ("30 mm +- 0.05 mm", Some("30 mm"), "± 0.05 mm"),
+            ("30 +/- 0.05 mm", Some("30 mm"), "± 0.05 mm"),
+            ("30 mm ±50 µm", Some("30 mm"), "± 50 µm"),
+            ("0.6 ± 0.1", Some("0.6"), "± 0.1"),
+            ("± 0.05 mm", None, "± 0.05 mm"),
+            ("30 mm +0.02 −0.01", Some("30 mm"), "+0.02 -0.01 mm"),
+            ("30 mm +20 µm / -0.01 mm", Some("30 mm"), "+20 µm -0.01 mm"),
+            ("-0.01 -0.03 mm", None, "-0.01 -0.03 mm"),
+        ] {
+            let nominal = nominal.map(str::to_owned);
+            let due = SeparateTolerance { nominal, deviations: deviations.to_owned() };
+            assert_eq!(separate_tolerance(text), Some(due), "{text}");
+            let again = parse_tolerance(&format!("71.3 mm {deviations}"), IN_MODEL);
+            assert!(text.starts_with("0.6") || again.is_some(), "a study reads {deviations}");
+        }
+        for text in ["30 mm", "30 mm ± 1 deg", "a ± 0.1 mm", "30 ± 0.05 xyz", "30 h9"] {
+            assert_eq!(separate_tolerance(text), None, "{text}");
         }
     }
 }

@@ -162,14 +162,29 @@ impl Fit {
     /// # Errors
     /// [`FitError::Size`] outside the tables, [`FitError::NoDeviation`] where the standard has no such hole.
     pub fn limits(&self, diameter_m: f64) -> Result<FitLimits, FitError> {
-        // To a nanometre, so that 18 mm is 18 mm whatever unit it was written in.
-        let diameter_mm = (diameter_m * 1e9).round() / 1e6;
-        if !(diameter_mm > 0.0 && diameter_mm <= RANGES_MM[RANGES_MM.len() - 1]) {
-            return Err(FitError::Size { diameter_mm: diameter_m * 1e3 });
-        }
+        let diameter_mm = tabulated_mm(diameter_m)?;
         let to_m = |limits_um: [f64; 2]| limits_um.map(|limit_um| limit_um / 1e6);
         Ok(FitLimits { hole_m: to_m(self.hole.hole_um(diameter_mm)?), shaft_m: to_m(self.shaft.shaft_um(diameter_mm)) })
     }
+}
+
+/// Lower and upper deviation of a hole (`H7`) or a shaft (`h9`) from its nominal size, m.
+///
+/// # Errors
+/// What is not kept here, as for [`Fit::parse`] and [`Fit::limits`].
+pub fn class_deviations_m(class: &str, nominal_m: f64) -> Result<[f64; 2], FitError> {
+    let is_hole = class.starts_with(|letter: char| letter.is_ascii_uppercase());
+    let class = Class::parse(class, is_hole)?;
+    let nominal_mm = tabulated_mm(nominal_m)?;
+    let limits_um = if is_hole { class.hole_um(nominal_mm)? } else { class.shaft_um(nominal_mm) };
+    Ok(limits_um.map(|limit_um| limit_um / 1e6))
+}
+
+/// A size of the tables, mm, to a nanometre, so that 18 mm is 18 mm whatever unit it was written in.
+fn tabulated_mm(size_m: f64) -> Result<f64, FitError> {
+    let size_mm = (size_m * 1e9).round() / 1e6;
+    let is_tabulated = size_mm > 0.0 && size_mm <= RANGES_MM[RANGES_MM.len() - 1];
+    is_tabulated.then_some(size_mm).ok_or(FitError::Size { diameter_mm: size_m * 1e3 })
 }
 
 impl FitLimits {
