@@ -149,7 +149,7 @@ fn places_words(record: &MotionRecord, spans: &[[f64; 2]], writer: &NumberWriter
             let tag = Tag::whole("unproven", &angle_rad.to_string());
             writer.with_tag(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
         });
-        let place = if span[0] == span[1] { format!("at {from}") } else { format!("from {from} to {to}") };
+        let place = if from == to { format!("at {from}") } else { format!("from {from} to {to}") };
         if !places.contains(&place) {
             places.push(place);
         }

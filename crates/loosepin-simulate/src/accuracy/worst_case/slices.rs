@@ -180,9 +180,12 @@ impl Linear {
 
 /// How far the numbers v take something with these derivatives at most.
 fn furthest(by_v: &[Interval], balls: &[Range<usize>]) -> Interval {
-    let length =
-        |ball: &Range<usize>| by_v[ball.clone()].iter().fold(Interval::ZERO, |sum, slope| sum + slope.squared()).sqrt();
-    balls.iter().fold(Interval::ZERO, |sum, ball| sum + Interval::from_f64(length(ball).high()))
+    // A sum of squares that may be zero has a least number below zero, by round-off: only the largest one counts.
+    let length = |ball: &Range<usize>| {
+        let squares = by_v[ball.clone()].iter().fold(Interval::ZERO, |sum, slope| sum + slope.squared());
+        squares.high().sqrt().next_up()
+    };
+    balls.iter().fold(Interval::ZERO, |sum, ball| sum + Interval::from_f64(length(ball)))
 }
 
 impl Encloser<'_> {
