@@ -2,7 +2,7 @@
 //! each with a limit that has room and one that has none. What is true comes from closed forms alone: many mechanisms are drawn with the unknown
 //! values at their worst, which for one loop with two balls is the largest play with the coupler stretched or shortened by all of it.
 
-use crate::ball_four_bar::{FourBar, MM, Vector, dot, minus, quantile, unit};
+use super::ball_four_bar::{FourBar, MM, Vector, dot, minus, quantile, unit};
 use crate::silent::run;
 use loosepin::result::study::Verdict;
 use loosepin::space::SpatialModel;
