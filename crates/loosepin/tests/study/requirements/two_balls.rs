@@ -1,6 +1,6 @@
 //! A steering whose drag link has a ball with play at each end, with a limit that leaves room: decided, whatever is allowed of the play.
 
-use crate::ball_four_bar::{FourBar, MM, quantile};
+use super::ball_four_bar::{FourBar, MM, quantile};
 use crate::silent::run;
 use loosepin::result::study::{StudyResult, Verdict};
 use loosepin::space::SpatialModel;
