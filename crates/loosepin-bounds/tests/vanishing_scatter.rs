@@ -104,7 +104,7 @@ impl Drawn {
         let own = |first: u64| -> Vec<f64> { (0..dimensions as u64).map(|k| 2.0 * number(first + k) - 1.0).collect() };
         let (slopes, normal) = (own(0), own(10));
         let middle: f64 = normal.iter().map(|b| b * (0.2 + 0.6 * number(20))).sum();
-        let law = if index % 2 == 0 { Law::Magnitude } else { Law::Normal };
+        let law = if index.is_multiple_of(2) { Law::Magnitude } else { Law::Normal };
         let least = [0.0, 0.0, 0.003, 0.03][(number(21) * 4.0) as usize];
         let mut drawn = Self {
             law,

@@ -15,7 +15,7 @@ const FEWEST_SUGGESTED: usize = 600;
 const MAX_GROWTH: f64 = 2.5;
 
 /// Bytes, names and entries that are looked at while a file with so many parameters is read, and its diagnostics are placed.
-fn looks(parameter: fn(usize) -> String, count: usize) -> u64 {
+fn looks(parameter: Parameter, count: usize) -> u64 {
     let text: String = (0..count).map(|number| parameter(number) + "\n").collect();
     let source = Source::new("model.toml", format!("[parameter]\n{text}"));
     let before = work::count();
@@ -29,9 +29,12 @@ fn looks(parameter: fn(usize) -> String, count: usize) -> u64 {
     work::count() - before
 }
 
+/// The line of the parameter of a number.
+type Parameter = fn(usize) -> String;
+
 #[test]
 fn parameters_cost_what_their_text_does() {
-    let kinds: [(&str, usize, fn(usize) -> String); 6] = [
+    let kinds: [(&str, usize, Parameter); 6] = [
         ("numbers", FEWEST, |number| format!("p{number} = \"{number} mm\"")),
         ("each follows the one before", FEWEST, |number| match number {
             0 => "p0 = \"1 mm\"".to_owned(),

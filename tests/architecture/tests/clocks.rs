@@ -19,7 +19,7 @@ const CLOCKS: [&str; 9] = [
 ];
 
 /// Tests that read one, and what for. What they wait for has a limit, by which a test fails that would never end.
-const READERS: [(&str, &str); 15] = [
+const READERS: [(&str, &str); 16] = [
     ("crates/loosepin-cli/src/progress.rs", "gives runs the begin that they are calculated from"),
     ("crates/loosepin-cli/tests/command/serve.rs", "waits"),
     ("crates/loosepin-python/tests/test_cluster.py", "waits"),
@@ -34,6 +34,7 @@ const READERS: [(&str, &str); 15] = [
     ("crates/loosepin-study/src/written/tables/timing.rs", "is a clock that was set back"),
     ("tests/browser/chromium.py", "waits"),
     ("tests/browser/test_studio.py", "waits"),
+    ("tests/browser/test_studio_drafts.py", "waits"),
     ("tests/browser/test_studio_shelf.py", "sets the date of a file"),
 ];
 

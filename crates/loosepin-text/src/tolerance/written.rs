@@ -70,14 +70,17 @@ pub fn separate_tolerance(text: &str) -> Option<SeparateTolerance> {
     Some(SeparateTolerance { nominal: nominal.map(with_unit), deviations })
 }
 
-/// The nominal value, where it is written, and two deviations, each with whether it is to be negated; numbers without a unit have the last one.
-fn pieces(text: &str) -> Option<(Option<Piece<'_>>, [(bool, Piece<'_>); 2])> {
+/// A deviation, and whether it is to be negated.
+type WrittenDeviation<'t> = (bool, Piece<'t>);
+
+/// The nominal value, where it is written, and two deviations; numbers without a unit have the last one.
+fn pieces<'t>(text: &'t str) -> Option<(Option<Piece<'t>>, [WrittenDeviation<'t>; 2])> {
     let [(_, nominal), (is_negated, first), (_, second)] = nominal_and_deviations(text)?;
     let nominal = if nominal.trim().is_empty() { None } else { Some(number_and_unit(nominal)?) };
     let (first, second) = (number_and_unit(first)?, number_and_unit(second)?);
     let units = [second.1, first.1, nominal.map_or("", |(_, unit)| unit)];
     let common = units.into_iter().find(|unit| !unit.is_empty()).unwrap_or("");
-    let filled = |(number, unit)| (number, if unit == "" { common } else { unit });
+    let filled = |(number, unit): Piece<'t>| (number, if unit.is_empty() { common } else { unit });
     Some((nominal.map(filled), [(is_negated, filled(first)), (false, filled(second))]))
 }
 

@@ -66,7 +66,7 @@ fn analytic_a_question_at_a_pose_says_where_the_mean_lies_and_how_wide_the_band_
         &without_quantiles,
         "is on average 0.040 mm to 0.121 mm below its ideal value, with a standard deviation of at most 0.014160 mm. This",
     );
-    assert_says(&asked(&[mean.clone()]), "is on average 0.040 mm to 0.121 mm below its ideal value. This");
+    assert_says(&asked(std::slice::from_ref(&mean)), "is on average 0.040 mm to 0.121 mm below its ideal value. This");
     assert_says(
         &asked(&[mean, high.clone()]),
         "below its ideal value, and the deviation is at most -0.0123 mm in 97.5 % of mechanisms. This",

@@ -136,7 +136,7 @@ pub(in super::super) fn worst_over_cycle(
             }
         }
         let is_open = !proven_si.iter().all(is_known);
-        not_proven.push(is_open.then(|| NotProven { coordinate: 0, reaches_dead_centre: false }));
+        not_proven.push(is_open.then_some(NotProven { coordinate: 0, reaches_dead_centre: false }));
         for (rows, proven_si) in of_outputs.iter_mut().zip(proven_si) {
             rows[row].proven_si = proven_si;
         }

@@ -330,7 +330,7 @@ fn hold(drawn: &Drawn, positions: usize) -> [usize; 2] {
 
 fn drawn(seed: u64) -> Drawn {
     let random = &mut Random::new(seed);
-    if seed % 2 == 0 { offset_slider_crank(random) } else { four_bar(random) }
+    if seed.is_multiple_of(2) { offset_slider_crank(random) } else { four_bar(random) }
 }
 
 #[test]

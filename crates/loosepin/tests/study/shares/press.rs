@@ -110,7 +110,7 @@ fn motion_says_the_shares_of_the_requirement_first_and_that_others_are_elsewhere
     assert!(place("at 0°, where the requirement is") < place("where it is largest in the cycle"));
 }
 
-fn at_pose<'r>(result: &'r StudyResult, pose_deg: f64) -> &'r Contributors {
+fn at_pose(result: &StudyResult, pose_deg: f64) -> &Contributors {
     let is_there = |own: &&Contributors| matches!(own.at, ResponsePoint::Pose { pose_rad } if (pose_rad.to_degrees() - pose_deg).abs() < 1e-9);
     result.contributors.iter().find(is_there).unwrap_or_else(|| panic!("{pose_deg}: {:?}", result.contributors))
 }

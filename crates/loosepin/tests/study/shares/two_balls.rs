@@ -20,8 +20,9 @@ const PATHS: [&str; 2] = ["parameter.pitman", "parameter.arm"];
 const NOMINAL_M: [f64; 2] = [0.150, 0.160];
 /// A tolerance is ± 3 standard deviations.
 const DEVIATIONS_M: [f64; 2] = [2e-4 / 3.0; 2];
-/// Of a share of the band: quantiles of the samples, and that standard deviations do not quite add as squares in a band with play.
-const REFIT_TOLERANCE: f64 = 0.004;
+/// Of a share of the band over the cycle and at a pose: quantiles of the samples, and that standard deviations do not quite add as squares in
+/// a band with play. Over the cycle the band is one of the largest of many positions, and 11 % of it are at stake.
+const REFIT_TOLERANCES: [f64; 2] = [0.01, 0.004];
 
 fn steer_rad(gear_rad: f64, [pitman, arm]: &[f64; 2]) -> f64 {
     let (a, b) = (0.5 + pitman * gear_rad.sin(), pitman * gear_rad.cos() - 0.1);
@@ -68,14 +69,15 @@ fn stated_and_refitted(text: &str) -> (Contributors, [[f64; 2]; 2]) {
 
 #[test]
 fn identity_the_band_is_narrower_as_stated_in_a_study_without_one_scatter() {
-    for (text, gear_deg) in [(STUDY.to_owned(), 30.0), (in_the_middle(), 15.0)] {
+    let studies = [(STUDY.to_owned(), 30.0), (in_the_middle(), 15.0)];
+    for ((text, gear_deg), tolerance) in studies.into_iter().zip(REFIT_TOLERANCES) {
         let (all, shares) = stated_and_refitted(&text);
         for (path, ([stated, refitted], by_hand)) in PATHS.into_iter().zip(shares.into_iter().zip(by_hand(gear_deg))) {
             let share = of_path(&all, path).quasi_static_share.expect("each tolerance has one");
             // Over the cycle too: the largest deviation is at its end, where the scatter is largest and play as large as anywhere but for a
             // twentieth.
             assert!((share - by_hand).abs() < SHARE_TOLERANCE, "{gear_deg} {path}: {share}, not {by_hand}");
-            assert!(stated > 0.035 && (stated - refitted).abs() < REFIT_TOLERANCE, "{path}: {stated}, {refitted}");
+            assert!(stated > 0.035 && (stated - refitted).abs() < tolerance, "{path}: {stated}, {refitted}");
         }
     }
 }
