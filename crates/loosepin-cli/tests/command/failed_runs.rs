@@ -83,8 +83,11 @@ fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
     let desk = desk(TOO_LONG);
     let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
     assert_eq!((said.status, said.output.as_str()), (2, ""), "{}", said.messages);
-    let (message, hint) = said.messages.split_once("\nhint: `").expect("a hint");
-    assert!(message.starts_with("error[E0815]: ") && message.contains(" runs failed ("), "{message}");
+    // A standard deviation of 3 mm on 50 mm is warned of first.
+    let (warning, failure) = said.messages.split_once("error[E0815]: ").expect("too many failed");
+    assert!(warning.starts_with("study.toml:17:1: warning[E0823]: "), "{warning}");
+    let (message, hint) = failure.split_once("\nhint: `").expect("a hint");
+    assert!(message.contains(" runs failed ("), "{message}");
     assert!(message.contains("; at most 10 % may: most_failed under [sampling]; "), "{message}");
     assert!(message.contains(" of them: the links cannot close at "), "{message}");
     let (command, rest) = hint.split_once("` repeats one; ").expect("a command");
