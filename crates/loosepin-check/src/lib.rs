@@ -33,19 +33,33 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Model, Values};
+use loosepin_simulate::still_outputs;
 use loosepin_study::{InputFile, Study, plan_runs};
 use loosepin_text::article::Article;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::document::describe_path;
+use loosepin_text::plausible::ImplausibleNumber;
 
 use trial::TrialResult;
 
-/// Warnings about likely mistakes in a valid file, and about outputs that its mechanism never moves.
+/// Warnings about likely mistakes in a valid file, and about outputs that its mechanism never moves. A mechanism that cannot be moved is refused
+/// elsewhere.
 pub fn warnings(file: &InputFile) -> Vec<Diagnostic> {
-    let of_file = match file {
-        InputFile::Model(model) => model.warnings(),
-        InputFile::Study(study) => &study.warnings,
+    let still = file.model().planar().map_or_else(Vec::new, |model| {
+        let values = model.quantities.nominal();
+        Mechanism::new(model, &values).map_or_else(|_| Vec::new(), |mechanism| never_moving(&mechanism, &values))
+    });
+    file.warnings().iter().cloned().chain(still).collect()
+}
+
+/// Warnings of outputs whose bodies stand still over the whole cycle.
+pub fn never_moving(mechanism: &Mechanism, values: &Values) -> Vec<Diagnostic> {
+    let model = &mechanism.model;
+    let warning = |output: usize| {
+        let path = format!("output.{}", model.outputs[output].name);
+        Diagnostic::warning(&ImplausibleNumber::NeverMoves { entry: describe_path(&path) }, model.place(&path))
     };
-    of_file.iter().cloned().chain(file.still_outputs()).collect()
+    still_outputs(mechanism, values).into_iter().map(warning).collect()
 }
 
 /// Moves the mechanism of a file for the first time, and reports its loops, limits and first steps.
@@ -70,31 +84,33 @@ pub fn check_until(file: &InputFile, stop: &AtomicBool) -> Result<Article, Diagn
     }
 }
 
-/// The errors of [`check_until`], without its report and without the time of a run. Of a mechanism in space without a study there are none
-/// but those of its motion.
+/// The errors of [`check_until`], without its report and without the time of a run; without any, [`never_moving`]. Of a mechanism in space
+/// without a study there are none but those of its motion.
 ///
 /// # Errors
 /// As for [`check_until`].
-pub fn try_until(file: &InputFile, stop: &AtomicBool) -> Result<(), Diagnostics> {
+pub fn try_until(file: &InputFile, stop: &AtomicBool) -> Result<Vec<Diagnostic>, Diagnostics> {
     let study = match file {
         InputFile::Model(model) => {
             return match model.planar() {
-                Some(model) => try_model(model, stop).map(|_| ()),
-                None => Ok(()),
+                Some(model) => try_model(model, stop).map(|tried| never_moving(&tried.mechanism, &tried.values)),
+                None => Ok(Vec::new()),
             };
         }
         InputFile::Study(study) => study,
     };
+    let mut still = Vec::new();
     if let Some(model) = study.model.planar() {
-        try_study(study, model, stop)?;
+        let tried = try_study(study, model, stop)?;
+        still = never_moving(&tried.mechanism, &tried.values);
         if !model.missing_for_runs.is_empty() {
-            return Ok(());
+            return Ok(still);
         }
     }
     if study.has_questions() {
         plan_runs(study).map_err(|error| error.diagnostic(study))?;
     }
-    Ok(())
+    Ok(still)
 }
 
 /// A mechanism that has moved for the first time.

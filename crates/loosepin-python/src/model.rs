@@ -109,7 +109,7 @@ impl Model {
 
     /// Warnings of values that settings make hardly possible.
     fn warnings_of_settings(&self, set: Vec<String>) -> Vec<Diagnostic> {
-        self.0.set_values(&set).map_or_else(|_| Vec::new(), |set| set.warnings.iter().map(Diagnostic::new).collect())
+        self.0.set_values(&set).map_or_else(|_| Vec::new(), |set| set.warnings().iter().map(Diagnostic::new).collect())
     }
 
     /// Name, words and SI unit of each output.

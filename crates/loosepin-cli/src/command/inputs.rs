@@ -17,10 +17,8 @@ use crate::ending::Failure;
 /// # Errors
 /// All errors in the file, and values that a run needs and that are missing; a study file.
 pub fn read_model(path: &Path) -> Result<Model, Failure> {
-    let file = InputFile::from_path(path)?;
-    let found = warnings(&file);
-    let model = file.into_model()?;
-    warn(&found);
+    let model = InputFile::from_path(path)?.into_model()?;
+    warn(&model.warnings);
     model.demand_dynamics()?;
     Ok(model)
 }
@@ -30,10 +28,7 @@ pub fn read_model(path: &Path) -> Result<Model, Failure> {
 /// # Errors
 /// All errors in the files and settings, and values that a run needs and that are missing; a model file.
 pub fn read_study(path: &Path, set: &[String]) -> Result<Study, Failure> {
-    let mut file = InputFile::from_path(path)?;
-    if let (InputFile::Study(study), false) = (&mut file, set.is_empty()) {
-        **study = Study::from_path_with_settings(path, set)?;
-    }
+    let file = InputFile::from_path_with_settings(path, set)?;
     let found = warnings(&file);
     let study = file.into_study()?;
     warn(&found);

@@ -1,5 +1,6 @@
 //! `loosepin report`.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use loosepin::accuracy::record::MotionRecord;
@@ -92,13 +93,16 @@ fn save(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page of a finished result, written again, so that figures are saved as this version draws them.
+/// The page of a finished result, written again, so that figures are saved as this version draws them; that of a motion in space as it is.
 fn page(folder: &Path) -> Result<String, Failure> {
     let folder = match ResultsFolder::reopen(folder) {
         // A motion in space is written without the marker of results: its page stands as it was written.
         Err(ResultsError::NoMarker { folder: path }) => {
-            let page = read_named_text(&folder.join(REPORT_FILE), MAX_PAGE_BYTES);
-            return page.map_err(|_| ResultsError::NoMarker { folder: path }.into());
+            let page = folder.join(REPORT_FILE);
+            return read_named_text(&page, MAX_PAGE_BYTES).map_err(|source| match source.kind() {
+                ErrorKind::NotFound => ResultsError::NoMarker { folder: path }.into(),
+                _ => ResultsError::Read { path: page, source }.into(),
+            });
         }
         reopened => reopened?,
     };

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use loosepin::check::never_moving;
 use loosepin::measured::MeasuredTable;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, measured_argument};
@@ -26,7 +27,7 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
 pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?.with_paths(&arguments.path)?;
     let set = model.set_values(&arguments.set)?;
-    warn(&set.warnings);
+    warn(&set.warnings());
     let plan = plan(arguments, &model)?;
     check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let measured = measured(arguments)?;
@@ -38,6 +39,7 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
     );
     // Compiled first, so that no folder is created for a model that cannot run.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(&model))?;
+    warn(&never_moving(&mechanism, &set.values));
     check_measured(&mechanism, &measured)?;
     let folder = claim.take()?;
     if folder.is_finished() {

@@ -1,5 +1,6 @@
 //! `loosepin sweep`.
 
+use loosepin::check::never_moving;
 use loosepin::model::{Model, Rule, measured_argument};
 use loosepin::report::{sweep_page, sweep_text};
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
@@ -23,13 +24,14 @@ use crate::progress::Bar;
 pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
-    warn(&set.warnings);
+    warn(&set.warnings());
     let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
     let request = request(arguments);
     let plan = request.plan(&model, &set, tolerance_m)?;
     check_tolerance(plan.settings.tolerance_m, plan.smallest_clearance(&set))?;
     let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
     let mechanism = plan.compile(&set)?;
+    warn(&never_moving(&mechanism, &set.values));
     let folder = claim.take()?;
     if folder.is_finished() {
         return show_found::<SweepRecord>(folder);

@@ -5,11 +5,10 @@ use super::contact::Contact;
 use crate::contact::delivered_restitution;
 use crate::model::ids::{BodyId, PlayId};
 use crate::model::parts::topology::{Body, Model};
-use crate::model::values::setting::Setting;
-use loosepin_text::diagnostics::Diagnostic;
+use loosepin_text::diagnostics::{Place, Source};
 use loosepin_text::document::describe_path;
-use loosepin_text::numbers::{Origin, QuantityId, Values};
-use loosepin_text::plausible::{Implausible, ImplausibleNumber, JudgedNumbers, warnings_of_settings};
+use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
+use loosepin_text::plausible::{Implausible, ImplausibleNumber, JudgedModel, JudgedNumbers};
 use loosepin_text::units::{Dimension, format_apart, format_number, format_value};
 
 /// Ratio of two masses of one mechanism above which one of them looks wrong.
@@ -24,79 +23,56 @@ const MAX_CENTRE_PER_EXTENT: f64 = 10.0;
 const MAX_RESTITUTION_GAINED: f64 = 0.45;
 const MM_PER_M: f64 = 1e3;
 
-impl Model {
-    /// Warnings of numbers that are hardly possible, at the values of the file.
-    pub(super) fn implausible_numbers(&self) -> Vec<Diagnostic> {
-        let found = self.implausible_in_file();
-        found.iter().map(|(path, problem)| Diagnostic::warning(problem, self.place(path))).collect()
+impl JudgedModel for Model {
+    fn quantities(&self) -> &QuantityTable {
+        &self.quantities
     }
 
-    /// Warnings of what is hardly possible under settings with their texts, and was not so in the file; `values` are those under them.
-    pub(in crate::model) fn implausible_settings(
-        &self,
-        settings: &[(Setting, &str)],
-        values: &Values,
-    ) -> Vec<Diagnostic> {
-        if settings.is_empty() {
-            return Vec::new();
-        }
-        let set = |id: QuantityId| settings.iter().find(|(setting, _)| setting.id == id).map(|(_, text)| *text);
-        let written = |id: QuantityId| match set(id) {
-            Some(text) => text.split_once('=').map(|(_, value)| value.trim().to_owned()),
-            None => self.written(id),
-        };
-        let when_set = self.implausible_at(values, &written);
-        let texts: Vec<(QuantityId, &str)> = settings.iter().map(|(setting, text)| (setting.id, *text)).collect();
-        let in_file = self.implausible_in_file();
-        warnings_of_settings(&self.quantities, &texts, &in_file, &when_set, |path| self.place(path))
+    fn source(&self) -> &Source {
+        &self.source
     }
 
-    fn implausible_in_file(&self) -> Vec<Implausible> {
-        self.implausible_at(&self.quantities.nominal(), &|id| self.written(id))
+    fn place(&self, path: &str) -> Option<Place> {
+        self.place(path)
     }
 
-    /// How a number is written in the file, where it is written as it is.
-    fn written(&self, id: QuantityId) -> Option<String> {
-        let quantity = &self.quantities[id];
-        let span = quantity.span.filter(|_| quantity.origin == Origin::Literal)?;
-        Some(self.source.text().get(self.source.clamp(span))?.trim_matches(['"', '\'']).to_owned())
-    }
-
-    fn implausible_at(&self, values: &Values, written: &dyn Fn(QuantityId) -> Option<String>) -> Vec<Implausible> {
-        let judged = JudgedNumbers { quantities: &self.quantities, values, written };
+    fn implausible_at(&self, judged: &JudgedNumbers<'_>) -> Vec<Implausible> {
         let mut found = judged.by_key();
-        let is_found = |found: &[Implausible], body: &Body| found.iter().any(|(path, _)| *path == mass_path(body));
-        if !self.bodies.iter().any(|body| is_found(&found, body)) {
-            self.judge_masses(&judged, &mut found);
-        }
+        let is_unusual = |body: &Body| body.mass_kg.is_some_and(|mass| !judged.is_usual(mass));
+        let beside_others = if self.bodies.iter().any(is_unusual) { None } else { self.judge_masses(judged) };
+        let wrong = beside_others.map(|(body, problem)| {
+            found.push((format!("body.{}.mass", body.name), problem));
+            &body.name
+        });
         // An inertia is judged by the mass.
-        let bodies: Vec<&Body> = self.bodies.iter().skip(1).filter(|body| !is_found(&found, body)).collect();
-        for body in bodies {
-            self.judge_body(body, &judged, &mut found);
+        for body in self.bodies.iter().skip(1).filter(|body| !is_unusual(body) && wrong != Some(&body.name)) {
+            self.judge_body(body, judged, &mut found);
         }
         for contact in &self.contacts {
-            self.judge_restitution(contact, values, &mut found);
+            self.judge_restitution(contact, judged.values, &mut found);
         }
-        self.judge_clearances(&judged, &mut found);
-        self.judge_gears(values, &mut found);
+        self.judge_clearances(judged, &mut found);
+        self.judge_gears(judged.values, &mut found);
         found
     }
+}
 
+impl Model {
     /// The extent of the points of the largest body, ground included, m: the scale of the mechanism.
     pub fn largest_extent_m(&self, values: &Values) -> f64 {
         self.bodies.iter().map(|body| extent_m(body, values)).fold(0.0, f64::max)
     }
 
-    /// The heaviest and the lightest body.
-    fn judge_masses(&self, judged: &JudgedNumbers<'_>, found: &mut Vec<Implausible>) {
+    /// The heaviest or the lightest body, if they are too far apart: the one that is likely to be wrong.
+    fn judge_masses(&self, judged: &JudgedNumbers<'_>) -> Option<(&Body, ImplausibleNumber)> {
         let values = judged.values;
         let mut masses: Vec<(&Body, QuantityId, f64)> =
             self.bodies.iter().filter_map(|body| body.mass_kg.map(|id| (body, id, values[id]))).collect();
         masses.sort_by(|a, b| a.2.total_cmp(&b.2));
-        let (Some(&lightest), Some(&heaviest)) = (masses.first(), masses.last()) else { return };
+        let (&lightest, &heaviest) = (masses.first()?, masses.last()?);
         let ratio = heaviest.2 / lightest.2;
         if !(ratio > MAX_MASS_RATIO) {
-            return;
+            return None;
         }
         // The one that is further from the middle of all is more likely to be wrong.
         let middle = masses[masses.len() / 2].2.ln() + masses[(masses.len() - 1) / 2].2.ln();
@@ -105,16 +81,15 @@ impl Model {
         let is_plausible = |mass: f64| (1.0 / MAX_MASS_RATIO..=MAX_MASS_RATIO).contains(&(mass / other.2));
         let slip = judged.slip(wrong.1, &[("kg", "g"), ("t", "kg"), ("g", "kg"), ("mg", "g")], is_plausible);
         let shown = |mass: f64| format_value(mass, Dimension::MASS);
-        let path = mass_path(wrong.0);
         let problem = ImplausibleNumber::Masses {
-            entry: describe_path(&path),
+            entry: describe_path(&format!("body.{}.mass", wrong.0.name)),
             found: shown(wrong.2),
             other: other.0.name.clone(),
             other_found: shown(other.2),
             ratio: rounded(ratio),
             slip,
         };
-        found.push((path, problem));
+        Some((wrong.0, problem))
     }
 
     /// Inertia and centre of mass of a body against the extent of its points.
@@ -223,10 +198,6 @@ impl Model {
             }
         }
     }
-}
-
-fn mass_path(body: &Body) -> String {
-    format!("body.{}.mass", body.name)
 }
 
 /// Diagonal of the box around the points of a body, m.

@@ -12,6 +12,7 @@ use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Kind, Table, describe_path, json_schema, parse_toml, quantity, read_source};
 use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::ReadsNumbers;
+use loosepin_text::plausible::JudgedModel;
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 use std::path::Path;

@@ -12,7 +12,8 @@ use crate::view::texts::Texts;
 /// Moves the mechanism of a look all round and makes the first steps of its run. `None` where `stop` was set before the end.
 pub fn answer_check(folder: &Folder, look: &Look, stop: &AtomicBool) -> Option<CheckAnswer> {
     let texts = Texts::sent(folder, look);
-    let found = texts.read().and_then(|file| try_until(&file, stop)).err().unwrap_or_default();
+    let tried = texts.read().and_then(|file| try_until(&file, stop));
+    let found = tried.map_or_else(|found| found, |warnings| warnings.into_iter().collect());
     if stop.load(Ordering::Relaxed) {
         return None;
     }

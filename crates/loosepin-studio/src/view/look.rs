@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use loosepin::check::warnings;
-use loosepin::diagnostics::{Diagnostic, Diagnostics};
+use loosepin::diagnostics::Diagnostics;
 use loosepin::model::Model;
 use loosepin::report::{CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing};
 use loosepin::result::kinematics::LoopProperties;
@@ -81,7 +80,7 @@ fn seen_after(
     let mut reshaped = drag.map(|drag| drag.reshaped.clone());
     let mut drawing = None;
     let view = file.ok().and_then(|file| {
-        warnings(&file).into_iter().for_each(|warning: Diagnostic| diagnostics.push(warning));
+        file.warnings().iter().for_each(|warning| diagnostics.push(warning.clone()));
         if let Some(model) = file.model().spatial() {
             let (view, found) = space_view(&file, model, &texts, stop);
             diagnostics.extend(found);

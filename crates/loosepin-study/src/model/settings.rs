@@ -4,6 +4,7 @@ use super::StudyModel;
 use loosepin_mechanics::model::{SetValues, Setting, SettingError};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, Values};
+use loosepin_text::plausible::JudgedModel;
 
 impl StudyModel {
     /// The model with the values of settings `path=value` in place of those of its file, and with warnings about them.
@@ -13,7 +14,9 @@ impl StudyModel {
     pub fn with_settings(self, texts: &[String]) -> Result<Self, Diagnostics> {
         match self {
             Self::Planar(model) => {
-                let SetValues { mut model, values, warnings, .. } = model.set_values(texts)?;
+                let set = model.set_values(texts)?;
+                let warnings = set.warnings();
+                let SetValues { mut model, values, .. } = set;
                 model.quantities.set_nominal(values);
                 model.warnings.extend(warnings);
                 Ok(model.into())
@@ -39,7 +42,7 @@ impl StudyModel {
     /// Warnings of values that settings `path=value` make hardly possible; none where they cannot be read, which is refused elsewhere.
     pub fn warnings_of_settings(&self, texts: &[String]) -> Vec<Diagnostic> {
         match self {
-            Self::Planar(model) => model.set_values(texts).map_or(Vec::new(), |set| set.warnings),
+            Self::Planar(model) => model.set_values(texts).map_or(Vec::new(), |set| set.warnings()),
             Self::Spatial(model) => {
                 let set = self.spatial_settings(texts).and_then(|set| Ok((set, self.spatial_values(texts)?)));
                 let Ok((set, values)) = set else { return Vec::new() };

@@ -5,5 +5,4 @@ pub(crate) mod ideal_motion;
 pub(crate) mod judge;
 pub(crate) mod proven_ends;
 pub(crate) mod spatial_motion;
-pub(crate) mod still;
 pub(crate) mod widest_play;

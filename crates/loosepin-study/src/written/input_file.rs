@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use loosepin_text::diagnostics::{Code, Diagnostics, Place, problems};
+use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use crate::file::Study;
@@ -25,6 +25,14 @@ impl InputFile {
     /// # Errors
     /// Everything that is wrong with the file, each with its place; a file that says nothing.
     pub fn from_path(path: &Path) -> Result<InputFile, Diagnostics> {
+        Self::from_path_with_settings(path, &[])
+    }
+
+    /// The same; the values of settings `path=value` stand in place of those of a study's model. A model by itself stays as it is.
+    ///
+    /// # Errors
+    /// As for [`InputFile::from_path`], and settings that cannot be read.
+    pub fn from_path_with_settings(path: &Path, set: &[String]) -> Result<InputFile, Diagnostics> {
         let is_study = {
             let source = read_source(path)?;
             let toml = parse_toml(&source)?;
@@ -34,7 +42,7 @@ impl InputFile {
             says_study(&source)
         };
         if is_study {
-            Study::from_path(path).map(|study| InputFile::Study(Box::new(study)))
+            Study::from_path_with_settings(path, set).map(|study| InputFile::Study(Box::new(study)))
         } else {
             StudyModel::from_source(read_source(path)?).map(InputFile::Model)
         }
@@ -45,6 +53,14 @@ impl InputFile {
         match self {
             InputFile::Model(model) => model,
             InputFile::Study(study) => &study.model,
+        }
+    }
+
+    /// Warnings about likely mistakes in a valid file.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        match self {
+            InputFile::Model(model) => model.warnings(),
+            InputFile::Study(study) => &study.warnings,
         }
     }
 

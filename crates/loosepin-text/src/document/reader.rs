@@ -494,7 +494,7 @@ impl Reader {
                         let problem = DocumentProblem::DecimalComma { entry: entry.path.describe(), written };
                         return self.refuse(&problem, entry.span);
                     }
-                    let error = for_single_value(error, text, Some(dimension), None).for_due(text, dimension);
+                    let error = for_single_value(error, text, Some(dimension), None);
                     let span = self.inside(entry, text, &error.span);
                     return self.refuse(&error.problem, span);
                 }

@@ -118,10 +118,6 @@ impl NumberReader {
                     let is_blamed = due.is_some_and(|due| !is_echo && self.blames_parameter(entry, due));
                     if !is_echo && !is_blamed {
                         let error = for_single_value(error, text, due, Some(&entry.path.dotted()));
-                        let error = match due {
-                            Some(due) => error.for_due(text, due),
-                            None => error,
-                        };
                         let error = error.for_key(text, entry.example());
                         let span = self.reader.inside(entry, text, &error.span);
                         self.reader.report(&error.problem, span);
@@ -150,7 +146,7 @@ impl NumberReader {
             }
             Err(error) if self.parameters.is_echo(&error.problem) => None,
             Err(error) => {
-                let error = for_single_value(error, text, Some(dimension), None).for_due(text, dimension);
+                let error = for_single_value(error, text, Some(dimension), None);
                 let span = self.reader.inside(entry, whole, &(error.span.start + skip..error.span.end + skip));
                 self.reader.refuse(&error.problem, span)
             }

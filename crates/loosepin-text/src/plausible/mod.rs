@@ -1,10 +1,10 @@
 //! Numbers that are allowed and hardly possible: units a thousand times off, bodies that no matter could make. They are warned of. What depends on
 //! the key of a number alone is judged here, for every kind of model; what depends on how numbers belong together is judged where they do.
 
-mod settings;
+mod judged_model;
 mod usual;
 
-pub use settings::warnings_of_settings;
+pub use judged_model::JudgedModel;
 
 use crate::diagnostics::{Code, problems};
 use crate::document::describe_path;
@@ -105,6 +105,11 @@ impl JudgedNumbers<'_> {
     pub fn by_key(&self) -> Vec<Implausible> {
         let judged = self.quantities.iter().map(|(id, quantity)| (&quantity.path, self.judge(id, quantity)));
         judged.filter_map(|(path, problem)| Some((path.clone(), problem?))).collect()
+    }
+
+    /// Whether a number lies in the usual range of its key.
+    pub fn is_usual(&self, id: QuantityId) -> bool {
+        self.judge(id, &self.quantities[id]).is_none()
     }
 
     fn judge(&self, id: QuantityId, quantity: &Quantity) -> Option<ImplausibleNumber> {

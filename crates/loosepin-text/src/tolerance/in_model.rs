@@ -4,14 +4,18 @@ use super::iso_286::class_deviations_m;
 use super::written::{SeparateTolerance, number_and_unit, separate_tolerance};
 use crate::units::{Dimension, ExpressionError, ExpressionProblem, format_number, parse_quantity};
 
-/// Letters that ISO 286 leaves out, since they look like others.
-const NO_LETTERS: [char; 5] = ['i', 'l', 'o', 'q', 'w'];
-/// Grades that a unit with its exponent is not taken for: m3 is a volume.
-const GRADES: std::ops::RangeInclusive<u8> = 4..=18;
+/// Letters of ISO 286, of shafts; those of holes are the same in capitals.
+const LETTERS: [&str; 28] = [
+    "a", "b", "c", "cd", "d", "e", "ef", "f", "fg", "g", "h", "j", "js", "k", "m", "n", "p", "r", "s", "t", "u", "v",
+    "x", "y", "z", "za", "zb", "zc",
+];
+/// Grades that a unit with its exponent is not taken for: m^3 is a volume, m^4 a second moment of area.
+const GRADES: std::ops::RangeInclusive<u8> = 5..=18;
 const MM_PER_M: f64 = 1e3;
 
 /// The error in `text`, where a single value of dimension `due`, if that is known, is to stand: where the text is a nominal value with its
-/// tolerance, the error is [`ExpressionProblem::Tolerance`], and its hint has the line of the study for the quantity `path`.
+/// tolerance, the error is [`ExpressionProblem::Tolerance`], and its hint has the line of the study for the quantity `path`; elsewhere it is as
+/// [`ExpressionError::for_due`] has it.
 #[must_use]
 pub fn for_single_value(
     mut error: ExpressionError,
@@ -19,17 +23,21 @@ pub fn for_single_value(
     due: Option<Dimension>,
     path: Option<&str>,
 ) -> ExpressionError {
+    let of_due = |error: ExpressionError| match due {
+        Some(due) => error.for_due(text, due),
+        None => error,
+    };
     let (written, separate) = match &error.problem {
         ExpressionProblem::Tolerance { written, .. } => (written.clone(), separate_tolerance(text)),
         ExpressionProblem::MixedDimensions { .. } => match separate_tolerance(text) {
             Some(separate) => (separate.deviations.clone(), Some(separate)),
-            None => return error,
+            None => return of_due(error),
         },
         ExpressionProblem::UnknownUnit { symbol, .. } => match limits_of_class(text) {
             Some(separate) if due.is_none_or(|due| due == Dimension::LENGTH) => (symbol.clone(), separate),
-            _ => return error,
+            _ => return of_due(error),
         },
-        _ => return error,
+        _ => return of_due(error),
     };
     let line = |separate: SeparateTolerance| {
         let here = separate.nominal.map_or("the nominal value".to_owned(), |nominal| format!("\"{nominal}\""));
@@ -39,11 +47,13 @@ pub fn for_single_value(
             "a model holds nominal values: write {here} here, and in study.toml under [random] \"{path}\" = {{ tolerance = \"{deviations}\" }}"
         ))
     };
-    error.problem = ExpressionProblem::Tolerance { written, instead: separate.and_then(line) };
+    // A line with another dimension than is due would be refused in the study.
+    let fitting = separate.filter(|separate| due.is_none_or(|due| due == separate.dimension));
+    error.problem = ExpressionProblem::Tolerance { written, instead: fitting.and_then(line) };
     error
 }
 
-/// A size with a tolerance class of ISO 286, such as `30 h9` or `30 mm H7`, told apart with its limits; the inner option is absent where the
+/// A size with a tolerance class of ISO 286, such as `30 h9` or `30 mm H7`, with its limits; the inner option is absent where the
 /// class is not in the tables, the outer where the text is none.
 pub fn limits_of_class(text: &str) -> Option<Option<SeparateTolerance>> {
     let text = text.trim();
@@ -51,12 +61,10 @@ pub fn limits_of_class(text: &str) -> Option<Option<SeparateTolerance>> {
     let start = text[start..].find(|c: char| c.is_ascii_alphabetic())? + start;
     let class = &text[start..];
     let (letters, grade) = class.split_at(class.find(|c: char| c.is_ascii_digit())?);
-    let is_of_one_case =
-        [char::is_ascii_uppercase, char::is_ascii_lowercase].iter().any(|is_case| letters.chars().all(|c| is_case(&c)));
-    let is_class = (1..=2).contains(&letters.len())
-        && is_of_one_case
-        && !letters.chars().any(|c| NO_LETTERS.contains(&c.to_ascii_lowercase()))
-        && grade.parse().is_ok_and(|grade| GRADES.contains(&grade));
+    let is_capital = letters.chars().all(|c| c.is_ascii_uppercase());
+    let is_known =
+        LETTERS.contains(&if is_capital { letters.to_ascii_lowercase() } else { letters.to_owned() }.as_str());
+    let is_class = is_known && grade.parse().is_ok_and(|grade| GRADES.contains(&grade));
     let (number, unit) = number_and_unit(&text[..start]).filter(|_| is_class)?;
     let nominal = format!("{number} {}", if unit.is_empty() { "mm" } else { unit });
     let size = parse_quantity(&nominal).ok().filter(|size| size.dimension == Dimension::LENGTH)?;
@@ -68,7 +76,7 @@ pub fn limits_of_class(text: &str) -> Option<Option<SeparateTolerance>> {
         } else {
             format!("{} {} mm", signed(upper_m), signed(lower_m))
         };
-        SeparateTolerance { nominal: Some(nominal), deviations }
+        SeparateTolerance { nominal: Some(nominal), deviations, dimension: Dimension::LENGTH }
     }))
 }
 
@@ -87,13 +95,15 @@ mod tests {
             ("0.03 m m6", "0.03 m", "+0.021 +0.008 mm"),
             ("20 D10", "20 mm", "+0.149 +0.065 mm"),
         ] {
-            let due = SeparateTolerance { nominal: Some(nominal.to_owned()), deviations: deviations.to_owned() };
+            let (nominal, deviations) = (Some(nominal.to_owned()), deviations.to_owned());
+            let due = SeparateTolerance { nominal, deviations, dimension: Dimension::LENGTH };
             assert_eq!(limits_of_class(text), Some(Some(due)), "{text}");
         }
         assert_eq!(limits_of_class("30 c11"), Some(None), "a class that the tables here do not have");
-        for text in
-            ["30", "h9", "30 mm", "30 m3", "30 kg m2", "30 Hh7", "30 l7", "30 h19", "3 kg h9", "a h9", "30 mm2", "é9"]
-        {
+        for text in [
+            "30", "h9", "30 mm", "30 m3", "30 kg m2", "30 Hh7", "30 l7", "30 h19", "3 kg h9", "a h9", "30 mm2", "é9",
+            "30 m4", "30 cm4", "30 mm4", "30 Js9", "30 mm6",
+        ] {
             assert_eq!(limits_of_class(text), None, "{text}");
         }
     }

@@ -163,8 +163,7 @@ impl Fit {
     /// [`FitError::Size`] outside the tables, [`FitError::NoDeviation`] where the standard has no such hole.
     pub fn limits(&self, diameter_m: f64) -> Result<FitLimits, FitError> {
         let diameter_mm = tabulated_mm(diameter_m)?;
-        let to_m = |limits_um: [f64; 2]| limits_um.map(|limit_um| limit_um / 1e6);
-        Ok(FitLimits { hole_m: to_m(self.hole.hole_um(diameter_mm)?), shaft_m: to_m(self.shaft.shaft_um(diameter_mm)) })
+        Ok(FitLimits { hole_m: self.hole.limits_m(diameter_mm)?, shaft_m: self.shaft.limits_m(diameter_mm)? })
     }
 }
 
@@ -176,8 +175,7 @@ pub fn class_deviations_m(class: &str, nominal_m: f64) -> Result<[f64; 2], FitEr
     let is_hole = class.starts_with(|letter: char| letter.is_ascii_uppercase());
     let class = Class::parse(class, is_hole)?;
     let nominal_mm = tabulated_mm(nominal_m)?;
-    let limits_um = if is_hole { class.hole_um(nominal_mm)? } else { class.shaft_um(nominal_mm) };
-    Ok(limits_um.map(|limit_um| limit_um / 1e6))
+    class.limits_m(nominal_mm)
 }
 
 /// A size of the tables, mm, to a nanometre, so that 18 mm is 18 mm whatever unit it was written in.
@@ -211,6 +209,12 @@ impl Class {
         }
     }
 
+    /// Lower and upper deviation from the nominal size, m.
+    fn limits_m(&self, nominal_mm: f64) -> Result<[f64; 2], FitError> {
+        let limits_um = if self.is_hole { self.hole_um(nominal_mm)? } else { self.shaft_um(nominal_mm) };
+        Ok(limits_um.map(|limit_um| limit_um / 1e6))
+    }
+
     /// As it is written.
     fn written(&self) -> String {
         format!("{}{}", self.letter, self.grade)
@@ -233,7 +237,6 @@ impl Class {
     /// placed so that a hole fits a shaft of the next finer grade as the shaft of that letter fits H: ES = -ei + Δ, Δ = IT_n -
     /// IT_(n-1), for sizes above 3 mm.
     fn hole_um(&self, diameter_mm: f64) -> Result<[f64; 2], FitError> {
-        debug_assert!(self.is_hole);
         let range = range_of(diameter_mm);
         let tolerance = tolerance_um(self.grade, range);
         if self.letter == "JS" {

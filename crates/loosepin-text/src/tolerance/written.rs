@@ -1,6 +1,6 @@
 //! A value with its tolerance, as on a drawing: `50 ± 0.05 mm`, `50 +0.02 -0.01 mm`.
 
-use crate::units::{Measured, parse_quantity};
+use crate::units::{Dimension, Measured, parse_quantity};
 
 /// The limits that a drawing allows, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,12 +15,14 @@ pub struct Tolerance {
 type Piece<'t> = (&'t str, &'t str);
 
 /// A value with its tolerance as a model and a study say it: the model has the nominal value, the study the deviations.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SeparateTolerance {
     /// The nominal value with its unit; `None` where the text begins with the deviations.
     pub nominal: Option<String>,
     /// The deviations as `tolerance` of a random input has them: `± 0.05 mm`, `+0.02 -0.01 mm`.
     pub deviations: String,
+    /// What the deviations measure.
+    pub dimension: Dimension,
 }
 
 /// Reads a value with its tolerance; `None` if the text is none. A part without a unit has that of the last part with one. Where the text
@@ -67,7 +69,7 @@ pub fn separate_tolerance(text: &str) -> Option<SeparateTolerance> {
     } else {
         format!("{} {}", signed(first), signed(second))
     };
-    Some(SeparateTolerance { nominal: nominal.map(with_unit), deviations })
+    Some(SeparateTolerance { nominal: nominal.map(with_unit), deviations, dimension })
 }
 
 /// A deviation, and whether it is to be negated.
@@ -239,7 +241,8 @@ mod tests {
             ("-0.01 -0.03 mm", None, "-0.01 -0.03 mm"),
         ] {
             let nominal = nominal.map(str::to_owned);
-            let due = SeparateTolerance { nominal, deviations: deviations.to_owned() };
+            let dimension = if text.starts_with("0.6") { Dimension::NUMBER } else { Dimension::LENGTH };
+            let due = SeparateTolerance { nominal, deviations: deviations.to_owned(), dimension };
             assert_eq!(separate_tolerance(text), Some(due), "{text}");
             let again = parse_tolerance(&format!("71.3 mm {deviations}"), IN_MODEL);
             assert!(text.starts_with("0.6") || again.is_some(), "a study reads {deviations}");

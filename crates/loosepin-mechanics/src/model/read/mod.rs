@@ -44,6 +44,7 @@ use loosepin_text::document::{Entry, Kind, Table, choice, quantity};
 use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
 use loosepin_text::numbers::EntryProblem;
 use loosepin_text::numbers::UNREAD;
+use loosepin_text::plausible::JudgedModel;
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_text::{choices, record};
 use reader::ModelReader;

@@ -6,6 +6,7 @@ use crate::model::parts::topology::Model;
 use crate::model::values::setting::{Setting, SettingError, measured};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
 use loosepin_text::numbers::{Origin, QuantityError, QuantityId, Values};
+use loosepin_text::plausible::JudgedModel;
 use loosepin_text::units::{Dimension, Rule, format_refused};
 
 /// Settings read from text, and the values of the model that follow from them.
@@ -17,8 +18,16 @@ pub struct SetValues {
     pub settings: Vec<Setting>,
     /// Every value of the model.
     pub values: Values,
+    /// The text of each of these settings.
+    pub texts: Vec<String>,
+}
+
+impl SetValues {
     /// Warnings of numbers that the settings make hardly possible.
-    pub warnings: Vec<Diagnostic>,
+    pub fn warnings(&self) -> Vec<Diagnostic> {
+        let texts = self.settings.iter().zip(&self.texts).map(|(setting, text)| (setting.id, text.as_str()));
+        self.model.implausible_settings(&texts.collect::<Vec<_>>(), &self.values)
+    }
 }
 
 impl Model {
@@ -69,9 +78,8 @@ impl Model {
         let set: Vec<(QuantityId, f64)> = settings.iter().map(|(setting, _)| (setting.id, setting.value_si)).collect();
         match self.quantities.evaluate(&set) {
             Ok(values) => {
-                let warnings = model.implausible_settings(&settings, &values);
-                let settings = settings.into_iter().map(|(setting, _)| setting).collect();
-                Ok(SetValues { model, settings, values, warnings })
+                let (settings, texts) = settings.into_iter().map(|(setting, text)| (setting, text.to_owned())).unzip();
+                Ok(SetValues { model, settings, values, texts })
             }
             Err(error) => Err(self.diagnostic_of_set(&error, &settings).into()),
         }

@@ -202,7 +202,7 @@ pub(in crate::model) fn measured(
         Diagnostic::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
     };
     let measured = parse_quantity(text).map_err(|error| {
-        let error = for_single_value(error, text, Some(due), path).for_due(text, due);
+        let error = for_single_value(error, text, Some(due), path);
         report(error.problem.into(), error.span)
     })?;
     let (path, found) = (name.to_owned(), measured.dimension);
