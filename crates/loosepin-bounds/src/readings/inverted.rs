@@ -6,8 +6,8 @@
 //! ```
 //!
 //! The models of a probability search its index or the margin to the limit, a distance in standard deviations of the response. Where the
-//! response hardly scatters at some u, as where play alone reaches every deviation, these have a spike, and a model of a spike concedes
-//! anything. A quantile has the unit of the response, and no spike there. Its bound includes all errors of its own: sampling, the search over
+//! response hardly scatters at some u, as where play alone reaches every deviation, these have a spike, and a model of a spike excludes
+//! nothing. A quantile has the unit of the response, and no spike there. Its bound includes all errors of its own: sampling, the search over
 //! u, failed runs. So the least p for which the bound of the quantile keeps the limit is a bound of the probability.
 
 use super::experiment::{Experiment, Focal};
@@ -27,7 +27,7 @@ const LARGE_ERROR: f64 = 1e-3;
 const HALVINGS: usize = 12;
 const LEAST_PROBABILITY: f64 = 1e-6;
 
-/// Of the probability at which nothing is conceded to the search: its quantile ends at an order statistic, which round-off would miss.
+/// Of the probability at which nothing is added for the search: its quantile ends at an order statistic, which round-off would miss.
 const ROUND_OFF: f64 = 1e-9;
 
 /// What is searched: the extreme of the probability of an event of these samples over a part of the box.
@@ -70,7 +70,7 @@ impl Experiment<'_> {
         }
         // Magnitudes are not smooth: both sides have their quantiles by polynomials, and their probabilities add.
         let sides = [Event::Above(limit), Event::Below(-limit)];
-        let side = |event| self.shown_of_one(&Sought { event, ..*sought }, [sought.direction.of(1.0, 0.0), ends[1]]);
+        let side = |event| self.shown_of_one(&Sought { event, ..*sought }, ends_of_side(sought.direction, ends[1]));
         sides.into_iter().map(side).sum::<f64>().clamp(0.0, 1.0)
     }
 
@@ -107,5 +107,28 @@ impl Experiment<'_> {
         let quantile = self.bound(&Modelled::new(&search, &measure, samples), end, focal).widened;
         // Where the whole of it lies on one side of the limit, the event holds there or it does not.
         quantile.is_finite() && event.holds(quantile) == (direction == Direction::Minimum)
+    }
+}
+
+/// Where the probability of one side is looked for, if that of both together lies within `of_both`: it is at most as large as both, and may
+/// be 0 however large the other side is.
+fn ends_of_side(direction: Direction, of_both: f64) -> [f64; 2] {
+    direction.of([1.0, 0.0], [0.0, of_both])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ends_of_side;
+    use crate::data::direction::Direction;
+
+    /// Both sides of |Y| > L with Y ~ N(0, 1) and P = 0.5: where nothing is shown of either, the sum of their ends must not pass what was known
+    /// of both.
+    #[test]
+    fn analytic_two_sides_of_which_nothing_is_shown_say_no_more_than_both_together() {
+        let known = 0.29;
+        let [_, least] = ends_of_side(Direction::Minimum, known);
+        assert!(least + least <= known, "each side may be 0: {least}");
+        let [_, most] = ends_of_side(Direction::Maximum, known);
+        assert!(most + most >= known && most >= known, "each side may be all of it: {most}");
     }
 }

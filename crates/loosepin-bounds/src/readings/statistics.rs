@@ -14,7 +14,7 @@ use crate::measures::of_statistic::{estimator, work_out};
 use crate::search::models::of_points::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
-/// More probabilities than this, as those at every pose of several curves, have their own models alone: quantiles take up to 26 more of each.
+/// More probabilities than this, as those at every pose of several curves, have their own models alone: quantiles take up to 26 more of each side of a limit.
 const MOST_NARROWED: usize = 128;
 
 impl Experiment<'_> {

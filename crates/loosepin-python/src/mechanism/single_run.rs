@@ -41,7 +41,7 @@ pub fn simulate(
         (None, Err(diagnostics)) => Err(raise(diagnostics)),
         (None, Ok((simulation, failure))) => {
             let coarse = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None));
-            let warnings = set.warnings.iter().cloned().chain(coarse).collect();
+            let warnings = set.warnings().into_iter().chain(coarse).collect();
             Ok(Simulation::new(simulation, failure, warnings))
         }
     }

@@ -102,7 +102,7 @@ impl Sweep {
         counts.tell(py, progress)?;
         record.repeat = request.repeat(model);
         let coarse = coarse.iter().map(|warning| diagnostics::Diagnostic::warning(warning, None));
-        let warnings = set.warnings.iter().cloned().chain(coarse);
+        let warnings = set.warnings().into_iter().chain(coarse);
         Ok((Self(record), warnings.map(|warning| Diagnostic::new(&warning)).collect()))
     }
 }
