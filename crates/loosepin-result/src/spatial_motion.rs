@@ -5,6 +5,7 @@ use crate::repeat::Repeat;
 use crate::spatial_picture::SpatialPicture;
 use loosepin_text::units::SiUnit;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 
 /// What is said of a motion that begins elsewhere than the file places its bodies.
 pub const OTHER_START: &str = "the joints do not close from where bodies are placed at the start; of the positions found near there, this is the \
@@ -53,6 +54,19 @@ impl SpatialMotionRecord {
         let alike = self.outputs.iter().filter(|output| output.unit == first.unit);
         // The first of several alike.
         alike.rev().max_by(|a, b| a.worst_case_si().total_cmp(&b.worst_case_si()))
+    }
+
+    /// The poses at which an output is asked about, those of requirements first.
+    pub fn asked_of<'r>(&'r self, output: &'r str) -> impl Iterator<Item = &'r PoseEffect> {
+        self.asked.iter().filter(move |asked| asked.output == output)
+    }
+
+    /// The angle of the drive at a position; of a cycle over time its phase, a whole turn over all of it.
+    pub fn phase_rad(&self, position: usize) -> f64 {
+        match self.drive_speed_rad_s {
+            Some(_) => self.inputs_si.get(position).copied().unwrap_or(f64::NAN),
+            None => TAU * position as f64 / (self.inputs_si.len().max(2) - 1) as f64,
+        }
     }
 }
 

@@ -8,6 +8,9 @@ use loosepin_result::motion::{MotionRecord, PoseEffect};
 use loosepin_text::units::SiUnit;
 use std::f64::consts::TAU;
 
+/// Angles that are nearer to each other are one place, rad: both are computed from the same input.
+const SAME_ANGLE_RAD: f64 = 1e-9;
+
 /// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
 pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
     writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
@@ -53,9 +56,19 @@ fn asking(asked: &PoseEffect) -> &'static str {
     if asked.is_required { "requirement" } else { "question" }
 }
 
-/// Words behind a place of the cycle of an output: that it is another one than what a study asks about.
-pub(crate) fn not_the_asked_one(asked: Option<&PoseEffect>) -> String {
-    asked.map_or_else(String::new, |asked| format!(" in the cycle; the {} is at another place", asking(asked)))
+/// Words behind the place of the cycle where a number of an output is largest, beside the poses that a study asks about: that it is another one,
+/// where it is none of them.
+pub(crate) fn not_the_asked_one<'r>(asked: impl Iterator<Item = &'r PoseEffect>, angle_rad: f64) -> String {
+    let asked: Vec<&PoseEffect> = asked.collect();
+    let is_there = |own: &&PoseEffect| {
+        let apart_rad = (own.pose_rad - angle_rad).rem_euclid(TAU);
+        apart_rad.min(TAU - apart_rad) < SAME_ANGLE_RAD
+    };
+    match asked.first() {
+        None => String::new(),
+        Some(_) if asked.iter().any(is_there) => " in the cycle".to_owned(),
+        Some(first) => format!(" in the cycle; the {} is at another place", asking(first)),
+    }
 }
 
 /// A chart over the angle of the drive.

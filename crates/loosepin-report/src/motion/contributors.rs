@@ -64,7 +64,7 @@ fn groups_of(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter
     let (heading, on_terminal) = match record.asked.is_empty() {
         true => (format!("{name}, at {at}"), String::new()),
         false => {
-            let others = not_the_asked_one(record.asked_of(&output.name).next());
+            let others = not_the_asked_one(record.asked_of(&output.name), angle_rad);
             let heading = format!("{name}, at {at}, where it is largest{others}");
             (heading.clone(), heading)
         }

@@ -70,7 +70,7 @@ fn groups(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -
         total_si,
         parts: output.dimensional_contributors.iter().map(|one| (at_pose(one), one.path.as_str())).collect(),
     };
-    let others = not_the_asked_one(record.asked_of(&output.name).next());
+    let others = not_the_asked_one(record.asked_of(&output.name), angle_rad);
     let heading = format!("{name}, at {}, where it is largest{others}", at(3));
     // One table on a terminal, unless there are places to tell apart.
     let on_terminal = if record.asked.is_empty() { "" } else { &heading };

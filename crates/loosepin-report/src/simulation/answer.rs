@@ -9,7 +9,6 @@ use crate::words::wording::{capitalised, count, counted, listed, without_round_o
 use loosepin_result::simulation::{
     ControlHistory, ExtremePoint, OscillationTrend, QuasiStaticShare, SimulationRecord, SimulationSettings,
 };
-use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
 
 use super::bending::bending_sentences;
@@ -19,7 +18,7 @@ use super::life::life_sentence;
 /// All sentences of the answer.
 pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences = Vec::new();
-    let deviation = record.extremes.iter().find(|extreme| extreme.of != Deviation::Value);
+    let deviation = record.extremes.iter().find(|extreme| !extreme.of.is_value());
     let play: Vec<String> = record
         .joints
         .iter()

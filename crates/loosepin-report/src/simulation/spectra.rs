@@ -9,7 +9,6 @@ use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{head, listed, named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
-use loosepin_result::study::Deviation;
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
@@ -45,8 +44,7 @@ fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
     let mut found = Vec::new();
     for output in &record.outputs {
         let Some(spectrum) = record.spectrum(&output.value_si) else { continue };
-        let extreme =
-            record.extremes.iter().find(|extreme| extreme.name == output.name && extreme.of == Deviation::Value);
+        let extreme = record.extremes.iter().find(|extreme| extreme.name == output.name && extreme.of.is_value());
         let peak_si = extreme.map_or(spectrum.peak_si, |extreme| {
             f64::max(extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs())
         });

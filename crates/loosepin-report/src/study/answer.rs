@@ -161,7 +161,7 @@ fn scatter_sentence(
     of_several: bool,
     writer: &NumberWriter,
 ) -> Option<String> {
-    if curve.of == Deviation::Value {
+    if curve.of.is_value() {
         return None;
     }
     let [random_ends, mixed_ends] =

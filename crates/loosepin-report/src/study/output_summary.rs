@@ -57,7 +57,7 @@ fn severity(verdict: Verdict) -> u8 {
 fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> {
     let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
     let largest = || {
-        let of_deviation = bounds().filter(|bound| bound.of != Deviation::Value);
+        let of_deviation = bounds().filter(|bound| !bound.of.is_value());
         of_deviation.filter_map(|bound| Some(OutputSummary::Largest(bound, probability_of_largest(bound)?)))
     };
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
@@ -194,7 +194,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
     let range = if is_distance {
         format!("within {}", reach(&writer.with_tag(&of_reach)))
-    } else if is_even && curve.of != Deviation::Value {
+    } else if is_even && !curve.of.is_value() {
         format!("within ±{}", reach(&writer.with_tag(&of_reach)))
     } else {
         between(lowest, highest, &curve.unit, &writer.with_tag(&mixed))

@@ -9,7 +9,7 @@ use crate::words::wording::{
     capitalised, deviation_of, deviation_words, listed, output_unit, output_words, path_part, place_words,
     statistic_words,
 };
-use loosepin_result::study::{BoundRecord, Deviation, Guarantee, ResponsePoint, StudyResult};
+use loosepin_result::study::{BoundRecord, Guarantee, ResponsePoint, StudyResult};
 use loosepin_text::units::SiUnit;
 
 /// The share of mechanisms whose band is told where several can be made of the quantiles.
@@ -83,8 +83,8 @@ impl<'r> Told<'r> {
         let is_named = is_pose && path_part(&first.output, &result.outputs).is_none();
         // One quantile alone is no range that has a side.
         let has_range = self.mean.is_some() || self.low.is_some() && self.high.is_some();
-        let is_beside_ideal = is_named && has_range && first.of != Deviation::Value;
-        let what = if is_beside_ideal || is_named && first.of == Deviation::Value {
+        let is_beside_ideal = is_named && has_range && !first.of.is_value();
+        let what = if is_beside_ideal || is_named && first.of.is_value() {
             subject(result, &first.output, first.of).name
         } else {
             deviation_of(&first.output, first.of, &result.outputs)
@@ -162,7 +162,7 @@ impl Range<'_> {
     }
 
     fn share(&self, share: f64) -> String {
-        self.writer.with_tag(&Tag::Given("probability")).percent(share, Rounding::Nearest)
+        self.writer.with_tag(&Tag::Given("probability")).percent(share, Rounding::Down)
     }
 
     fn lower(&self, bound: &BoundRecord) -> String {

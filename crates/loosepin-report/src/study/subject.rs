@@ -12,11 +12,6 @@ pub(super) struct Subject {
 }
 
 pub(super) fn subject(result: &StudyResult, output: &str, of: Deviation) -> Subject {
-    let due_to = match of {
-        Deviation::Dimensional => " as far as part scatter goes,",
-        Deviation::Clearance => " as far as play goes,",
-        Deviation::Value | Deviation::Total => "",
-    };
     let part = path_part(output, &result.outputs);
     let name = part.map_or_else(|| output_words(output, &result.outputs), |(point, _)| point.to_owned());
     let from = match part.map(|(_, part)| part) {
@@ -26,6 +21,6 @@ pub(super) fn subject(result: &StudyResult, output: &str, of: Deviation) -> Subj
         Some(PathError::Normal) => "of its ideal path, across it,",
         Some(PathError::Contour) => "of its ideal path, whatever the timing,",
     };
-    let name = if due_to.is_empty() { name } else { format!("{name},{due_to}") };
+    let name = of.cause().map_or_else(|| name.clone(), |cause| format!("{name}, as far as {cause} goes,"));
     Subject { name, from, is_distance: matches!(part, Some((_, PathError::Magnitude))) }
 }

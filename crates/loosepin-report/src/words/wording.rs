@@ -13,19 +13,12 @@ use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
 
 pub(crate) fn deviation_words(of: Deviation) -> String {
-    match of {
-        Deviation::Value => "value".to_owned(),
-        of => format!("deviation{}", due_to_words(of)),
-    }
+    if of.is_value() { "value".to_owned() } else { format!("deviation{}", due_to_words(of)) }
 }
 
 /// The cause of a deviation, behind the word for it; empty where all of it is meant.
-fn due_to_words(of: Deviation) -> &'static str {
-    match of {
-        Deviation::Value | Deviation::Total => "",
-        Deviation::Dimensional => " due to part scatter",
-        Deviation::Clearance => " due to play",
-    }
+fn due_to_words(of: Deviation) -> String {
+    of.cause().map_or_else(String::new, |cause| format!(" due to {cause}"))
 }
 
 pub(crate) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {

@@ -26,4 +26,23 @@ impl Deviation {
             Deviation::Clearance => "clearance",
         }
     }
+
+    /// Whether it is the output itself, and no deviation.
+    pub const fn is_value(self) -> bool {
+        matches!(self, Deviation::Value)
+    }
+
+    /// Whether it counts from the ideal motion with the dimensions of the drawing, not from that of the same mechanism without clearance.
+    pub const fn is_from_drawing(self) -> bool {
+        matches!(self, Deviation::Total | Deviation::Dimensional)
+    }
+
+    /// What makes it, in words; `None` where all of it is meant.
+    pub const fn cause(self) -> Option<&'static str> {
+        match self {
+            Deviation::Value | Deviation::Total => None,
+            Deviation::Dimensional => Some("part scatter"),
+            Deviation::Clearance => Some("play"),
+        }
+    }
 }

@@ -278,7 +278,7 @@ impl Asked<'_, '_> {
                     };
                     let own = Ends::new(balls.clone(), self.dimensions.len(), true, reference);
                     let [low, high] = own.of(&positions, &[(reading, 1.0)]);
-                    let from = if question.of == Deviation::Value { self.value(question.reading, state) } else { 0.0 };
+                    let from = if question.of.is_value() { self.value(question.reading, state) } else { 0.0 };
                     ends[*place].ends_si[row] = [from + low, from + high];
                 }
             }
@@ -403,7 +403,7 @@ impl Asked<'_, '_> {
             });
             if sign * (across - own) > 0.0 { across } else { own }
         };
-        let from = if question.of == Deviation::Value { nominal } else { 0.0 };
+        let from = if question.of.is_value() { nominal } else { 0.0 };
         Some(from + by_parts + by_play)
     }
 }

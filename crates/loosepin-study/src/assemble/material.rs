@@ -1,7 +1,7 @@
 //! Inputs of a result, and its bounds as they are shown.
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
-use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
+use crate::file::{EpistemicInput, Reduction, Sampling, Study};
 use crate::question::Rare;
 use crate::response::columns::{ColumnPlan, Location, StudyColumn};
 use crate::response::outputs::OutputSource;
@@ -257,7 +257,7 @@ impl Material<'_> {
         let is_magnitude = match seen {
             OutputSource::Path(_, PathError::Magnitude) | OutputSource::Wear(..) => true,
             // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
-            OutputSource::Reading(reading) => reading.is_never_negative() && column.deviation == Deviation::Value,
+            OutputSource::Reading(reading) => reading.is_never_negative() && column.deviation.is_value(),
             OutputSource::InSpace(own) => own.part.is_length(),
             OutputSource::Path(..) => false,
         };

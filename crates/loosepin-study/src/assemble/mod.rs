@@ -24,7 +24,7 @@ pub(super) use drawing::pictures;
 pub(super) use material::Material;
 pub(super) use requirements::requirements;
 pub(super) use summary::SETTLED;
-pub(super) use treatments::learned_treatments;
+pub(super) use treatments::{learned_treatments, treatments_by_surrogates_alone};
 pub(super) use witness_commands::witness_commands;
 
 use super::question::Found;

@@ -27,13 +27,32 @@ fn with_proven_ends(
     records
 }
 
-/// The three treatments by surrogates, in the order of the compared columns.
+/// The three treatments by surrogates that stand alone, with what is proven without dynamics.
+pub fn treatments_by_surrogates_alone(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> Vec<TreatmentComparison> {
+    let (records, columns): (Vec<_>, Vec<usize>) = learned(material, plan, found).unzip();
+    with_proven_ends(material, records, &columns)
+}
+
+/// The three treatments by surrogates beside those of direct runs.
 pub fn learned_treatments(
     material: &Material<'_>,
     plan: &SurrogatePlan,
     found: &SurrogateBounds,
 ) -> Vec<TreatmentComparison> {
-    let of_column = |column: &usize| {
+    learned(material, plan, found).map(|(record, _)| record).collect()
+}
+
+/// Each treatment with its column, in the order of the compared columns.
+fn learned(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> impl Iterator<Item = (TreatmentComparison, usize)> {
+    let of_column = move |column: &usize| {
         let mut groups = found.groups.iter().filter_map(|group| group.treatments.as_ref());
         let (points, learned) = groups.find_map(|of| {
             let own = of.comparisons.iter().find(|learned| learned.comparison.column == *column)?;
@@ -47,8 +66,7 @@ pub fn learned_treatments(
         }
         Some((record, *column))
     };
-    let (records, columns): (Vec<_>, Vec<usize>) = plan.problem().compared_columns.iter().filter_map(of_column).unzip();
-    with_proven_ends(material, records, &columns)
+    plan.problem().compared_columns.iter().filter_map(of_column)
 }
 
 fn treatment_record(

@@ -8,7 +8,6 @@ use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{ImpactRecord, JointSummary};
-use loosepin_result::study::Deviation;
 use loosepin_simulate::{Observer, Plan, Settings, Simulation, Step, Window, input, run, simulate};
 use loosepin_text::diagnostics::{Diagnostics, Place};
 
@@ -198,9 +197,7 @@ impl<'c> Runs<'c> {
             let history = record.outputs.iter().find(|output| output.name == name);
             return Ok(history.and_then(|history| history.value_si.last()).copied().unwrap_or(f64::NAN));
         };
-        let Some(extreme) =
-            record.extremes.iter().find(|extreme| extreme.name == name && extreme.of == Deviation::Value)
-        else {
+        let Some(extreme) = record.extremes.iter().find(|extreme| extreme.name == name && extreme.of.is_value()) else {
             return Ok(f64::NAN);
         };
         Ok(match reduce {

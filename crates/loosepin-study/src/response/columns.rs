@@ -119,7 +119,7 @@ impl ColumnPlan {
         for k in 0..plan.asks.len() {
             let Ask { output, deviation, ref location, .. } = plan.asks[k];
             let is_at_poses = !matches!(location, Where::Reduced(_));
-            if is_at_poses && deviation != Deviation::Value {
+            if is_at_poses && !deviation.is_value() {
                 let columns = plan.add(output, deviation, &whole);
                 plan.largest.extend(columns);
             }

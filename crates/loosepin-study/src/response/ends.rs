@@ -4,7 +4,7 @@ use crate::file::Reduction;
 
 /// The ends between which play lets a number be.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Ends {
+pub(crate) struct Ends {
     /// The smallest value.
     pub lower: f64,
     /// The largest value.
@@ -28,7 +28,7 @@ impl Ends {
 }
 
 /// A number of the curve, each position anywhere between its ends; with the weight of each position in means.
-pub(super) fn reduced(reduction: Reduction, all: impl Iterator<Item = (Ends, f64)> + Clone) -> Ends {
+pub(crate) fn reduced(reduction: Reduction, all: impl Iterator<Item = (Ends, f64)> + Clone) -> Ends {
     let (no_less, no_more) = (f64::NEG_INFINITY, f64::INFINITY);
     let highest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_less, f64::max);
     let lowest = |of: fn(Ends) -> f64| all.clone().map(|(ends, _)| of(ends)).fold(no_more, f64::min);

@@ -2,7 +2,7 @@
 //! It knows no questions and no bounds.
 
 pub(crate) mod columns;
-mod ends;
+pub(crate) mod ends;
 pub(crate) mod extras;
 pub(crate) mod further_outputs;
 pub(crate) mod ideal_tables;

@@ -113,9 +113,7 @@ impl Shared {
                     (Some(reading), Location::Reduced(reduction)) => {
                         Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
                     }
-                    (None, Location::Reduced(reduction))
-                        if of == Deviation::Value && is_integrated && reading.is_on_lanes() =>
-                    {
+                    (None, Location::Reduced(reduction)) if of.is_value() && is_integrated && reading.is_on_lanes() => {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }
                     (None, _) => None,

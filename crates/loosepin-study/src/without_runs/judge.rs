@@ -72,16 +72,16 @@ struct WithinLimits {
     reason: Option<String>,
 }
 
-/// Proven ends of deviations of positions over the turn of `study` in `positions` steps, its inputs within their limits; each at every angle of
-/// the drive. `None` where nothing is proven.
+/// Proven ends of deviations of positions over the turn of `study` in `positions` steps, its inputs within their limits, counted from the
+/// mechanism of `values`; each at every angle of the drive. `None` where nothing is proven.
 pub(super) fn proven_over_turn(
     study: &Study,
+    values: &Values,
     positions: usize,
     questions: &[DeviationQuestion],
 ) -> Option<Vec<DeviationEnds>> {
-    let set_values = study.model.planar()?.set_values(&[]).ok()?;
     let stop = &AtomicBool::new(false);
-    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
+    let judge = Judge { study, model: study.model.planar()?, values, positions, stop };
     let WithinLimits { ends, reason, .. } = judge.within_limits(&study.input_limits(), questions).ok()?;
     reason.is_none().then_some(ends.of_questions)
 }
@@ -170,8 +170,8 @@ impl Judge<'_> {
                     Some(position) => Asked::One(place(position, of)),
                     None => NO_POSITION,
                 },
-                OutputSource::Path(coordinates, error) if of != Deviation::Value || error != PathError::Along => {
-                    let of = if of == Deviation::Value { Deviation::Total } else { of };
+                OutputSource::Path(coordinates, error) if !of.is_value() || error != PathError::Along => {
+                    let of = if of.is_value() { Deviation::Total } else { of };
                     match coordinates.map(|reading| reading.position()) {
                         [Some(x), Some(y)] => Asked::Path([place(x, of), place(y, of)]),
                         _ => NO_POSITION,
@@ -217,7 +217,7 @@ impl Judge<'_> {
                 let far = x.proven_si.iter().zip(&y.proven_si).map(|(x, y)| largest(x).hypot(largest(y)));
                 let rows: Vec<[f64; 2]> = far.map(|far| [-far, far]).collect();
                 proven_si = over(&x.drive_angle_rad, &rows, pose_rad);
-                reason = reason.or_else(|| why_unproven(x, pose_rad));
+                reason = reason.or_else(|| [x, y].into_iter().find_map(|own| why_unproven(own, pose_rad)));
             }
             Asked::No(words) => reason = Some((*words).to_owned()),
         }

@@ -80,6 +80,23 @@ fn proven_mm(result: &StudyResult, output: &str, is_there: impl Fn(ResponsePoint
     own.proven_without_dynamics_si.map(|ends| ends.map(|end| 1e3 * end))
 }
 
+/// Runs count from the middle of what is unknown, here a rod of 120.2 mm, whatever the model says.
+#[test]
+fn analytic_a_proof_counts_from_where_the_runs_do() {
+    let text = STUDY.replace(
+        "\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n[epistemic]\n",
+        "[epistemic]\n\"parameter.rod_length\" = { interval = [\"119.9 mm\", \"120.5 mm\"] }\n",
+    );
+    let result = run(&study(&text)).result;
+    let at_pose = proven_mm(&result, "slider", |at| matches!(at, ResponsePoint::Pose { .. })).expect("a proof");
+    let x = |crank: f64, rod: f64| (rod * rod - crank * crank).sqrt();
+    let down = x(CRANK, 120.2) - x(CRANK + CRANK_OFF, 119.9 - PLAY);
+    let up = x(CRANK - CRANK_OFF, 120.5 + PLAY) - x(CRANK, 120.2);
+    for (proven, due) in [(-at_pose[0], down), (at_pose[1], up)] {
+        assert!(due <= proven && proven <= due + HALF_A_STEP_MM, "{proven} {due}");
+    }
+}
+
 #[test]
 fn analytic_treatments_are_held_against_what_motion_proves() {
     let result = run(&study(STUDY)).result;

@@ -50,6 +50,9 @@ fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
     assert!((bound.lower.value_si - exact_m[0]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
     assert!((bound.upper.value_si - exact_m[1]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
     assert!(bound.lower.widened_si <= exact_m[0] + 1e-12 && bound.upper.widened_si >= exact_m[1] - 1e-12, "{bound:?}");
+    // What is proven without dynamics counts from another mechanism than the drawing: it is not said beside these bands.
+    assert!(!result.treatments.is_empty());
+    assert!(result.treatments.iter().all(|own| own.proven_without_dynamics_si.is_none()), "{:?}", result.treatments);
 }
 
 /// A fit is stated for the drawing: that of warm parts follows from it.

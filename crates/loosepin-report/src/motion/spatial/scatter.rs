@@ -48,8 +48,7 @@ fn groups_of(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium:
         Medium::Terminal => NumberWriter::for_terminal(&units),
     };
     let name = named_words(&output.name, &output.words);
-    let asked = || record.asked.iter().filter(|asked| asked.output == output.name);
-    let of_asked = asked().map(|asked| {
+    let of_asked = record.asked_of(&output.name).map(|asked| {
         let parts = asked.dimensions.iter().map(|own| (own.value_si, own.name.as_str())).collect();
         let all = (asked.standard_deviation_si, parts);
         let heading = format!("{name}, {}", asked_place(asked, &writer));
@@ -58,7 +57,7 @@ fn groups_of(record: &SpatialMotionRecord, output: &SpatialOutputRecord, medium:
     let at_position = |own: &DimensionContributor| own.standard_deviation_si.get(position).copied().unwrap_or_default();
     let parts = output.scatter.contributors.iter().map(|own| (at_position(own), own.path.as_str())).collect();
     let at = shown_input(record, position, medium);
-    let others = not_the_asked_one(asked().next());
+    let others = not_the_asked_one(record.asked_of(&output.name), record.phase_rad(position));
     let heading = format!("{name}, at {at}, where it is largest{others}");
     // One table on a terminal, unless there are places to tell apart.
     let on_terminal = if record.asked.is_empty() { "" } else { &heading };

@@ -68,7 +68,7 @@ impl StudyReader {
     pub(crate) fn deviation(&mut self, entry: Option<&Entry<'_>>, output: Option<usize>) -> Option<Deviation> {
         let entry = entry?;
         let deviation = self.reader.choice(entry, &DEVIATIONS)?;
-        if deviation == Deviation::Value
+        if deviation.is_value()
             && let Some(StudyOutput { seen, component: Some(component), .. }) =
                 output.map(|output| &self.outputs[output])
             && seen.is_error_of_path()
@@ -76,7 +76,7 @@ impl StudyReader {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
             return self.refused(&problem, entry.span);
         }
-        if deviation != Deviation::Value && self.is_wear(output) {
+        if !deviation.is_value() && self.is_wear(output) {
             let problem = StudyProblem::WearOfDeviation { entry: entry.path.describe() };
             return self.refused(&problem, entry.span);
         }

@@ -14,7 +14,7 @@ pub(crate) use steps::SurrogateSteps;
 use super::found::{Found, StudyRun};
 use super::kind::{Planned, Question, QuestionContext};
 use super::steps::take_steps;
-use crate::assemble::{Material, learned_treatments};
+use crate::assemble::{Material, treatments_by_surrogates_alone};
 use crate::error::StudyError;
 use crate::runs::all_runs::Runs;
 use loosepin_bounds::SurrogatePlan;
@@ -54,7 +54,7 @@ impl Question for SurrogateQuestion {
         run.surrogates = Some(record::saved_surrogates(material, &run.result.input_hash, plan, bounds));
         run.result.surrogate = Some(record::surrogate_record(material, plan, bounds));
         if self.is_alone {
-            run.result.treatments = learned_treatments(material, plan, bounds);
+            run.result.treatments = treatments_by_surrogates_alone(material, plan, bounds);
         }
         Ok(())
     }

@@ -110,6 +110,16 @@ fn motion_says_the_shares_of_the_requirement_first_and_that_others_are_elsewhere
     assert!(place("at 0°, where the requirement is") < place("where it is largest in the cycle"));
 }
 
+#[test]
+fn motion_says_of_no_other_place_where_the_scatter_is_largest_at_the_required_one() {
+    let text = line(&motion_text(&moved(&at_poses("\"195 deg\""))));
+    let scatter = &text[text.find("share of variance").expect("the table")..];
+    let text = &text[text.find("ram (y of ram.pin), at 195°, where the requirement is").expect("its heading")..];
+    assert!(text.contains("ram (y of ram.pin), at 195°, where it is largest in the cycle"), "{text}");
+    assert!(!text.contains("at 195°, where it is largest in the cycle; the requirement"), "{text}");
+    assert!(scatter.contains("parameter.upper"), "{scatter}");
+}
+
 fn at_pose(result: &StudyResult, pose_deg: f64) -> &Contributors {
     let is_there = |own: &&Contributors| matches!(own.at, ResponsePoint::Pose { pose_rad } if (pose_rad.to_degrees() - pose_deg).abs() < 1e-9);
     result.contributors.iter().find(is_there).unwrap_or_else(|| panic!("{pose_deg}: {:?}", result.contributors))
