@@ -3,13 +3,12 @@
 use loosepin_result::spatial_motion::OTHER_START;
 use loosepin_space::{
     ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position,
-    RedundantDirection, SpatialMechanism, SpatialModel, assemble, mobility,
+    RedundantDirection, SpatialMechanism, SpatialModel, assemble, mobility, stop_after,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::{QuantityId, Values};
 use loosepin_text::units::{Dimension, counted, counted_or_no, format_number, format_value, listed};
-use std::cell::Cell;
 
 /// Singular values below this share of the largest are reported as nearly redundant.
 const NEARLY_REDUNDANT: f64 = 1e-6;
@@ -25,15 +24,16 @@ const MAX_WORK: f64 = 1e6;
 pub fn check_space(model: &SpatialModel, is_stopped: IsStopped) -> Result<Article, Diagnostics> {
     let values = model.quantities.nominal();
     let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
-    let (steps, most) = (Cell::new(0_u64), (MAX_WORK / (6.0 * model.bodies.len() as f64)) as u64);
-    let is_enough = || {
-        steps.set(steps.get() + 1);
-        steps.get() > most || is_stopped()
-    };
+    let is_enough = stop_after((MAX_WORK / (6.0 * model.bodies.len() as f64)) as u64, is_stopped);
     let (start, closing) = if model.cycle.is_some() {
         let positions = match model.first_positions(&mechanism, &values, &is_enough) {
             Ok(positions) => positions,
-            Err(not_closed) => return fitted(model, &values, &is_enough).ok_or(not_closed),
+            Err(_) if is_stopped() => return Err(model.not_closed(&ClosureError::Stopped)),
+            Err(not_closed) => {
+                let fitted = fitted(model, &values, &is_enough);
+                let why = if is_stopped() { model.not_closed(&ClosureError::Stopped) } else { not_closed };
+                return fitted.ok_or(why);
+            }
         };
         if is_stopped() {
             return Err(model.not_closed(&ClosureError::Stopped));
@@ -43,6 +43,9 @@ pub fn check_space(model: &SpatialModel, is_stopped: IsStopped) -> Result<Articl
             positions.into_iter().next(),
             match model.drives.is_empty() {
                 true => "The loops close at the start; nothing is driven.".to_owned(),
+                false if count == 0 => {
+                    "To find where the loops close takes longer than a check; `loosepin motion` does it.".to_owned()
+                }
                 false if count < all => format!(
                     "The loops close at the first {count} of {all} positions of the cycle; to follow the others takes longer than a check, \
                      `loosepin motion` does it."

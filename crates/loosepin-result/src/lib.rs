@@ -12,6 +12,7 @@ pub mod motion_identification;
 mod play_bounds;
 pub mod point_path;
 pub mod repeat;
+pub mod round_off;
 pub mod simulation;
 pub mod spatial_motion;
 pub mod spatial_picture;

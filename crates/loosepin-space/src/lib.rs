@@ -89,4 +89,4 @@ pub use play::block::{Block, PlayPart};
 pub use play::kind_of_play::KindOfPlay;
 pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};
 pub use sampling::{PartOfOutput, PlaySide, SampledPart, SamplingError, TurnSample, TurnSampler};
-pub use stop::IsStopped;
+pub use stop::{IsStopped, stop_after};

@@ -21,7 +21,7 @@ const DEAD_POINT_RATIO: f64 = 1e3;
 
 /// The positions of one turn of a drive.
 pub struct Cycle<'a> {
-    /// States at the sampled positions, in the order of time.
+    /// States at the sampled positions, in the order of the drive's angle, which is not that of time where the drive runs backwards.
     pub states: Vec<IdealMotion<'a>>,
     /// Singular positions by time.
     singular: Vec<SingularTime>,
@@ -67,6 +67,9 @@ impl<'a> Cycle<'a> {
             states.splice(0..0, backward.into_iter().rev());
         }
         walk.note_nearly_singular(&states, turn_s / positions as f64);
+        if input.speed_rad_s < 0.0 {
+            states.reverse();
+        }
         let mut singular = walk.singular;
         singular.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
         Self { states, singular }
@@ -82,9 +85,7 @@ impl<'a> Cycle<'a> {
         found.sort_by(|a, b| a.drive_angle_rad.total_cmp(&b.drive_angle_rad));
         found
     }
-}
 
-impl Cycle<'_> {
     /// Angles of the drive at change points and dead points.
     pub fn change_points(&self, input: &CycleInput) -> Vec<(f64, SingularKind)> {
         let located = self.singular.iter().filter(|at| at.kind != SingularKind::Nearly);

@@ -68,6 +68,7 @@ pub(super) fn add_worst_cases(
     let unproven = UnprovenPositions {
         mechanism: cycle.mechanism,
         drive_angle_rad: cycle.drive_angle_rad,
+        moved_by: "the play of the joints",
         causes: causes
             .map(|(not_proven, overhanging)| Cause::of(cycle.mechanism, *not_proven, overhanging.as_deref()))
             .collect(),
@@ -75,8 +76,8 @@ pub(super) fn add_worst_cases(
     };
     for (output, rows) in outputs.iter_mut().zip(&mut of_outputs) {
         let answer = &mut output.clearance;
-        for (row, cause) in rows.iter_mut().zip(&unproven.causes) {
-            if cause.is_some() {
+        for (row, overhanging) in rows.iter_mut().zip(&cycle.overhanging) {
+            if overhanging.is_some() {
                 row.proven_si = [f64::NEG_INFINITY, f64::INFINITY];
             }
             let [lowest, highest] = [0, 1].map(|side| row.found[side].deviation_si);

@@ -12,7 +12,7 @@ use super::sensitivity::dimension_derivatives;
 use super::unproven::{Cause, UnprovenPositions};
 use super::worst_case::{
     CycleOfPositions, Encloser, Ends, Moving, NotProven, Objective, Positions, Reference, Variables, WeightedOutput,
-    best_across, best_of, starts_on_borders, worst_over_cycle,
+    best_across, best_of, ends_around, found_in_both_assemblies, starts_on_borders,
 };
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
@@ -48,7 +48,7 @@ pub struct DeviationEnds {
     /// Why nothing is proven at each position; `None` where ends are.
     pub unproven: Vec<Option<String>>,
     /// The lowest and the highest deviation that were looked for where the proven ends are furthest and where there are none, with their
-    /// angles.
+    /// angles; not a number where none could be computed.
     pub found: [FoundDeviation; 2],
 }
 
@@ -137,8 +137,18 @@ pub fn deviation_ends_until(
         let found = asked.found(question, &ends_si, &causes)?;
         let found =
             found.map(|(row, deviation_si)| FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si });
-        let positions =
-            UnprovenPositions { mechanism, drive_angle_rad: &drive_angle_rad, causes, change_points: &change_points };
+        let moved_by = match (question.of != Deviation::Dimensional, dimensions.is_empty()) {
+            (true, true) => "the play of the joints",
+            (true, false) => "the play of the joints, the limits of the parts",
+            (false, _) => "the limits of the parts",
+        };
+        let positions = UnprovenPositions {
+            mechanism,
+            drive_angle_rad: &drive_angle_rad,
+            moved_by,
+            causes,
+            change_points: &change_points,
+        };
         of_questions.push(DeviationEnds {
             drive_angle_rad: drive_angle_rad.clone(),
             unproven: positions.reasons(),
@@ -214,8 +224,7 @@ impl Asked<'_, '_> {
         if unproven.is_some() {
             return Ok(ends);
         }
-        let tree = &self.mechanism.ideal;
-        if tree.free < tree.constraint_rows() {
+        if self.mechanism.ideal.is_redundant() {
             ends.iter_mut().for_each(|own| own.causes.fill(Some(Cause::Redundant)));
             return Ok(ends);
         }
@@ -255,31 +264,39 @@ impl Asked<'_, '_> {
                     return Err(AccuracyError::Stopped);
                 }
                 encloser.take_steps(Some(&steps[row]));
-                let positions = Positions::around(&mut encloser, state.coordinates());
-                let over = overhanging(self.mechanism, self.sample, self.reaches, state.kinematics())
-                    .next()
-                    .filter(|_| has_play)
-                    .map(|play| self.mechanism.model.play_name(self.mechanism.plays[play]));
-                let not_proven = positions.as_ref().err().map(|failed| NotProven {
-                    coordinate: failed.coordinate,
-                    reaches_dead_centre: has_play && self.dead_centre(self.values, state).is_some(),
-                });
-                if let Some(cause) = Cause::of(self.mechanism, not_proven, over) {
-                    places.iter().for_each(|place| ends[*place].causes[row] = Some(cause.clone()));
-                    continue;
-                }
-                let Ok(positions) = positions else { continue };
-                for (reading, place) in places.iter().enumerate() {
-                    let question = questions[*place];
-                    let reference = match question.of {
+                let of_place = |positions: &Positions, (reading, place): (usize, &usize)| {
+                    let reference = match questions[*place].of {
                         Deviation::Value => Reference::ThisPosition,
                         Deviation::Total | Deviation::Dimensional => Reference::NominalParts,
                         Deviation::Clearance => Reference::SameParts,
                     };
-                    let own = Ends::new(balls.clone(), self.dimensions.len(), true, reference);
-                    let [low, high] = own.of(&positions, &[(reading, 1.0)]);
-                    let from = if question.of.is_value() { self.value(question.reading, state) } else { 0.0 };
-                    ends[*place].ends_si[row] = [from + low, from + high];
+                    Ends::new(balls.clone(), self.dimensions.len(), true, reference).of(positions, &[(reading, 1.0)])
+                };
+                let ends_of =
+                    |positions: &Positions| places.iter().enumerate().map(|place| of_place(positions, place)).collect();
+                let proven = ends_around(&mut encloser, state.coordinates(), ends_of);
+                let over = overhanging(self.mechanism, self.sample, self.reaches, state.kinematics())
+                    .next()
+                    .filter(|_| has_play)
+                    .map(|play| self.mechanism.model.play_name(self.mechanism.plays[play]));
+                let mut dead_centre = None;
+                let mut cause = |not_proven: Option<NotProven>| {
+                    let not_proven = not_proven.map(|not_proven| NotProven {
+                        reaches_dead_centre: has_play
+                            && *dead_centre.get_or_insert_with(|| self.dead_centre(self.values, state).is_some()),
+                        ..not_proven
+                    });
+                    Cause::of(self.mechanism, not_proven, over)
+                };
+                for (reading, place) in places.iter().enumerate() {
+                    let own = &mut ends[*place];
+                    let found = proven.as_ref().map(|all| all[reading]).map_err(|failed| NotProven::of(*failed));
+                    own.causes[row] = cause(found.map_or_else(Some, |found| NotProven::of_ends(&[found])));
+                    if let (Ok([low, high]), None) = (found, &own.causes[row]) {
+                        let question = questions[*place];
+                        let from = if question.of.is_value() { self.value(question.reading, state) } else { 0.0 };
+                        own.ends_si[row] = [from + low, from + high];
+                    }
                 }
             }
         }
@@ -299,7 +316,8 @@ impl Asked<'_, '_> {
         dead_centre(&mut loops, self.reaches)
     }
 
-    /// The lowest and the highest deviation, each with its position: where the proven ends are furthest, and everywhere where there are none.
+    /// The lowest and the highest deviation, each with its position: where the proven ends are furthest, and everywhere where there are none. Not a
+    /// number where it could be computed nowhere.
     ///
     /// # Errors
     /// It was stopped.
@@ -314,7 +332,7 @@ impl Asked<'_, '_> {
         // By play alone: the search of the whole cycle, whose number stands on the same page.
         if question.of == Deviation::Clearance && self.dimensions.is_empty() && !rows.clone().all(|row| is_proven(&row))
         {
-            return self.found_over_cycle(question);
+            return self.found_over_cycle(question, causes);
         }
         let mut found = [(0, 0.0); 2];
         for (side, found) in found.iter_mut().enumerate() {
@@ -327,35 +345,40 @@ impl Asked<'_, '_> {
                 if self.stop.load(Ordering::Relaxed) {
                     return Err(AccuracyError::Stopped);
                 }
-                let deviation_si =
-                    self.found_at(question, row, sign, matches!(causes[row], Some(Cause::Loops(_)))).unwrap_or(0.0);
+                let is_of_loops = matches!(causes[row], Some(Cause::Loops(_)));
+                let Some(deviation_si) = self.found_at(question, row, sign, is_of_loops) else { continue };
                 if best.is_none_or(|(_, best)| sign * (deviation_si - best) > 0.0) {
                     best = Some((row, deviation_si));
                 }
             }
-            *found = best.unwrap_or((0, 0.0));
+            *found = best.unwrap_or((0, f64::NAN));
         }
         Ok(found)
     }
 
     /// As [`Self::found`] by play alone.
-    fn found_over_cycle(&self, question: &DeviationQuestion) -> Result<[(usize, f64); 2], AccuracyError> {
+    fn found_over_cycle(
+        &self,
+        question: &DeviationQuestion,
+        causes: &[Option<Cause>],
+    ) -> Result<[(usize, f64); 2], AccuracyError> {
         let cycle = CycleOfPositions {
             mechanism: self.mechanism,
             values: self.values,
             reaches: self.reaches,
             readings: &[question.reading],
             coordinates: self.states.iter().map(|state| state.coordinates()).collect(),
-            driven_steps: driven_steps(self.mechanism, self.sample, self.states),
+            driven_steps: None,
         };
         let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; self.states.len()], path: None };
         let is_stopped = || self.stop.load(Ordering::Relaxed);
-        let worst = worst_over_cycle(&cycle, &[output], &is_stopped).ok_or(AccuracyError::Stopped)?;
-        let rows = &worst.of_outputs[0];
+        let mut not_proven: Vec<Option<NotProven>> = causes.iter().map(|cause| cause.as_ref()?.of_loops()).collect();
+        let found = found_in_both_assemblies(&cycle, output, &mut not_proven, &is_stopped);
+        let found = found.ok_or(AccuracyError::Stopped)?;
         Ok([0, 1].map(|side| {
-            let deviation = |row: usize| rows[row].found[side].deviation_si;
+            let deviation = |row: usize| found[row][side].deviation_si;
             let far = |row: &usize| deviation(*row).abs();
-            let row = (0..rows.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
+            let row = (0..found.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
             (row, deviation(row))
         }))
     }

@@ -11,7 +11,7 @@ use super::overhang::{Overhangs, overhanging};
 use super::path::{PathRecorder, points_of_paths};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
-use super::round_off::{drop_round_off, round_off_si};
+use super::round_off::drop_round_off;
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 use crate::kinematics::{MovedOutput, Walked, kinematic_properties, mechanical_advantages};
@@ -23,6 +23,7 @@ use loosepin_result::motion::{
     ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, NamedEffect, OutputMotion, PoseEffect,
 };
 use loosepin_result::repeat::Repeat;
+use loosepin_result::round_off::round_off_si;
 use loosepin_result::simulation::Override;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use std::f64::consts::{PI, TAU};
@@ -154,12 +155,8 @@ fn motion_with(
     let sample = Sample::new(mechanism, values)?;
     let reaches = PlayReach::of_sample(mechanism, &sample, sample.plays.iter().map(|_| 0.0))?;
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-    let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions, stop);
+    let cycle = Cycle::walk(mechanism, start, &input, plan.positions, stop);
     go_on()?;
-    if input.speed_rad_s < 0.0 {
-        // The record is in the order of the angle, not of time.
-        cycle.states.reverse();
-    }
 
     let outputs = position_outputs(mechanism);
     let mut readings: Vec<Position> = outputs.iter().map(|output| output.reading).collect();

@@ -1,16 +1,7 @@
 //! Effects on outputs that are nothing but round-off.
 
 use loosepin_result::motion::OutputMotion;
-use loosepin_text::units::SiUnit;
-
-/// An effect below this share of the size of the mechanism, or of a radian, is round-off: positions of closed loops have 16 digits, and what their
-/// derivatives lose of them is less than the rest.
-const SHARE: f64 = 1e-12;
-
-/// Size below which an effect on an output of a mechanism of `size_m` is round-off, in the unit of the output.
-pub(super) fn round_off_si(unit: &SiUnit, size_m: f64) -> f64 {
-    if *unit == SiUnit::LENGTH { SHARE * size_m } else { SHARE }
-}
+use loosepin_result::round_off::round_off_si;
 
 /// Puts 0 in the place of effects of play and of dimensions that are round-off. Proven ends stay as they are: they are never narrowed.
 pub(super) fn drop_round_off(outputs: &mut [OutputMotion], size_m: f64) {

@@ -21,6 +21,8 @@ pub(super) enum Cause {
 pub(super) struct UnprovenPositions<'u> {
     pub mechanism: &'u Mechanism,
     pub drive_angle_rad: &'u [f64],
+    /// What moves the positions beside the drive.
+    pub moved_by: &'static str,
     /// For each position; `None` where ends are proven.
     pub causes: Vec<Option<Cause>>,
     /// Angles of the drive at which the ideal mechanism is singular.
@@ -30,11 +32,18 @@ pub(super) struct UnprovenPositions<'u> {
 impl Cause {
     /// The cause at a position, where the block of `overhanging` may overhang its guide; `None` if ends are proven.
     pub fn of(mechanism: &Mechanism, not_proven: Option<NotProven>, overhanging: Option<&str>) -> Option<Self> {
-        let tree = &mechanism.ideal;
-        if tree.free < tree.constraint_rows() {
+        if mechanism.ideal.is_redundant() {
             return Some(Self::Redundant);
         }
         overhanging.map(|joint| Self::Overhanging(joint.to_owned())).or(not_proven.map(Self::Loops))
+    }
+
+    /// What is known of loops that were not shown to be regular.
+    pub fn of_loops(&self) -> Option<NotProven> {
+        match self {
+            Self::Loops(not_proven) => Some(*not_proven),
+            Self::Redundant | Self::Overhanging(_) => None,
+        }
     }
 
     fn reaches_dead_centre(&self) -> bool {
@@ -112,7 +121,8 @@ impl UnprovenPositions<'_> {
                             .to_owned()
                     }
                     (None, false) => format!(
-                        "the play of the joints and half a step of the drive bring '{}' too near to a dead centre",
+                        "{} and half a step of the drive bring {} too near to a dead centre",
+                        self.moved_by,
                         self.body_of(*coordinate)
                     ),
                 }
@@ -121,10 +131,10 @@ impl UnprovenPositions<'_> {
     }
 
     /// The body that a coordinate moves.
-    fn body_of(&self, coordinate: usize) -> &str {
-        let links = &self.mechanism.ideal.links;
-        let link = links.iter().find(|link| link.dependences.last().is_some_and(|last| last.coordinate == coordinate));
-        link.map_or("a part", |link| &self.mechanism.model.bodies[link.body.0].name)
+    fn body_of(&self, coordinate: Option<usize>) -> String {
+        let mut links = self.mechanism.ideal.links.iter();
+        let link = links.find(|link| link.dependences.last().is_some_and(|last| Some(last.coordinate) == coordinate));
+        link.map_or("a part".to_owned(), |link| format!("'{}'", self.mechanism.model.bodies[link.body.0].name))
     }
 }
 

@@ -87,11 +87,6 @@ impl PoseAccuracy<'_> {
         self.dead_centre().is_some()
     }
 
-    /// Whether play comes near no dead centre: none was found, and second derivatives tell of none within reach of all plays together.
-    pub fn is_regular(&self) -> bool {
-        self.dead_centre_share() < 1.0 && !self.reaches_dead_centre()
-    }
-
     /// The largest -2 s·p over σ in the ideal position, over all p of the plays: at 1 they reach the dead centre, as far as second derivatives tell.
     pub(crate) fn dead_centre_share(&self) -> f64 {
         let ideal = self.placed(vec![0.0; self.set.variables()], self.ideal_start());

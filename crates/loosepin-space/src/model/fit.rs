@@ -110,7 +110,10 @@ impl SpatialModel {
             }
             Err(error) => {
                 let nominal = self.aligned(&self.quantities.nominal()).map_err(|error| self.diagnostic(&error))?;
-                positions_of(&nominal).map_err(|_| self.not_closed(&error))?
+                positions_of(&nominal).map_err(|of_nominal| match of_nominal {
+                    ClosureError::Stopped => self.not_closed(&of_nominal),
+                    _ => self.not_closed(&error),
+                })?
             }
         };
         let mut worst = ModelAssembly {

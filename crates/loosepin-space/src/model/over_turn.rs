@@ -77,8 +77,9 @@ impl SpatialModel {
             go_on()?;
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", *at, error))?;
             let accuracy = Rc::new(accuracy);
-            let is_regular = !has_play || accuracy.is_regular();
-            if !is_regular && accuracy.reaches_dead_centre() {
+            let reaches_dead_centre = has_play && accuracy.reaches_dead_centre();
+            let is_regular = !reaches_dead_centre && (!has_play || accuracy.dead_centre_share() < 1.0);
+            if reaches_dead_centre {
                 dead_centre_samples.push(sample);
             }
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
@@ -188,8 +189,7 @@ impl SpatialModel {
         is_stopped: IsStopped,
     ) -> Result<Vec<Position>, Diagnostics> {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let drives = |time_s: f64| self.drive_values(values, time_s);
-        let Cycle { positions, stopped } = cycle_from(mechanism, &input.times_s(), &drives, Starts::Nearby, is_stopped);
+        let Cycle { positions, stopped } = self.turn(mechanism, values, &input.times_s(), Starts::Nearby, is_stopped);
         match stopped {
             None | Some(ClosureError::Stopped) => Ok(positions),
             Some(error) => Err(self.not_closed(&error)),
@@ -205,9 +205,19 @@ impl SpatialModel {
         starts: Starts,
         is_stopped: IsStopped,
     ) -> Result<Vec<Position>, ClosureError> {
-        let drives = |time_s: f64| self.drive_values(values, time_s);
-        let found = cycle_from(mechanism, times_s, &drives, starts, is_stopped);
+        let found = self.turn(mechanism, values, times_s, starts, is_stopped);
         found.stopped.map_or(Ok(found.positions), Err)
+    }
+
+    fn turn(
+        &self,
+        mechanism: &SpatialMechanism,
+        values: &Values,
+        times_s: &[f64],
+        starts: Starts,
+        is_stopped: IsStopped,
+    ) -> Cycle {
+        cycle_from(mechanism, times_s, &|time_s| self.drive_values(values, time_s), starts, is_stopped)
     }
 
     /// Why loops do not close, at the joint.
@@ -221,6 +231,9 @@ impl SpatialModel {
             return self.not_closed(error);
         }
         let by_play = self.assembly_until(values, is_stopped).ok().and_then(|assembly| assembly.sentence());
+        if is_stopped() {
+            return self.not_closed(&ClosureError::Stopped);
+        }
         let Some(by_play) = by_play else { return self.not_closed(error) };
         let problem = SpatialMotionProblem::NotWithIdealJoints { why: error.to_string(), by_play };
         Diagnostic::error(&problem, self.place_of_joint(error.joint())).into()

@@ -1,15 +1,7 @@
 //! Numbers of outputs that are nothing but round-off.
 
+use loosepin_result::round_off::round_off_si;
 use loosepin_result::spatial_motion::SpatialOutputRecord;
-use loosepin_text::units::SiUnit;
-
-/// A number below this share of the size of the mechanism, or of a radian, is round-off of loops that are closed.
-const SHARE: f64 = 1e-12;
-
-/// Size below which a number of an output of a mechanism of `size_m` is round-off, in the unit of the output.
-pub(super) fn round_off_si(unit: &SiUnit, size_m: f64) -> f64 {
-    if *unit == SiUnit::LENGTH { SHARE * size_m } else { SHARE }
-}
 
 /// Puts 0 in the place of values and effects of play that are round-off. Proven ends stay as they are: they are never narrowed.
 pub(super) fn drop_round_off(output: &mut SpatialOutputRecord, size_m: f64) {

@@ -12,11 +12,11 @@
 use super::over_turn::is_path;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
-use super::round_off::round_off_si;
 use crate::closure::error::ClosureError;
 use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
 use crate::stop::{IsStopped, NEVER};
 use loosepin_result::motion::DimensionContributor;
+use loosepin_result::round_off::round_off_si;
 use loosepin_result::spatial_motion::SpatialScatter;
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::describe_path;

@@ -3,7 +3,6 @@
 //! A number that is known exactly stands in the model alone. One that scatters has an entry under `[random]` of the study, one that is
 //! known only in part an entry under `[epistemic]`. Other entries of it go.
 
-use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
@@ -11,6 +10,7 @@ use std::sync::Arc;
 use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::document::describe_path;
 use loosepin::model::Origin;
+use loosepin::space::stop_after;
 use loosepin::study::{InputFile, Study, StudyModel, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -31,7 +31,7 @@ const ROUND: f64 = 1e12;
 /// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
 /// Steps along the motion of a mechanism in space, for the same.
-const MAX_STEPS: usize = 3000;
+const MAX_STEPS: u64 = 3000;
 
 /// The changes that say how well the number at `path` is known, as people write it. They are not given where the texts could not be
 /// read with them, or would say anything else.
@@ -148,8 +148,7 @@ fn moves(file: &InputFile) -> Result<(), Diagnostics> {
         Some(model) => {
             let values = model.quantities.nominal();
             let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
-            let steps = Cell::new(0);
-            let is_enough = || steps.replace(steps.get() + 1) >= MAX_STEPS;
+            let is_enough = stop_after(MAX_STEPS, &|| false);
             model.first_positions(&mechanism, &values, &is_enough).map(|_| ())
         }
         None => file.ideal_motion(POSITIONS, &[]).map(|_| ()),

@@ -120,3 +120,46 @@ fn analytic_treatments_are_held_against_what_motion_proves() {
     assert_eq!(largest, [0.0, of_cycle[1].max(-of_cycle[0])]);
     assert!((range[1] - (of_cycle[1] - of_cycle[0])).abs() < 1e-12 && range[0] == 0.0, "{range:?} {of_cycle:?}");
 }
+
+/// Requirements of a study of `model` without dynamics.
+fn judged(model: &str, study: &str) -> Vec<loosepin::accuracy::record::MotionRequirement> {
+    let model = Model::from_text("model.toml", model).expect("a model");
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    let file = InputFile::Study(Box::new(study));
+    file.motion_answer(&[], &[], &AtomicBool::new(false)).expect("a motion").requirements
+}
+
+/// The slider-crank is the same upside down: at 63.7 degrees of a crank that turns backwards it is where it is at -63.7 degrees of another.
+#[test]
+fn identity_a_drive_that_runs_backwards_is_judged_like_one_that_runs_forwards() {
+    let required = REQUIRED.replace("\"90 deg\"", "\"63.7 deg\"");
+    let backwards = MODEL.replace("speed = \"5000 rpm\"", "speed = \"-5000 rpm\"");
+    assert_ne!(backwards, MODEL);
+    let [forward, backward] = [MODEL, &backwards].map(|model| judged(model, &format!("{STUDY}{required}")));
+    for (forward, backward) in forward.iter().zip(&backward) {
+        assert_eq!(forward.verdict, backward.verdict);
+        for side in 0..2 {
+            let apart_m = (forward.proven_si[side] - backward.proven_si[side]).abs();
+            assert!(apart_m < 1e-9, "{forward:?} {backward:?}");
+        }
+    }
+}
+
+/// r = 50 mm, l from 49.9 to 51.1 mm: where the rod is the shorter one the loops do not close near 90 degrees. The slider is at 200 mm and more
+/// all the same; that nothing can be computed there is no position of 0.
+#[test]
+fn analytic_a_position_that_cannot_be_computed_is_no_position() {
+    let model = include_str!("../../../loosepin-simulate/tests/files/mend/dead_centre.toml")
+        .replace(
+            "[body.ground]\npoints = { o = [\"0 mm\", \"0 mm\"] }",
+            "[parameter]\nrod = \"50.5 mm\"\n[body.ground]\npoints = { o = [\"200 mm\", \"0 mm\"] }",
+        )
+        .replace("small_end = [\"50.5 mm\"", "small_end = [\"rod\"")
+        .replace("radial_clearance = \"0.6 mm\"", "radial_clearance = \"0.05 mm\"");
+    let study = "name = \"far\"\nmodel = \"model.toml\"\n[epistemic]\n\"parameter.rod\" = { interval = [\"49.9 mm\", \"51.1 mm\"] }\n\
+                 [[require]]\noutput = \"slider\"\nof = \"value\"\nabove = \"100 mm\"\nover = \"cycle\"\nprobability_at_least = 0.9\n";
+    let [judged] = &judged(&model, study)[..] else { panic!("one requirement") };
+    assert_eq!(judged.verdict, loosepin::accuracy::record::MotionVerdict::Undecided, "{judged:?}");
+    // In its other assembly, or with the crank across, the slider is at 200 mm at least.
+    assert!(judged.found_si[0] > 0.19, "{judged:?}");
+}

@@ -345,6 +345,11 @@ impl Tree {
         self.cut_rows() + self.couplings.len()
     }
 
+    /// Whether constraints repeat each other: there are more of them than coordinates that they can determine.
+    pub fn is_redundant(&self) -> bool {
+        self.free < self.constraint_rows()
+    }
+
     /// Number of scalar constraints of the cut joints.
     pub fn cut_rows(&self) -> usize {
         self.cuts.iter().map(|cut| cut.rows.count()).sum()

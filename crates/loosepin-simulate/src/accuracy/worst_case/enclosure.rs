@@ -37,6 +37,7 @@ pub(in super::super) struct Enclosed {
 }
 
 /// The loops could not be shown to close in one way over all play.
+#[derive(Debug, Clone, Copy)]
 pub(in super::super) struct NotEnclosed {
     /// The free coordinate that is known least.
     pub coordinate: usize,

@@ -19,8 +19,10 @@ mod variables;
 
 pub(super) use enclosure::{Encloser, Moving};
 pub use first_order::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
-pub(super) use over_cycle::{CycleOfPositions, CycleWorstCase, NotProven, WeightedOutput, worst_over_cycle};
-pub(super) use positions::Positions;
+pub(super) use over_cycle::{
+    CycleOfPositions, CycleWorstCase, NotProven, WeightedOutput, found_in_both_assemblies, worst_over_cycle,
+};
+pub(super) use positions::{Positions, ends_around};
 pub(super) use search::{Objective, best_across, best_of};
 pub use search::{WorstCaseExtremes, WorstPosition, starts_on_borders, worst_case_extremes};
 pub(super) use upper_end::{Ends, Reference};

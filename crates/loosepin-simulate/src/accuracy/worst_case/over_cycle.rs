@@ -3,8 +3,8 @@
 use super::super::dead_centre::dead_centre;
 use super::super::loops::DisplacedLoops;
 use super::super::play_reach::PlayReach;
-use super::enclosure::{Encloser, Moving};
-use super::positions::Positions;
+use super::enclosure::{Encloser, Moving, NotEnclosed};
+use super::positions::{Positions, ends_around};
 use super::search::{Objective, WorstPosition, best_across, best_of, starts_on_borders};
 use super::upper_end::{Ends, Reference};
 use super::variables::Variables;
@@ -61,10 +61,37 @@ pub(in super::super) struct CycleWorstCase {
 /// A position at which nothing is proven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) struct NotProven {
-    /// The coordinate that moves most where the loops give way.
-    pub coordinate: usize,
+    /// The coordinate that moves most where the loops give way; `None` where they are regular and an end stays open all the same.
+    pub coordinate: Option<usize>,
     /// Whether play was found to take the mechanism to a dead centre. The worst case that was found is then that of both assemblies.
     pub reaches_dead_centre: bool,
+}
+
+impl NotProven {
+    /// Of positions that were not enclosed.
+    pub fn of(failed: NotEnclosed) -> Self {
+        Self { coordinate: Some(failed.coordinate), reaches_dead_centre: false }
+    }
+
+    /// Of ends of which some stay open; `None` if none does.
+    pub fn of_ends(ends: &[[f64; 2]]) -> Option<Self> {
+        let is_open = ends.iter().flatten().any(|end| !end.is_finite());
+        is_open.then_some(Self { coordinate: None, reaches_dead_centre: false })
+    }
+}
+
+/// The lowest and the highest deviation of `output` that are found at each position, in both assemblies where `not_proven` says that nothing is
+/// proven, until `is_stopped`; `None` if it was stopped.
+pub(in super::super) fn found_in_both_assemblies(
+    cycle: &CycleOfPositions<'_>,
+    output: WeightedOutput,
+    not_proven: &mut [Option<NotProven>],
+    is_stopped: &dyn Fn() -> bool,
+) -> Option<Vec<[WorstPosition; 2]>> {
+    let outputs = [output];
+    let mut found = found_over_cycle(cycle, &outputs, is_stopped)?;
+    let is_finished = search_across(cycle, &outputs, &mut found, not_proven, is_stopped);
+    found.pop().filter(|_| is_finished)
 }
 
 /// Goes over the cycle until `is_stopped`; `None` if it was stopped.
@@ -73,7 +100,7 @@ pub(in super::super) fn worst_over_cycle(
     outputs: &[WeightedOutput],
     is_stopped: &dyn Fn() -> bool,
 ) -> Option<CycleWorstCase> {
-    let found = found_over_cycle(cycle, outputs, is_stopped)?;
+    let mut found = found_over_cycle(cycle, outputs, is_stopped)?;
     let variables = Variables::new(cycle.reaches);
     let ends = Ends::new(variables.balls.clone(), 0, cycle.driven_steps.is_some(), Reference::SameParts);
     let moving = Moving {
@@ -85,17 +112,9 @@ pub(in super::super) fn worst_over_cycle(
     };
     let mut encloser = Encloser::new(moving, cycle.readings.to_vec());
     let mut not_proven = Vec::with_capacity(cycle.coordinates.len());
-    let mut of_outputs: Vec<Vec<FoundAndProven>> = found
-        .into_iter()
-        .map(|rows| {
-            rows.into_iter()
-                .map(|found| FoundAndProven { found, proven_si: [f64::NEG_INFINITY, f64::INFINITY] })
-                .collect()
-        })
-        .collect();
-    let tree = &cycle.mechanism.ideal;
+    let mut proven = vec![vec![[f64::NEG_INFINITY, f64::INFINITY]; cycle.coordinates.len()]; outputs.len()];
     // Where joints repeat each other nothing is proven, whatever the loops are.
-    let is_provable = tree.free == tree.constraint_rows();
+    let is_provable = !cycle.mechanism.ideal.is_redundant();
     #[cfg(test)]
     let mut proofs = 0;
     for (row, coordinates) in cycle.coordinates.iter().enumerate() {
@@ -103,7 +122,7 @@ pub(in super::super) fn worst_over_cycle(
             return None;
         }
         if !is_provable {
-            not_proven.push(Some(NotProven { coordinate: 0, reaches_dead_centre: false }));
+            not_proven.push(Some(NotProven { coordinate: None, reaches_dead_centre: false }));
             continue;
         }
         #[cfg(test)]
@@ -111,40 +130,26 @@ pub(in super::super) fn worst_over_cycle(
             proofs += 1;
         }
         encloser.take_steps(cycle.driven_steps.as_ref().map(|steps| steps[row].as_slice()));
-        let positions = match Positions::around(&mut encloser, coordinates) {
-            Ok(positions) => positions,
-            Err(failed) => {
-                not_proven.push(Some(NotProven { coordinate: failed.coordinate, reaches_dead_centre: false }));
-                continue;
-            }
-        };
-        let ends_of = |positions: &Positions, output: &WeightedOutput| match (output.path, &output.weights[row][..]) {
+        let of_output = |positions: &Positions, output: &WeightedOutput| match (output.path, &output.weights[row][..]) {
             (Some(path), [(_, x), (_, y)]) => ends.of_path(positions, path, [*x, *y]),
             (_, weights) => ends.of(positions, weights),
         };
-        let is_known = |proven_si: &[f64; 2]| proven_si.iter().all(|end| end.is_finite());
-        let mut proven_si: Vec<[f64; 2]> = outputs.iter().map(|output| ends_of(&positions, output)).collect();
-        // Second derivatives over one box may leave an end open that slices close.
-        if !proven_si.iter().all(is_known)
-            && let Ok(sliced) = encloser.in_slices(coordinates)
-        {
-            let positions = Positions::InSlices(sliced);
-            for (proven_si, output) in proven_si.iter_mut().zip(outputs) {
-                if !is_known(proven_si) {
-                    *proven_si = ends_of(&positions, output);
-                }
+        let ends_of = |positions: &Positions| outputs.iter().map(|output| of_output(positions, output)).collect();
+        match ends_around(&mut encloser, coordinates, ends_of) {
+            Ok(all) => {
+                not_proven.push(NotProven::of_ends(&all));
+                proven.iter_mut().zip(all).for_each(|(rows, ends)| rows[row] = ends);
             }
-        }
-        let is_open = !proven_si.iter().all(is_known);
-        not_proven.push(is_open.then_some(NotProven { coordinate: 0, reaches_dead_centre: false }));
-        for (rows, proven_si) in of_outputs.iter_mut().zip(proven_si) {
-            rows[row].proven_si = proven_si;
+            Err(failed) => not_proven.push(Some(NotProven::of(failed))),
         }
     }
     // Where joints repeat each other, the rows that are solved are no measure of how regular the loops are.
-    let is_finished = !is_provable || search_across(cycle, outputs, &mut of_outputs, &mut not_proven, is_stopped);
-    is_finished.then_some(CycleWorstCase {
-        of_outputs,
+    let is_finished = !is_provable || search_across(cycle, outputs, &mut found, &mut not_proven, is_stopped);
+    let of_output = |(found, proven): (Vec<[WorstPosition; 2]>, Vec<[f64; 2]>)| {
+        found.into_iter().zip(proven).map(|(found, proven_si)| FoundAndProven { found, proven_si }).collect()
+    };
+    is_finished.then(|| CycleWorstCase {
+        of_outputs: found.into_iter().zip(proven).map(of_output).collect(),
         not_proven,
         #[cfg(test)]
         proofs,
@@ -155,7 +160,7 @@ pub(in super::super) fn worst_over_cycle(
 fn search_across(
     cycle: &CycleOfPositions<'_>,
     outputs: &[WeightedOutput],
-    of_outputs: &mut [Vec<FoundAndProven>],
+    found: &mut [Vec<[WorstPosition; 2]>],
     not_proven: &mut [Option<NotProven>],
     is_stopped: &dyn Fn() -> bool,
 ) -> bool {
@@ -171,7 +176,7 @@ fn search_across(
         let Some(dead_centre) = dead_centre(&mut loops, cycle.reaches) else { continue };
         not_proven.reaches_dead_centre = true;
         let Some(other) = dead_centre.other else { continue };
-        for (number, (output, rows)) in outputs.iter().zip(of_outputs.iter_mut()).enumerate() {
+        for (number, (output, rows)) in outputs.iter().zip(found.iter_mut()).enumerate() {
             let objective = Objective { readings: cycle.readings, weights: &output.weights[row] };
             let across = [0, 1].map(|side| {
                 let last = before[number].as_ref().map(|before| before[side].displacements.as_slice());
@@ -179,7 +184,7 @@ fn search_across(
                 let starts: Vec<&[Vec2<f64>]> = starts.chain(borders.iter().map(Vec::as_slice)).collect();
                 best_across(&mut loops, &other, objective, cycle.reaches, &starts, [-1.0, 1.0][side])
             });
-            for (own, across) in rows[row].found.iter_mut().zip(&across) {
+            for (own, across) in rows[row].iter_mut().zip(&across) {
                 if across.deviation_si.abs() > own.deviation_si.abs() {
                     *own = across.clone();
                 }

@@ -104,7 +104,8 @@ impl Ends {
         };
         let [x, y] = coordinates.map(slope);
         let speed = (x.squared() + y.squared()).sqrt();
-        let [along_x, along_y] = [x / speed, y / speed];
+        // A direction has no component beyond one.
+        let [along_x, along_y] = [x, y].map(|own| (own / speed).part(-1.0, 1.0).unwrap_or(Interval::WHOLE));
         // The weights are (along_x, along_y) or (-along_y, along_x) of the middle, perhaps turned back.
         let middle = [along_x.middle(), along_y.middle()];
         let is_along = (weights[0] * middle[0] + weights[1] * middle[1]).abs() > 0.5;

@@ -21,6 +21,33 @@ fn holds(output: &OutputMotion, row: usize, due: [f64; 2], most: f64) -> bool {
     excess.iter().all(|excess| -ROUND_OFF_M < *excess && *excess < most * size)
 }
 
+/// An error along or across a path is at most the displacement of its point, and turning the direction of the path adds no more than each of
+/// its components twice, whatever the direction does near a dead centre.
+#[test]
+fn identity_proven_errors_of_a_path_near_a_dead_centre_are_no_larger_than_the_displacement_allows() {
+    let text = file("mend/dead_centre.toml").replace("\"0.6 mm\"", "\"0.4 mm\"").replace(
+        "small_end = [\"50.5 mm\", \"0 mm\"] }",
+        "small_end = [\"50.5 mm\", \"0 mm\"], mark = [\"45 mm\", \"5 mm\"] }",
+    ) + "\n[output.mark]\npath_of = \"rod.mark\"\n";
+    let record = worst_of(&build_text(&text), 360);
+    let farthest = |name: &str, row: usize| {
+        let answer = &output(&record, name).clearance;
+        f64::max(-answer.proven_lowest_si[row], answer.proven_highest_si[row])
+    };
+    let mut proven = 0;
+    for row in 0..record.drive_angle_rad.len() {
+        let [x, y] = ["mark x", "mark y"].map(|name| farthest(name, row));
+        for name in ["mark along", "mark normal"] {
+            let most = farthest(name, row);
+            if (x + y).is_finite() {
+                assert!(most <= x.hypot(y) + 2.0 * (x + y), "{name} {row}: {most} {x} {y}");
+                proven += 1;
+            }
+        }
+    }
+    assert!(proven > 600, "{proven}");
+}
+
 #[test]
 fn analytic_a_press_is_proven_all_over_its_turn_at_the_dead_centre_of_its_knee_as_well() {
     let record = worst_of(&build_text(&file("mend/press.toml")), 360);

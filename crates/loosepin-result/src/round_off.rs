@@ -1,0 +1,12 @@
+//! Numbers of answers that are nothing but round-off.
+
+use loosepin_text::units::SiUnit;
+
+/// A number below this share of the size of the mechanism, or of a radian, is round-off: positions of closed loops have 16 digits, and what their
+/// derivatives lose of them is less than the rest.
+const SHARE: f64 = 1e-12;
+
+/// Size below which a number of an output of a mechanism of `size_m` is round-off, in the unit of the output.
+pub fn round_off_si(unit: &SiUnit, size_m: f64) -> f64 {
+    if *unit == SiUnit::LENGTH { SHARE * size_m } else { SHARE }
+}
