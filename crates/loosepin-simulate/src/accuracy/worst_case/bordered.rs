@@ -14,6 +14,8 @@ pub(super) struct Bordered<'b> {
     pub motion: Vec<f64>,
     /// y.
     pub opening: Vec<f64>,
+    /// That of the derivatives of the loop equations by q.
+    pub inverse: Vec<f64>,
 }
 
 impl<'b> Bordered<'b> {
@@ -35,7 +37,7 @@ impl<'b> Bordered<'b> {
             motion = times(&opening, false);
         }
         let is_known = motion.iter().chain(&opening).all(|entry| entry.is_finite());
-        (n > 0 && is_known).then_some(Self { q0, driven, motion, opening })
+        (n > 0 && is_known).then_some(Self { q0, driven, motion, opening, inverse })
     }
 
     /// The coordinate that moves most where the loops give way.
@@ -46,10 +48,10 @@ impl<'b> Bordered<'b> {
     /// How far the numbers v take a to first order.
     pub fn reach(&self, of_residuals: &[f64], nv: usize) -> f64 {
         let n = self.q0.len();
-        let Some(inverse) = inverse_of(of_residuals, n, n + nv) else { return 0.0 };
         let by = |column: usize| -> f64 {
-            let moved =
-                |row: usize| (0..n).map(|k| inverse[row * n + k] * of_residuals[k * (n + nv) + column]).sum::<f64>();
+            let moved = |row: usize| {
+                (0..n).map(|k| self.inverse[row * n + k] * of_residuals[k * (n + nv) + column]).sum::<f64>()
+            };
             (0..n).map(|row| self.motion[row] * moved(row)).sum::<f64>().abs()
         };
         (n..n + nv).map(by).sum::<f64>().max(LEAST_REACH)

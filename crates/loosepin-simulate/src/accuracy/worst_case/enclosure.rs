@@ -143,7 +143,7 @@ impl<'a> Encloser<'a> {
         let Some(inverse) = inverse_of(&at_rest.of_residuals, n, n + nv) else {
             return Err(NotEnclosed { coordinate: 0 });
         };
-        let exact = self.exact(coordinates)?;
+        let exact = self.exact(q0, driven, &inverse)?;
         let (_, gradients) = self.ways(&exact.slopes, &inverse).ok_or(NotEnclosed { coordinate: 0 })?;
 
         let everywhere = vec![Interval::around_zero(1.0); nv];
@@ -168,16 +168,11 @@ impl<'a> Encloser<'a> {
         Ok(Enclosed { gradients, hessians, slopes })
     }
 
-    /// The ideal position itself, known to round-off.
-    pub(super) fn exact(&mut self, coordinates: &[f64]) -> Result<Closed, NotEnclosed> {
-        let n = self.moving.mechanism.ideal.free;
-        let nv = self.moving.count();
-        let (q0, driven) = coordinates.split_at(n);
-        let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
-        let inverse = inverse_of(&at_rest.of_residuals, n, n + nv).ok_or(NotEnclosed { coordinate: 0 })?;
-        let nowhere = vec![Interval::ZERO; nv];
+    /// The ideal position itself, known to round-off; `inverse` is that of the derivatives of the loop equations there.
+    pub(super) fn exact(&mut self, q0: &[f64], driven: &[f64], inverse: &[f64]) -> Result<Closed, NotEnclosed> {
+        let nowhere = vec![Interval::ZERO; self.moving.count()];
         let round_off: Vec<f64> = q0.iter().map(|q| 1e-13 * (1.0 + q.abs())).collect();
-        self.closed(q0, driven, &nowhere, round_off, &inverse)
+        self.closed(q0, driven, &nowhere, round_off, inverse)
     }
 
     /// A box around `q0` that holds the one position for each v in `v`, and the derivatives over it.

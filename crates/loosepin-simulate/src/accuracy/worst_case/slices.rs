@@ -84,6 +84,8 @@ struct WithoutPlay {
     slices: Vec<Slice>,
     /// w.
     motion: Vec<f64>,
+    /// Values of the outputs in the ideal position.
+    ideal: Vec<Interval>,
 }
 
 /// A number that depends on a and v: its value at the middle of the slice with v = 0, and its derivatives over all of it.
@@ -201,9 +203,7 @@ impl Encloser<'_> {
             (Err(failed), Some(steps)) => {
                 let parts = self.parts(coordinates, &steps, &reference);
                 self.moving.driven_steps = Some(steps);
-                let exact = self.exact(coordinates)?.positions;
-                let ideal = self.values(coordinates, &exact);
-                Ok(Sliced { parts: parts.ok_or(failed)?, ideal })
+                Ok(Sliced { parts: parts.ok_or(failed)?, ideal: reference.ideal })
             }
         }
     }
@@ -221,7 +221,11 @@ impl Encloser<'_> {
             middle.extend(driven);
             self.moving.driven_steps = Some(steps.iter().map(|step| share * OVERLAP * step).collect());
             self.close(&mut middle)?;
-            let exact = self.exact(&middle).ok()?.positions;
+            let (q0, driven) = middle.split_at(n);
+            let nv = self.moving.count();
+            let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
+            let inverse = inverse_of(&at_rest.of_residuals, n, n + nv)?;
+            let exact = self.exact(q0, driven, &inverse).ok()?.positions;
             let ways = exact.iter().zip(&coordinates[..n]).zip(&reference.motion);
             let a = ways.fold(Interval::ZERO, |sum, ((q, q0), motion)| {
                 sum + Interval::from_f64(*motion) * (*q - Interval::from_f64(*q0))
@@ -272,11 +276,12 @@ impl Encloser<'_> {
             (0..nv).map(|v| if v < plays { Interval::ZERO } else { Interval::around_zero(1.0) }).collect();
         let everywhere = vec![Interval::around_zero(1.0); nv];
         // The ideal position itself is known to round-off; its loops are closed.
-        let mut start = self.exact(coordinates)?.positions;
+        let mut start = self.exact(q0, driven, &bordered.inverse)?.positions;
         start.push(Interval::ZERO);
         let reach = bordered.reach(&at_rest.of_residuals, nv);
         let slices = self.march(&bordered, &start, &without, reach).ok_or_else(failed)?;
-        let reference = WithoutPlay { slices, motion: bordered.motion.clone() };
+        let ideal = self.values(coordinates, &start);
+        let reference = WithoutPlay { slices, motion: bordered.motion.clone(), ideal: ideal.clone() };
         let Some(slices) = self.march(&bordered, &start, &everywhere, reach) else {
             return Ok((Err(failed()), reference));
         };
@@ -292,7 +297,6 @@ impl Encloser<'_> {
                 (0..nv).map(over).collect()
             })
             .collect();
-        let ideal = self.values(coordinates, &start);
         Ok((Ok(Part { slices, ideal, slopes_of_reference }), reference))
     }
 
