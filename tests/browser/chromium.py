@@ -55,6 +55,7 @@ class Chromium:
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
 
     def __enter__(self):
         return self
@@ -142,18 +143,40 @@ class Chromium:
 
     def open(self, path, fragment=""):
         """Loads a page from a file, anew if it is there already, and waits until it has drawn itself."""
-        # With another fragment alone the page would stay as it is.
-        self.call("Page.navigate", url="about:blank")
-        self.events.clear()
-        self.call("Page.navigate", url="file://" + os.path.abspath(path) + fragment)
-        self._until(lambda: self.evaluate("document.readyState === 'complete' && location.protocol === 'file:'"))
+        self.load("file://" + os.path.abspath(path) + fragment)
         if self.are_scripts_run:
             self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
+    def load(self, url):
+        """Loads a page anew if it is there already, and waits until it is there."""
+        # With another fragment alone the page would stay as it is.
+        self.leave()
+        self.events.clear()
+        self._navigate(url)
+
+    def leave(self):
+        """Ends the page; what it asks before it goes is answered with yes."""
+        self._navigate("about:blank")
 
     def reload(self):
         """Loads the page anew and waits until it is there: an expression that the old page gets is lost with it."""
         self._send("Page.reload", {})
         self._next(lambda message: message.get("method") == "Page.loadEventFired")
+
+    def _navigate(self, url):
+        """Goes to an address and waits until that page is there: a navigation before that would end this one."""
+        number = self._send("Page.navigate", {"url": url})
+        loader, loaded = None, set()
+        while loader is None or loader not in loaded:
+            message = self._next(lambda one: one.get("id") == number or one.get("method") == "Page.lifecycleEvent")
+            if "id" not in message:
+                if message["params"]["name"] == "load":
+                    loaded.add(message["params"]["loaderId"])
+                continue
+            reason = message["error"]["message"] if "error" in message else message["result"].get("errorText")
+            if reason:
+                raise BrowserError(f"{url}: {reason}")
+            loader = message["result"]["loaderId"]
 
     def run_scripts(self, are_run):
         """Whether pages that are opened from now on run their scripts; `evaluate` always does, but for promises."""

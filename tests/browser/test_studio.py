@@ -52,16 +52,14 @@ class Studio:
         self.clicks = 0
 
     def close(self):
-        self.browser.call("Page.navigate", url="about:blank")
+        self.browser.leave()
         self.process.terminate()
         _, messages = self.process.communicate(timeout=60)
         assert "panicked" not in messages, messages
         assert self.process.returncode == 0, messages
 
     def open(self):
-        self.browser.call("Page.navigate", url="about:blank")
-        self.browser.events.clear()
-        self.browser.call("Page.navigate", url=self.address)
+        self.browser.load(self.address)
         self.wait("document.querySelectorAll('button.card svg.mechanism').length === 17")
 
     def wait(self, condition, timeout_s=60.0):

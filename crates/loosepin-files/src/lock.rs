@@ -97,13 +97,19 @@ impl FolderLock {
         Self::take_opened(&root.join(relative), kind, holder, open)
     }
 
-    /// As [`FolderLock::take`], of the folder at `relative` below `base`: no link below it is followed.
+    /// As [`FolderLock::wait_at`], of the folder at `relative` below `base`: no link below it is followed.
     ///
     /// # Errors
     /// As for [`FolderLock::take`]; a link on the way.
-    pub fn take_below(base: &Folder, relative: &Path, kind: LockKind, holder: &str) -> Result<Self, LockError> {
+    pub fn wait_below(
+        base: &Folder,
+        relative: &Path,
+        kind: LockKind,
+        holder: &str,
+        patience: Duration,
+    ) -> Result<Self, LockError> {
         let path = base.path().join(relative);
-        Self::take_opened(&path, kind, holder, |made| base.open_or_make_below(relative, made))
+        Self::wait_opened(&path, kind, holder, patience, |made| base.open_or_make_below(relative, made))
     }
 
     /// Locks an existing folder. Another process is waited for as long as `patience`.

@@ -111,7 +111,7 @@ fn holder() -> String {
 /// # Errors
 /// As for [`lock_texts`]; a link on the way.
 pub fn lock_texts_below(base: &Folder, relative: &Path) -> io::Result<FolderLock> {
-    FolderLock::take_below(base, relative, LockKind::Text, &holder()).map_err(lock_error)
+    FolderLock::wait_below(base, relative, LockKind::Text, &holder(), PATIENCE).map_err(lock_error)
 }
 
 /// Locks the folder of a result that is there, as long as nobody writes it.

@@ -1,5 +1,7 @@
 //! Record of the ideal motion and the quasi-static answer for pages, tables and files: plain data in SI.
 
+use std::f64::consts::TAU;
+
 use crate::point_path::PointPath;
 use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
@@ -357,6 +359,15 @@ impl MotionRecord {
     /// The poses at which an output is asked about, those of requirements first.
     pub fn asked_of<'r>(&'r self, output: &'r str) -> impl Iterator<Item = &'r PoseEffect> {
         self.asked.iter().filter(move |asked| asked.output == output)
+    }
+
+    /// Whether the record holds one whole turn of the drive.
+    pub fn is_whole_turn(&self) -> bool {
+        const ROUND_OFF: f64 = 1e-9;
+        match self.drive_angle_rad[..] {
+            [first, .., last] => ((last - first) / TAU - 1.0).abs() < ROUND_OFF,
+            _ => false,
+        }
     }
 }
 

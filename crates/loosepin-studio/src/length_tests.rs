@@ -326,7 +326,7 @@ fn looked(folder: &Folder, model: &str, study: &str, held: Option<Held>) {
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
     let poses = Some(NamedPoses::from([("crank".to_owned(), [0.0, 0.0, 30.0])]));
     let stop = AtomicBool::new(false);
-    let seen = answer_look(folder, &Look { grip, poses, ..Look::of(model, study, 12) }, &stop);
+    let (seen, _) = answer_look(folder, &Look { grip, poses, ..Look::of(model, study, 12) }, &stop);
     assert!(!serde_json::to_string(&seen).unwrap().is_empty());
 }
 

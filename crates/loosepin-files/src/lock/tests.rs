@@ -64,7 +64,7 @@ fn links_and_pipes_are_no_locks() {
     fs::remove_file(folder.join(NAME)).unwrap();
     drop(take(&desk.path().join("results")).unwrap());
     let base = Folder::open(desk.path()).unwrap();
-    let below = FolderLock::take_below(&base, Path::new("results/name"), KIND, "process 4711");
+    let below = FolderLock::wait_below(&base, Path::new("results/name"), KIND, "process 4711", Duration::ZERO);
     assert_eq!(refused(below.unwrap_err()), Some(Refused::Link));
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
 }
@@ -149,7 +149,7 @@ fn a_folder_that_was_removed_is_not_made_anew() {
     let served = Folder::open(&path).unwrap();
     fs::remove_dir(&path).unwrap();
     assert!(FolderLock::wait(&served, KIND, "process 4711", Duration::ZERO).is_err());
-    assert!(FolderLock::take_below(&served, Path::new("results"), KIND, "process 4711").is_err());
+    assert!(FolderLock::wait_below(&served, Path::new("results"), KIND, "process 4711", Duration::ZERO).is_err());
     assert!(!path.exists());
 }
 

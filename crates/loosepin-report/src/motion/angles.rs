@@ -18,13 +18,7 @@ pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, w
 
 /// The displayed angle of the drive: within its turn if the record holds a whole one.
 pub(super) fn shown_angle_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
-    const ROUND_OFF: f64 = 1e-9;
-    let span_rad = match record.drive_angle_rad[..] {
-        [first, .., last] => last - first,
-        _ => 0.0,
-    };
-    let shown = if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad };
-    without_round_off_rad(shown)
+    without_round_off_rad(if record.is_whole_turn() { within_turn_rad(angle_rad) } else { angle_rad })
 }
 
 /// An angle, or 0 where it is nothing but round-off: places are located to 1e-13 turns.

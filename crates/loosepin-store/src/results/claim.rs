@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 use loosepin_files::{Folder, FolderLock, LockKind, Refused, TemporaryKind};
 
@@ -81,7 +82,7 @@ impl Claim {
         let taken = match &self.destination {
             Destination::Below(root) => FolderLock::take_under(root, &self.below(), LockKind::Result, &holder),
             Destination::Within(folder, root) => {
-                FolderLock::take_below(folder, &root.join(self.below()), LockKind::Result, &holder)
+                FolderLock::wait_below(folder, &root.join(self.below()), LockKind::Result, &holder, Duration::ZERO)
             }
             Destination::Folder(path) => FolderLock::take(path, LockKind::Result, &holder),
         };

@@ -65,7 +65,7 @@ pub fn keep(folder: &Folder, tab: &str, draft: &Draft) -> Result<(), Refusal> {
     let texts = || draft.model.iter().chain(&draft.study);
     let failed = |error: io::Error| not_written(DRAFTS, &error);
     if texts().next().is_none() {
-        let Some(lock) = locked(folder, false).map_err(failed)? else { return Ok(()) };
+        let Some(lock) = locked(folder).map_err(failed)? else { return Ok(()) };
         lock.remove(&name).map_err(failed)?;
         drop(lock);
         // With other drafts in it, it stays.
@@ -74,7 +74,7 @@ pub fn keep(folder: &Folder, tab: &str, draft: &Draft) -> Result<(), Refusal> {
     if texts().any(|own| own.text.len() > MAX_TEXT) {
         return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, "a text has more than 1 MiB"));
     }
-    let Some(lock) = locked(folder, true).map_err(failed)? else { return Ok(()) };
+    let lock = lock_texts_below(folder.opened(), Path::new(DRAFTS)).map_err(failed)?;
     let names = names(&lock).map_err(failed)?;
     if names.len() >= MAX_DRAFTS && !names.contains(&name) {
         return Err(Refusal::new(StatusCode::CONFLICT, format!("{MAX_DRAFTS} unsaved texts are kept already"))
@@ -91,7 +91,7 @@ pub fn keep(folder: &Folder, tab: &str, draft: &Draft) -> Result<(), Refusal> {
 pub fn take(folder: &Folder, tab: &str, path: &str, is_open: &dyn Fn(&str) -> bool) -> Result<Taken, Refusal> {
     let own = name_of(tab, path)?;
     let failed = |error: io::Error| not_written(DRAFTS, &error);
-    let Some(lock) = locked(folder, false).map_err(failed)? else { return Ok(Taken::default()) };
+    let Some(lock) = locked(folder).map_err(failed)? else { return Ok(Taken::default()) };
     let read = |name: &str| {
         let bytes = lock.folder().read(Path::new(name), MAX_BYTES).ok()?;
         serde_json::from_slice::<Draft>(&bytes).ok().filter(|draft| draft.path == path)
@@ -118,13 +118,12 @@ pub fn take(folder: &Folder, tab: &str, path: &str, is_open: &dyn Fn(&str) -> bo
     Ok(taken)
 }
 
-/// The locked folder of the drafts; `None` where it is not there and is not made.
-fn locked(folder: &Folder, is_made: bool) -> io::Result<Option<FolderLock>> {
+/// The locked folder of the drafts; `None` where it is not there.
+fn locked(folder: &Folder) -> io::Result<Option<FolderLock>> {
     match folder.opened().open_below(Path::new(DRAFTS)) {
         Ok(opened) => lock_texts(&opened).map(Some),
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        Err(_) if is_made => lock_texts_below(folder.opened(), Path::new(DRAFTS)).map(Some),
-        Err(_) => Ok(None),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
     }
 }
 

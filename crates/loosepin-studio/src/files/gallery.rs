@@ -85,7 +85,7 @@ pub fn own_card(folder: &Folder, path: &str, stop: &AtomicBool) -> Result<OwnCar
         },
     };
     let poses = Some(Default::default());
-    let seen = answer_look(folder, &Look { poses, ..Look::of(model, study, POSITIONS) }, stop);
+    let (seen, _) = answer_look(folder, &Look { poses, ..Look::of(model, study, POSITIONS) }, stop);
     let error = seen.diagnostics.into_iter().find(|one| one.severity == Severity::Error).map(|one| {
         let name = one.path.as_deref().and_then(|path| path.rsplit('/').next().map(str::to_owned));
         match (name, one.stretch) {

@@ -6,14 +6,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use axum::extract::ws::Utf8Bytes;
 use tokio::sync::watch;
 
-use crate::files::folder::Folder;
-use crate::messages::{Look, ToPage};
+use crate::messages::ToPage;
 use crate::network::mailbox::Mailbox;
 use crate::view::check::answer_check;
+use crate::view::texts::Texts;
 
 /// The checks of a page.
 pub struct Checker {
-    waiting: Mailbox<(Look, Arc<AtomicBool>)>,
+    waiting: Mailbox<(u64, Texts, Arc<AtomicBool>)>,
     /// That of the newest check.
     stop: Mutex<Arc<AtomicBool>>,
 }
@@ -33,12 +33,12 @@ impl Checker {
         self.newest().store(true, Ordering::Relaxed);
     }
 
-    /// Checks the texts of a look instead of what was checked before.
-    pub fn check(&self, look: Look) {
+    /// Checks the texts that the look `seq` has shown instead of what was checked before.
+    pub fn check(&self, seq: u64, texts: Texts) {
         self.stop();
         let stop = Arc::new(AtomicBool::new(false));
         *self.newest() = Arc::clone(&stop);
-        self.waiting.put((look, stop));
+        self.waiting.put((seq, texts, stop));
     }
 
     /// Ends all checks.
@@ -48,9 +48,9 @@ impl Checker {
     }
 
     /// Answers until it is closed.
-    pub fn check_on(&self, folder: &Folder, answers: &watch::Sender<Utf8Bytes>) {
-        while let Some((look, stop)) = self.waiting.take() {
-            let Some(found) = answer_check(folder, &look, &stop) else { continue };
+    pub fn check_on(&self, answers: &watch::Sender<Utf8Bytes>) {
+        while let Some((seq, texts, stop)) = self.waiting.take() {
+            let Some(found) = answer_check(seq, &texts, &stop) else { continue };
             let text = serde_json::to_string(&ToPage::CheckAnswer(&found)).unwrap_or_default();
             if answers.send(text.into()).is_err() {
                 return;

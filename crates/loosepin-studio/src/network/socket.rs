@@ -68,8 +68,8 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
     let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
     let checker = Arc::new(Checker::new());
     let (checks, mut checked) = watch::channel(Utf8Bytes::default());
-    let (own_checker, own_folder) = (Arc::clone(&checker), studio.folder.clone());
-    let check_on = move || own_checker.check_on(&own_folder, &checks);
+    let check_thread = Arc::clone(&checker);
+    let check_on = move || check_thread.check_on(&checks);
     let worker_checker = Arc::clone(&checker);
     let look_on = move || look_on(&worker_folder, (&worker_box, &worker_checker), &answers);
     let workers = [std::thread::Builder::new().spawn(look_on), std::thread::Builder::new().spawn(check_on)];
@@ -162,16 +162,16 @@ fn look_on(folder: &Folder, (mailbox, checker): (&Mailbox<Look>, &Checker), answ
             let _ = answers.send(in_json(&cut(&request, LONGEST_LOOK)).into());
         };
         let seen = within(LONGEST_LOOK, late, |stop| {
-            let seen = answer_look(folder, &request, stop);
-            (in_json(&seen), seen.is_sound())
+            let (seen, texts) = answer_look(folder, &request, stop);
+            (in_json(&seen), (seen.is_sound() && request.is_at_rest).then_some(texts))
         });
         // What came too late is answered already.
-        let Some((text, is_sound)) = seen else { continue };
+        let Some((text, to_check)) = seen else { continue };
         if answers.send(text.into()).is_err() {
             return;
         }
-        if is_sound && request.is_at_rest {
-            checker.check(request);
+        if let Some(texts) = to_check {
+            checker.check(request.seq, texts);
         }
     }
 }

@@ -1,6 +1,5 @@
 //! From texts to what the page shows of them.
 
-use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -37,36 +36,36 @@ const MAX_TRACED: usize = 16;
 const POSITIONS: [usize; 2] = [12, 720];
 
 /// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
-/// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
-pub fn answer_look(folder: &Folder, look: &Look, stop: &AtomicBool) -> LookAnswer {
+/// Where `stop` is set, it comes to its end soon, and its answer is good for nothing. Beside the answer stand the texts that it shows.
+pub fn answer_look(folder: &Folder, look: &Look, stop: &AtomicBool) -> (LookAnswer, Texts) {
     let began = Instant::now();
     let before = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match before.planar_model() {
         Ok(model) => gripped(&model, &before, grip),
         Err(refusal) => refused_drag(refusal.in_words()),
     });
-    let (mut seen, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
+    let (mut seen, mut texts, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
     if let (Some(grip), Some(drag), Some(drawing)) = (&look.grip, &drag, &drawing)
         && let Some(kept) = kept_closure(folder, &before, grip, drag, drawing, stop)
     {
         match (kept.drag, &mut seen.reshaped) {
-            (Some(drag), _) => seen = seen_after(folder, look, &before, Some(&drag), stop).0,
+            (Some(drag), _) => (seen, texts, _) = seen_after(folder, look, &before, Some(&drag), stop),
             (None, Some(reshaped)) => reshaped.words.push(OTHER_CLOSURE.to_owned()),
             (None, None) => {}
         }
     }
     seen.cost_ms = began.elapsed().as_secs_f64() * 1e3;
-    seen
+    (seen, texts)
 }
 
-/// What is seen of texts after a drag, and the mechanism where it moves.
+/// What is seen of texts after a drag, these texts, and the mechanism where it moves.
 fn seen_after(
     folder: &Folder,
     look: &Look,
     before: &Texts,
     drag: Option<&DragOutcome>,
     stop: &AtomicBool,
-) -> (LookAnswer, Option<Drawing>) {
+) -> (LookAnswer, Texts, Option<Drawing>) {
     let texts = match drag {
         Some(drag) => before.with(folder, drag.model.as_deref(), drag.study.as_deref()),
         None => Texts { model: before.model.clone(), study: before.study.clone() },
@@ -113,13 +112,13 @@ fn seen_after(
         }
     });
     let diagnostics = diagnostic_views(&diagnostics, &texts);
-    (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
+    (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, texts, drawing)
 }
 
 /// As [`answer_look`], to its end.
 #[cfg(test)]
 pub fn look(folder: &Folder, look: &Look) -> LookAnswer {
-    answer_look(folder, look, &AtomicBool::new(false))
+    answer_look(folder, look, &AtomicBool::new(false)).0
 }
 
 /// The answer to a look that took longer than it may.
@@ -202,10 +201,12 @@ fn outputs(record: &MotionRecord) -> Vec<OutputView> {
 
 /// The angles of the drive between which the loops close, degrees; `None` where it can go through its whole turn.
 fn drive_range_deg(record: &MotionRecord) -> Option<[f64; 2]> {
-    let (first, last) = (*record.drive_angle_rad.first()?, *record.drive_angle_rad.last()?);
-    if last - first >= TAU * (1.0 - 1e-9) {
+    // Without a speed it is no angle that the records stand at.
+    record.drive_speed_rad_s?;
+    if record.is_whole_turn() {
         return None;
     }
+    let (first, last) = (*record.drive_angle_rad.first()?, *record.drive_angle_rad.last()?);
     // The ends are between the angles that are recorded: they are the dead points there.
     let ends = record.singular_positions.iter().map(|end| end.drive_angle_rad);
     let lower = ends.clone().filter(|end| *end <= first).fold(f64::NEG_INFINITY, f64::max);

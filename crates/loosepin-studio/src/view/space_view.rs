@@ -98,7 +98,7 @@ mod tests {
         let template = find_template("six-axis-arm").unwrap();
         let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
         let look = Look::of(sent("model.toml", template.model), Some(sent("study.toml", template.study)), 36);
-        let seen = |is_stopped: bool| answer_look(&folder, &look, &AtomicBool::new(is_stopped));
+        let seen = |is_stopped: bool| answer_look(&folder, &look, &AtomicBool::new(is_stopped)).0;
         assert!(seen(false).view.is_some());
         let stopped = seen(true);
         assert!(stopped.view.is_none() && stopped.diagnostics[0].message.contains("stopped"), "{stopped:?}");

@@ -54,6 +54,25 @@ fn analytic_a_drive_that_cannot_turn_fully_is_told_with_its_range_and_the_class_
 }
 
 #[test]
+fn what_is_found_while_a_drag_is_held_is_of_the_texts_that_it_gives() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    let template = find_template("four-bar").unwrap();
+    // The crank of 80 mm at 30 deg is drawn out to 150 mm: the letters before the drag have nothing in their way.
+    let to_mm = [150.0 * 30.0_f64.to_radians().cos(), 150.0 * 30.0_f64.to_radians().sin()];
+    let held = json!({"take": "joint", "joint": "crank_pin"});
+    let poses = [[0.0; 3], [0.0, 0.0, 30.0], [69.3, 40.0, 0.0], [260.0, 0.0, 60.0]];
+    let grip = json!({"held": held, "to_mm": to_mm, "step_mm": 1.0, "is_free": false, "poses": poses});
+    let further = json!({"is_at_rest": true, "grip": grip});
+    let seen = live.look_for(1, (PATHS[0], template.model), Some((PATHS[1], template.study)), further);
+    let changed = seen["reshaped"].to_string();
+    assert!(changed.contains("150 mm"), "{changed}");
+    let found = live.next_of("check_answer");
+    assert_eq!((&found["seq"], &found["diagnostics"][0]["code"]), (&json!(1), &json!("E0704")), "{found}");
+}
+
+#[test]
 fn a_study_that_cannot_be_planned_is_told_before_it_runs() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());

@@ -1,9 +1,8 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, CurveKey, Document, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, CurveKey, Document, Draft, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
 import { chosenCurve } from '../charts/chosen_curve.svelte.ts';
-import type { Draft } from './drafts.ts';
 import type { Removal } from './edits.ts';
 import { messageOf } from '../network/errors.ts';
 import type { FieldOf } from '../numbers/groups.ts';

@@ -1,9 +1,9 @@
 // The two texts: the only truth of the editor. All edits pass through here, whoever makes them.
-import type { Draft } from './drafts.ts';
+import type { UnsavedTexts } from './drafts.ts';
 import { applied, History, type Change, type Gesture, type Step } from './history.ts';
 import type { Range } from './place.ts';
 import { firstFree } from '../gallery/templates.ts';
-import type { Document, NewAnswer, NewRequest, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
+import type { Document, Draft, NewAnswer, NewRequest, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
 import { movedRange } from './ranges.ts';
 import { ask } from '../network/wire.ts';
 
@@ -100,7 +100,7 @@ export class Documents {
   }
 
   /** The texts that are not saved, each with the tag of the file from which it began. */
-  get unsaved(): Draft['texts'] {
+  get unsaved(): UnsavedTexts {
     const texts = (['model', 'study'] as const).flatMap((which) => {
       const sheet = this.sheet(which);
       return sheet && sheet.text !== sheet.savedText ? [[which, { text: sheet.text, tag: sheet.tag }] as const] : [];
@@ -109,16 +109,16 @@ export class Documents {
   }
 
   /** Takes unsaved texts over, as one step to undo. */
-  takeDraft({ texts, at }: Draft): void {
+  takeDraft(draft: Draft): void {
     for (const which of ['model', 'study'] as const) {
-      const [sheet, draft] = [this.sheet(which), texts[which]];
-      if (sheet && draft) this.change(which, { from: 0, to: sheet.text.length, insert: draft.text }, { name: `draft ${at}`, joins: 'always' });
+      const [sheet, kept] = [this.sheet(which), draft[which]];
+      if (sheet && kept) this.change(which, { from: 0, to: sheet.text.length, insert: kept.text }, { name: `draft ${draft.at}`, joins: 'always' });
     }
   }
 
   /** Whether unsaved texts began from the files as they are on the disk. */
-  isOfFiles({ texts }: Draft): boolean {
-    return (['model', 'study'] as const).every((which) => texts[which] === undefined || texts[which].tag === this.sheet(which)?.tag);
+  isOfFiles(draft: Draft): boolean {
+    return (['model', 'study'] as const).every((which) => draft[which] === null || draft[which].tag === this.sheet(which)?.tag);
   }
 
   async save(): Promise<void> {

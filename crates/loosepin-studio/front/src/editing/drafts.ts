@@ -5,44 +5,31 @@ import { session } from '../network/session.svelte.ts';
 import { tab } from '../network/tab.ts';
 import { ask, Refusal } from '../network/wire.ts';
 
-export interface Draft {
-  /** When it was kept, ms since 1970. */
-  at: number;
-  texts: Partial<Record<Document, DraftText>>;
-}
-
-export interface TakenDraft {
-  draft: Draft | null;
-  /** Another tab that is open has unsaved texts of the path. */
-  isElsewhere: boolean;
-}
+export type UnsavedTexts = Partial<Record<Document, DraftText>>;
 
 /** One after the other: the last one counts. */
 let keeping: Promise<unknown> = Promise.resolve();
 
-/** The unsaved texts of a path that are this tab's, or of none that is open. A folder that cannot be read has none. */
-export async function takeDraft(path: string): Promise<TakenDraft> {
+/** Without a server, or its key, the texts live as long as the page: that is said elsewhere. */
+function sayWhy(error: unknown): void {
+  if (error instanceof Refusal && error.status !== 0 && error.status !== 401) session.refusal = messageOf(error);
+}
+
+/** The unsaved texts of a path that are this tab's, or of none that is open. */
+export async function takeDraft(path: string): Promise<TakeDraftAnswer> {
   try {
-    const { draft, is_elsewhere } = await ask<TakeDraftAnswer>('POST', '/api/draft/take', { tab, path } satisfies TakeDraftRequest);
-    if (draft?.at == null) return { draft: null, isElsewhere: is_elsewhere };
-    const texts = { ...(draft.model && { model: draft.model }), ...(draft.study && { study: draft.study }) };
-    return { draft: { at: draft.at, texts }, isElsewhere: is_elsewhere };
-  } catch {
-    return { draft: null, isElsewhere: false };
+    return await ask<TakeDraftAnswer>('POST', '/api/draft/take', { tab, path } satisfies TakeDraftRequest);
+  } catch (error) {
+    sayWhy(error);
+    return { draft: null, is_elsewhere: false };
   }
 }
 
 /** Keeps unsaved texts; without any, what was kept goes. Of a page that `isLeaving` nothing is waited for. */
-export function keepDraft(path: string, texts: Draft['texts'], isLeaving = false): void {
+export function keepDraft(path: string, texts: UnsavedTexts, isLeaving = false): void {
   const body = { tab, path, model: texts.model ?? null, study: texts.study ?? null } satisfies KeepDraftRequest;
   const keep = (): Promise<void> =>
-    ask<null>('PUT', '/api/draft', body, isLeaving).then(
-      () => {},
-      (error: unknown) => {
-        // Without a server, or its key, the texts live as long as the page: that is said elsewhere.
-        if (error instanceof Refusal && error.status !== 0 && error.status !== 401) session.refusal = messageOf(error);
-      },
-    );
+    ask<null>('PUT', '/api/draft', body, isLeaving).then(() => {}, sayWhy);
   if (isLeaving) void keep();
   else keeping = keeping.then(keep);
 }

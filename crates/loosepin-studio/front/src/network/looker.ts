@@ -59,9 +59,9 @@ export class Looker {
     return this.isWanted;
   }
 
-  /** Version of the texts of the last look that was answered, if it was this one. */
+  /** Version of the texts of a look, where it is the last one that was answered or asked: a check may be heard before its look. */
   versionOf(seq: number): number | null {
-    return this.answered?.seq === seq ? this.answered.version : null;
+    return [this.answered, this.flight].find((look) => look?.seq === seq)?.version ?? null;
   }
 
   /** When the typing pauses. */

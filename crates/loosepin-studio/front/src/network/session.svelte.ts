@@ -24,6 +24,7 @@ class Session {
 
   /** With the key of a studio that was started anew. */
   restart(): void {
+    this.refusal = null;
     this.greet();
     this.live.again();
   }
