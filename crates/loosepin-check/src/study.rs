@@ -93,14 +93,17 @@ fn plan(study: &Study, tried: &TrialResult) -> Result<Section, Diagnostics> {
 
 /// `run` in words, what is promised, and how long all runs take.
 fn planned(study: &Study, run: String) -> Result<Section, Diagnostics> {
-    let CostEstimate { most_runs, run_s, promise } = estimate_cost(study).map_err(|error| match error {
-        StudyError::AllFailed { reason, .. } if let Some(model) = study.model.planar() => reason.diagnostic(model),
-        error => error.diagnostic(study),
-    })?;
+    let CostEstimate { most_runs, search_runs, run_s, promise } =
+        estimate_cost(study).map_err(|error| match error {
+            StudyError::AllFailed { reason, .. } if let Some(model) = study.model.planar() => reason.diagnostic(model),
+            error => error.diagnostic(study),
+        })?;
     let time = time_words(study, most_runs, run_s);
-    let Some(promise) = promise else { return Ok(Section::of_sentences("plan", [run, time])) };
+    let search = (search_runs > 0).then(|| search_words(study, (most_runs, search_runs), run_s));
+    let costs = [Some(time), search].into_iter().flatten();
+    let Some(promise) = promise else { return Ok(Section::of_sentences("plan", [run].into_iter().chain(costs))) };
     let mut section = Section::of_sentences("plan", [run]);
-    section.push(Content::sentences([promise_words(study, &promise), time]));
+    section.push(Content::sentences([promise_words(study, &promise)].into_iter().chain(costs)));
     Ok(section)
 }
 
@@ -114,16 +117,31 @@ fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
         Some(Budget::Time { .. } | Budget::Rounds { .. }) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
-    let threads = default_threads();
     let runs = counted_or_no(most_runs, "run", "runs");
-    match run_s.map(|run_s| run_s * most_runs as f64 / threads as f64) {
-        Some(whole_s) => {
-            let (time, threads) = (duration_words(whole_s), counted_or_no(threads, "thread", "threads"));
-            let about = if whole_s < 1.0 { "" } else { "about " };
-            format!("At most {runs}{before}: {about}{time} on {threads}")
+    match run_s {
+        Some(run_s) => {
+            let threads = counted_or_no(default_threads(), "thread", "threads");
+            format!("At most {runs}{before}: {} on {threads}", about_words(run_s, most_runs))
         }
         None => format!("At most {runs}{before}; their time could not be estimated by a short test"),
     }
+}
+
+/// How long some runs take, `about 3 min`.
+fn about_words(run_s: f64, runs: usize) -> String {
+    let whole_s = run_s * runs as f64 / default_threads() as f64;
+    let about = if whole_s < 1.0 { "" } else { "about " };
+    format!("{about}{}", duration_words(whole_s))
+}
+
+/// What the search for the loosest values takes of it, which comes after the bounds.
+fn search_words(study: &Study, (most_runs, search_runs): (usize, usize), run_s: Option<f64>) -> String {
+    let bounds = most_runs.saturating_sub(search_runs);
+    let time = run_s.map_or(String::new(), |run_s| format!(", {}", about_words(run_s, bounds)));
+    let bounds = format!("The bounds come first, at most {}{time}", counted_or_no(bounds, "run", "runs"));
+    let motion =
+        if study.model.planar().is_some() { "; loosepin motion gives values without dynamics at once" } else { "" };
+    format!("{bounds}; the others seek the loosest values of [allow]{motion}")
 }
 
 /// The joints whose force is asked about or limited.

@@ -118,7 +118,7 @@ fn one_number_stands_for_play_that_reaches_a_dead_centre() {
         "It reaches -18.42 mm at ",
         "Play alone moves the slider by up to ±18.43 mm (largest found, through a dead centre, at ",
         "play takes the mechanism to a dead centre, where it can go over to its other assembly",
-        " but from 86.0° to 94.0° and from 266° to 274°",
+        " except from 86.0° to 94.0° and from 266° to 274°",
     ] {
         assert!(output.contains(words), "{words}: {output}");
     }

@@ -83,7 +83,7 @@ impl PlayEffect {
         turn_angle(record, self.angle_rad, digits, &writer.with_tag(&tag))
     }
 
-    /// `±0.5504 mm` or `±0.5504 mm but at 90°`, the proven end; `None` if nothing is proven.
+    /// `±0.5504 mm` or `±0.5504 mm except at 90°`, the proven end; `None` if nothing is proven.
     pub fn proven(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
         let written = |proven_si: f64| {
             let tag = Tag::joint(&output.name, "play", "proven");
@@ -92,7 +92,7 @@ impl PlayEffect {
         match &self.shown {
             Shown::UpTo(proven_si) => Some(written(*proven_si)),
             Shown::UpToBut(proven_si, spans) => {
-                Some(format!("{} but {}", written(*proven_si), places_words(record, spans, writer)))
+                Some(format!("{} except {}", written(*proven_si), places_words(record, spans, writer)))
             }
             Shown::FirstOrder | Shown::Found => None,
         }

@@ -7,6 +7,8 @@ use loosepin_bounds::PromisePlan;
 pub struct CostEstimate {
     /// As [`crate::plan_runs`].
     pub most_runs: usize,
+    /// Those among them that seek the loosest values.
+    pub search_runs: usize,
     /// Mean processor time of a run on the lanes of one thread, s; `None` if the first steps do not show it.
     pub run_s: Option<f64>,
     /// Cost of the runs of a promise, if there is one.

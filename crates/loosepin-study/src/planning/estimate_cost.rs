@@ -40,7 +40,7 @@ const MIN_FREE_SHARE: f64 = 0.1;
 pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;
-    let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
+    let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), search_runs: 0, run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut estimate));
     let Some(planar) = response.planar_mut() else {
         let share = closed_share(study, &response, &plans);

@@ -11,6 +11,7 @@ use super::found::{Found, StudyRun};
 use super::kind::{Planned, Question, QuestionContext};
 use crate::assemble::Material;
 use crate::error::StudyError;
+use crate::planning::cost_estimate::CostEstimate;
 use crate::runs::all_runs::Runs;
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, TogetherRecord};
 use one::{allocation, allowances, most_studies, runs_of_a_study};
@@ -39,6 +40,10 @@ pub fn planned(basis: &QuestionContext<'_>) -> Planned {
 impl Question for LoosestQuestion {
     fn most_runs(&self) -> usize {
         self.most_runs
+    }
+
+    fn add_cost(&self, cost: &mut CostEstimate) {
+        cost.search_runs = self.most_runs;
     }
 
     /// Its studies have lists of their own; what is in `runs` is kept whatever happens to them.

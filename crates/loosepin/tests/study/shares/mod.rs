@@ -34,3 +34,8 @@ fn of_path<'c>(contributors: &'c Contributors, path: &str) -> &'c RandomContribu
 fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<&str>>().join(" ")
 }
+
+/// The same study without the scatter of a dimension.
+fn without(text: &str, path: &str) -> String {
+    text.lines().filter(|own| !own.starts_with(&format!("\"{path}\""))).map(|own| format!("{own}\n")).collect()
+}

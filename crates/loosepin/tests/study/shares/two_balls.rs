@@ -6,7 +6,7 @@
 //!
 //! since the link is as long as it is at φ = 0 with the nominal P, and follows a.
 
-use super::{SHARE_TOLERANCE, line, of_path, shares};
+use super::{SHARE_TOLERANCE, line, of_path, shares, without};
 use crate::silent::run;
 use loosepin::report::{spatial_motion_text, study_page, study_text};
 use loosepin::space::SpatialModel;
@@ -49,11 +49,6 @@ fn in_the_middle() -> String {
     let text = STUDY.replace("at = \"cycle\"", pose).replace("over = \"cycle\"", pose);
     // Where journals are is not known: a limit to one side.
     text.replace("within = \"0.2 deg\"", "below = \"0.2 deg\"")
-}
-
-/// The same study without the scatter of a dimension.
-fn without(text: &str, path: &str) -> String {
-    text.lines().filter(|own| !own.starts_with(&format!("\"{path}\""))).map(|own| format!("{own}\n")).collect()
 }
 
 /// Shares of the band that go without each scatter: as stated, and as they go in studies without it.
