@@ -64,6 +64,8 @@ def stage(source: Path) -> list[str]:
             linked = within(os.path.dirname(page), link)
             if "://" in link or linked in pages:
                 continue
+            if linked.endswith(".md"):
+                sys.exit(f"error: {page}: the words of the link to {linked} have brackets in them")
             (source / linked).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(REPOSITORY / linked, source / linked)
         target.write_text(text, encoding="utf-8")
