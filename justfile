@@ -88,7 +88,7 @@ studio-front-check:
         exit 1
     }
 
-# How smoothly the studio follows the mouse, alone and beside a study (docs/performance.md).
+# How smoothly the studio follows the mouse, alone and beside a study (measured/performance.md).
 studio-bench:
     cargo build --release --locked --package loosepin-cli
     "{{ python }}" tools/studio/frames.py target/release/loosepin
@@ -171,12 +171,12 @@ compare-identify *ARGUMENTS:
 compare-surrogates *ARGUMENTS:
     python3 tools/compare/surrogates.py {{ ARGUMENTS }}
 
-# How soon the study of each template shows a first band, and what the whole study costs (docs/performance.md).
+# How soon the study of each template shows a first band, and what the whole study costs (measured/performance.md).
 template-times *TEMPLATES:
     cargo build --release --locked --package loosepin-cli
     python3 tools/templates/times.py target/release/loosepin {{ TEMPLATES }}
 
-# Where the processor time of the reference case goes, by perf; docs/performance.md says what follows.
+# Where the processor time of the reference case goes, by perf; measured/performance.md says what follows.
 profile *ARGUMENTS:
     python3 tools/profile/profile.py {{ ARGUMENTS }}
 

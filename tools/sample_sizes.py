@@ -1,4 +1,4 @@
-"""Runs three studies with several sample sizes and makes the tables of docs/choosing.md: `just campaign sample-sizes --write`.
+"""Runs three studies with several sample sizes and makes the tables of measured/sample-sizes.md: `just campaign sample-sizes --write`.
 
 One response each, the largest deviation of the cycle, so that times are those of the runs. Seconds are of one core (user time), since the
 machine may do other things as well.
@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[1]
-PAGE = REPOSITORY / "docs/choosing.md"
+PAGE = REPOSITORY / "measured/sample-sizes.md"
 BUDGET = "100000runs"
 SIZES = [(16, 64), (16, 256), (16, 1024), (16, 4096), (8, 256), (64, 256), (256, 256)]
 ASK = """

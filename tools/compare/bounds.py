@@ -223,7 +223,7 @@ def table_of_truth(exact: Exact) -> str:
 
 PAGE = """# Bounds of other packages on two problems with known answers
 
-<!-- Written by `just compare-bounds --page docs/bounds-compared.md`; do not edit. -->
+<!-- Written by `just compare-bounds --page measured/bounds-compared.md`; do not edit. -->
 
 The first is smooth: a slider-crank at 60° with play in one joint, in closed form: `y = r cos θ + sqrt(l² - (r sin θ + c sin ψ)²) + c cos ψ - y0`, mm;
 r ~ N(50, 0.02) and l ~ N(120, 0.03); of the clearance c only "0.1 to 0.5" is known, of its direction ψ nothing. Asked are the

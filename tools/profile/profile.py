@@ -1,4 +1,4 @@
-"""Where the processor time of a batch of runs goes: the shares in `docs/performance.md`.
+"""Where the processor time of a batch of runs goes: the shares in `measured/performance.md`.
 
     python3 tools/profile/profile.py [--case NAME] [--runs N] [--frequency F]
 

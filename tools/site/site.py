@@ -2,8 +2,8 @@
 """Makes the documentation site: `python3 tools/site/site.py` writes target/site/book/index.html.
 
 docs/SUMMARY.md lists the pages. They keep their places in the repository, so that a link between two of them is the same in a checkout and
-on the site; what a page links to beside other pages (pictures, notebooks, licences) comes along. The page of the Python API is made here, from the
-sources of the package. mdBook is taken from .tools/bin, where ./test installs it, or from the path.
+on the site; what a page links to beside other pages (pictures, notebooks, licences) comes along. A link to a page of the repository outside docs
+(measurements, cases, changes) becomes its path in code font. The page of the Python API is made here, from the sources of the package. mdBook is taken from .tools/bin, where ./test installs it, or from the path.
 """
 
 import argparse
@@ -26,11 +26,28 @@ REDIRECTION = """<!doctype html>
 <body><a href="{first}">loosepin</a></body></html>
 """
 LINK = re.compile(r"\]\(([^)#\s]+)")
+LINK_TO_PAGE = re.compile(r"\[([^\[\]]+)\]\(([^)#:\s]+\.md)(?:#[^)\s]*)?\)")
 
 
 def within(folder: str, link: str) -> str:
     """The path of a link in the repository."""
     return os.path.normpath(os.path.join(folder, link))
+
+
+def with_paths(page: str, text: str, pages: list[str]) -> str:
+    """The page with the paths of pages that are in the repository alone, in place of links to them."""
+
+    def named(found: re.Match[str]) -> str:
+        label, linked = found[1], within(os.path.dirname(page), found[2])
+        if linked in pages:
+            return found[0]
+        if linked.startswith("docs/"):
+            sys.exit(f"error: {page} links to {linked}, which is not in docs/SUMMARY.md")
+        if not (REPOSITORY / linked).is_file():
+            sys.exit(f"error: {page} links to {linked}, which is no file")
+        return f"`{linked}`" if label.strip("`") == linked else f"{label} (`{linked}`)"
+
+    return LINK_TO_PAGE.sub(named, text)
 
 
 def stage(source: Path) -> list[str]:
@@ -40,6 +57,7 @@ def stage(source: Path) -> list[str]:
     shutil.rmtree(source, ignore_errors=True)
     for page in pages:
         text = api_page() if page == API_PAGE else (REPOSITORY / page).read_text(encoding="utf-8")
+        text = with_paths(page, text, pages)
         target = source / page
         target.parent.mkdir(parents=True, exist_ok=True)
         for link in LINK.findall(text):
@@ -47,7 +65,7 @@ def stage(source: Path) -> list[str]:
             if "://" in link or linked in pages:
                 continue
             if linked.endswith(".md"):
-                sys.exit(f"error: {page} links to {linked}, which is not in docs/SUMMARY.md")
+                sys.exit(f"error: {page}: the words of the link to {linked} have brackets in them")
             (source / linked).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(REPOSITORY / linked, source / linked)
         target.write_text(text, encoding="utf-8")

@@ -2,7 +2,7 @@
 //! own arithmetic in a step. Counts are those of the programs; times are of calls for 32 lanes, as a batch makes them, and the
 //! shortest of many rounds counts, since others on the machine can only lengthen one.
 //!
-//! `cargo bench --package loosepin-bench --bench equations` for the reference case of `docs/performance.md`; case names as arguments choose others.
+//! `cargo bench --package loosepin-bench --bench equations` for the reference case of `measured/performance.md`; case names as arguments choose others.
 
 use loosepin::native::{Kernel, Level, Program};
 use loosepin_bench::batch::Case;

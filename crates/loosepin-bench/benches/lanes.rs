@@ -2,7 +2,7 @@
 //! processor time; and on two threads, by the clock. Every block of runs is repeated in turn, so that a noisy machine
 //! disturbs all alike; printed is the median. Bits are compared on the way.
 //!
-//! `cargo bench --package loosepin-bench --bench lanes` for four mechanisms, three of which stand in the table of `docs/performance.md`; case names as
+//! `cargo bench --package loosepin-bench --bench lanes` for four mechanisms, three of which stand in the table of `measured/performance.md`; case names as
 //! arguments choose others.
 
 use loosepin::simulate::{Execution, Settings};

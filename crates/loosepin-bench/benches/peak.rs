@@ -1,5 +1,5 @@
 //! What a core can do at most: multiply-adds, choices, divisions and square roots a nanosecond, as machine code of the kind that
-//! batches run. `docs/performance.md` holds the time of a run against it.
+//! batches run. `measured/performance.md` holds the time of a run against it.
 //!
 //! Twelve chains that do not wait for each other keep all units busy; a single chain of multiply-adds shows how long a result
 //! takes. Whoever else uses the machine can only lengthen a round, so the shortest one counts.

@@ -1,7 +1,7 @@
 //! Work against error of the integrators in several mechanisms: right-hand sides, never seconds.
 //!
 //! `cargo bench --package loosepin-bench --bench work_precision` prints the tables, a word behind `--` those of the cases with that word in their names
-//! alone; `-- --write` also writes `docs/work-precision.md` and its two pictures in `docs/images`, the same bytes on every run.
+//! alone; `-- --write` also writes `measured/work-precision.md` and its two pictures in `measured/images`, the same bytes on every run.
 
 #![allow(clippy::disallowed_methods, reason = "a program of developers")]
 
@@ -94,7 +94,7 @@ fn main() -> ExitCode {
         eprintln!("error: --write with a choice of cases\nhint: the files hold all of them");
         return ExitCode::from(2);
     }
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    let measured = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../measured");
     let of_rigid = "Right-hand sides of half a turn over the error of a position, for three methods in eight cases";
     let of_flexible = "Right-hand sides over the error of a position, for three explicit methods and an implicit one in six \
                        cases of flexible links";
@@ -103,8 +103,8 @@ fn main() -> ExitCode {
         ("images/work_precision.svg", diagram(rigid, of_rigid)),
         ("images/work_precision_flexible.svg", diagram(flexible, of_flexible)),
     ] {
-        if let Err(error) = std::fs::write(docs.join(file), text) {
-            eprintln!("error: docs/{file}: {error}");
+        if let Err(error) = std::fs::write(measured.join(file), text) {
+            eprintln!("error: measured/{file}: {error}");
             return ExitCode::FAILURE;
         }
     }

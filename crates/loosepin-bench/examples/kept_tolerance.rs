@@ -1,5 +1,5 @@
 //! Whether runs keep the tolerance of a study, 1e-8 m, over the first half turn, and what they cost: all mechanisms of `cases/` with a drive and
-//! play, and the templates. `docs/integrators.md` has the table.
+//! play, and the templates. `measured/integrators.md` has the table.
 //!
 //! Usage: `kept_tolerance [WORD ...]`, words of the names of cases
 

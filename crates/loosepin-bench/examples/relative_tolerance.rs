@@ -1,7 +1,7 @@
 //! Evaluations and errors of `cases/flexible_slider_crank` over 2 and 10 ms by tolerance: which one gives positions a relative error of 1e-6.
 //!
 //! `cargo run --package loosepin-bench --example relative_tolerance`. The error of a run is the largest distance of the slider from its place in the
-//! reference run, over the largest displacement of the slider in that time; docs/performance.md has the table.
+//! reference run, over the largest displacement of the slider in that time; measured/performance.md has the table.
 
 use loosepin::simulate::Settings;
 use loosepin_bench::diagram::with_thousands_separators;

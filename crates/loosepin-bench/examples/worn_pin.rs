@@ -169,7 +169,7 @@ fn words(study: &Study, treatments: &[TreatmentComparison], truths: &[Truth], di
     let _ = write!(
         page,
         "# What bands promise and what they hold\n\n\
-         <!-- Written by `just campaign worn-pin {mechanisms} --write docs/worn-pin.md`; do not edit. -->\n\n\
+         <!-- Written by `just campaign worn-pin {mechanisms} --write measured/worn-pin.md`; do not edit. -->\n\n\
          Is a band as good as it promises? D. Sun and G. Chen, European Journal of Mechanics A/Solids 58 (2016) 256-261, say: random \
          plays promise too much, interval-only bands are too wide, and the mixed treatment is right. This page tests it on \
          [the worn pin](../cases/slider_crank_worn_pin/README.md): crank and rod lengths are random, the radial play (0.1 to 0.5 mm) and \

@@ -32,7 +32,7 @@ pub struct KnownCase {
 }
 
 /// Share of the true width by which bounds of smooth responses may be too wide: the median of a thousand seeds is below 0.006
-/// (`docs/known-bounds.md`).
+/// (`measured/known-bounds.md`).
 pub(crate) const DEFAULT_MAX_EXCESS: f64 = 0.03;
 
 /// An interval of a known case.

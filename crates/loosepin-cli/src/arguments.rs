@@ -378,7 +378,7 @@ pub enum CasesAction {
 #[derive(Debug, Args)]
 #[command(after_help = "Exit status 1: a number is outside its tolerance.\n\n\
     Examples:\n  loosepin cases run\n  loosepin cases run slider_crank_5000 six_bar\n  \
-    loosepin cases run --write docs/validation.md")]
+    loosepin cases run --write measured/validation.md")]
 pub struct CasesRunArguments {
     /// Names of cases [default: all]
     #[arg(value_name = "NAME")]

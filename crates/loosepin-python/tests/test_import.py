@@ -13,7 +13,7 @@ def test_version_is_that_of_the_installed_wheel():
 
 def test_module_says_what_it_is_for():
     first_line = (loosepin.__doc__ or "").splitlines()[0]
-    assert first_line == "How accurately a planar mechanism moves when its parts scatter and its joints have play."
+    assert first_line == "How accurately a mechanism moves when its parts scatter and its joints have play."
 
 
 def test_everything_public_is_there_and_documented():

@@ -1,6 +1,6 @@
 """Sobol' indices by SALib over `Model.evaluate`, against the contributors of a study: other points, other estimators, the same runs.
 
-`LOOSEPIN_REWRITE_PAGES=1` writes the table of docs/theory/contributors.md anew; `just campaign sobol-indices` counts many seeds.
+`LOOSEPIN_REWRITE_PAGES=1` writes the table of measured/sobol-indices.md anew; `just campaign sobol-indices` counts many seeds.
 """
 
 import os
@@ -15,7 +15,7 @@ from SALib.analyze import sobol as sobol_indices
 from SALib.sample import sobol as sobol_sample
 from scipy import stats
 
-PAGE = REPOSITORY / "docs/theory/contributors.md"
+PAGE = REPOSITORY / "measured/sobol-indices.md"
 # Lengths in m, mass in kg.
 LAWS = {
     "parameter.crank_length": lp.Normal(0.05, 2e-5),

@@ -43,11 +43,11 @@ pub fn cases_text(records: &[CaseRecord]) -> String {
     text
 }
 
-/// The cases as `docs/validation.md`.
+/// The cases as `measured/validation.md`.
 pub fn cases_page(records: &[CaseRecord]) -> String {
     let mut text = String::from(
         "# Validation\n\n\
-         Written by `loosepin cases run --write docs/validation.md`; a test fails if this page is out of date or a number is outside\nits tolerance. `cases/NAME/expected.toml` has the numbers, their sources and the reasons for their tolerances\n([its keys](../cases/README.md)). Obtained numbers and differences are rounded to the digits that the tolerance justifies; the\nlargest of many differences is rounded up to a power of ten.\n\n",
+         Written by `loosepin cases run --write measured/validation.md`; a test fails if this page is out of date or a number is outside\nits tolerance. `cases/NAME/expected.toml` has the numbers, their sources and the reasons for their tolerances\n([its keys](../cases/README.md)). Obtained numbers and differences are rounded to the digits that the tolerance justifies; the\nlargest of many differences is rounded up to a power of ten.\n\n",
     );
     text.push_str(&verdict(records));
     for record in records {

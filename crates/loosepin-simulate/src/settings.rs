@@ -9,7 +9,7 @@ pub struct Settings {
     /// Length that sets the error allowed in one step, m: the root mean square over all unknowns of the error estimates is at most
     /// [`STEP_SHARE`] of it. Contact amplifies errors; a second run measures how far (`Plan::second_run`). Default: 1e-9 m for one simulation, 1e-8 m in a study.
     pub tolerance_m: f64,
-    /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).
+    /// The embedded pair. Default: DOP853 (`measured/integrators.md` has the measurement).
     pub method: &'static Tableau,
     /// Evaluations of the equations of motion after which a run is given up. Default: 3e8, a minute or so; the same
     /// in a study, so that a run that is given up there is given up again by itself.
@@ -29,7 +29,7 @@ pub enum Integrator {
     Implicit,
 }
 
-/// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
+/// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`measured/integrators.md`).
 pub const STEP_SHARE: f64 = 5e-3;
 
 /// Tolerance of a single simulation, m.

@@ -1,4 +1,4 @@
-//! How accurately a planar mechanism moves when its parts scatter (random: a distribution) and its joints have play
+//! How accurately a mechanism moves when its parts scatter (random: a distribution) and its joints have play
 //! that is known only roughly (epistemic: an interval).
 //!
 //! This crate names what users of the library need, and holds nothing of its own. Each phase is a crate:

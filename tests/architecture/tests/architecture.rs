@@ -140,7 +140,7 @@ const ONE_PLACE: [(&str, &str); 20] = [
     ("NormalLaw", "loosepin-mechanics/src/contact/normal/"),
     ("NormalDescription", "loosepin-mechanics/src/model/contact/"),
     ("ContactLaw", "loosepin-mechanics/src/model/contact/"),
-    ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
+    ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape/"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
     ("SpatialKind", "loosepin-space/src/kind/"),
     ("SpatialPlay", "loosepin-space/src/play/"),

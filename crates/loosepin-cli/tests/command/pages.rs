@@ -1,4 +1,4 @@
-//! Every command of the README and of the pages of docs runs, in the order of its page, in a folder of its own.
+//! Every command of the README and of the pages of docs and of measured runs, in the order of its page, in a folder of its own.
 //!
 //! A command is a line of a fenced block of the shell, or an indented line that begins with `loosepin` or `cargo run`. A block whose
 //! first line begins with `# not run by the tests:` is not run; NOT_RUN lists these. A command that ends with
@@ -46,7 +46,7 @@ fn repository() -> PathBuf {
 /// The README and the pages of the documentation, by their paths in the repository.
 fn pages() -> Vec<String> {
     let mut found = vec!["README.md".to_owned(), "cases/README.md".to_owned()];
-    for folder in ["docs", "docs/files", "docs/theory"] {
+    for folder in ["docs", "docs/files", "docs/theory", "measured"] {
         let entries = fs::read_dir(repository().join(folder)).expect("the pages");
         let names = entries.map(|entry| entry.expect("a page").file_name().into_string().expect("a name"));
         found.extend(names.filter(|name| name.ends_with(".md")).map(|name| format!("{folder}/{name}")));

@@ -1,4 +1,4 @@
-"""How accurately a planar mechanism moves when its parts scatter and its joints have play.
+"""How accurately a mechanism moves when its parts scatter and its joints have play.
 
     import loosepin as lp
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Stiff directions are in balance at the ends of a step. Inside they are off by the error of p, of which their stiffness ω² makes an acceleration; x takes that
-//! error off: a(q, v) comes to ẇ where ω² is far above μ², and q stays p elsewhere. So forces and accelerations inside err by some thousandths where the cubics alone err by more (docs/integrators.md). A polynomial of higher degree
+//! error off: a(q, v) comes to ẇ where ω² is far above μ², and q stays p elsewhere. So forces and accelerations inside err by some thousandths where the cubics alone err by more (measured/integrators.md). A polynomial of higher degree
 //! for p, with accelerations at its ends, is worse: their errors in stiff directions times h² become displacements.
 
 use crate::lanes::memory::{LaneLayout, MemoryBlocks};

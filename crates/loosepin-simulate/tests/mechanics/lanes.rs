@@ -540,7 +540,7 @@ fn pinned_counts_of_reference_cases() {
 }
 
 /// Operations of an evaluation of the equations of the slider-crank, counted in the programs that its machine code is made of:
-/// within a step, with and without penetrations that are read off the positions, and at its end, where the slider's position is read. `docs/performance.md` holds time against them.
+/// within a step, with and without penetrations that are read off the positions, and at its end, where the slider's position is read. `measured/performance.md` holds time against them.
 #[test]
 fn pinned_operations_of_the_slider_crank() {
     let Case { mechanism, readings, .. } = case("slider_crank_5000");

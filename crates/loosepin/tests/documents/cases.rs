@@ -1,4 +1,4 @@
-//! Every number of every reference case is met, and `docs/validation.md` says so.
+//! Every number of every reference case is met, and `measured/validation.md` says so.
 //!
 //! With `LOOSEPIN_BLESS=1` in the environment the page is written anew, to be read before it is committed.
 
@@ -46,14 +46,14 @@ fn peer_and_analytic_numbers_of_all_cases_are_met_and_the_page_is_up_to_date() {
     }
     let outside = outside(&records);
     assert!(outside.is_empty(), "outside of their tolerances: {outside:#?}");
-    let path = repository().join("docs/validation.md");
+    let path = repository().join("measured/validation.md");
     let page = cases_page(&records);
     if std::env::var_os("LOOSEPIN_BLESS").is_some() {
         std::fs::write(&path, &page).expect("the page can be written");
     }
-    let stored = std::fs::read_to_string(&path).expect("docs/validation.md is there");
+    let stored = std::fs::read_to_string(&path).expect("measured/validation.md is there");
     assert!(
         stored == page,
-        "docs/validation.md is out of date; hint: loosepin cases run --write docs/validation.md, and read what changed"
+        "measured/validation.md is out of date; hint: loosepin cases run --write measured/validation.md, and read what changed"
     );
 }

@@ -42,6 +42,7 @@ fn pages() -> Vec<PathBuf> {
     let mut pages: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
     pages.push(law_page());
     pages.push(repository().join("docs/lubrication.md"));
+    pages.push(repository().join("measured/films.md"));
     pages.sort();
     pages
 }

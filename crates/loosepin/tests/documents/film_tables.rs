@@ -1,4 +1,4 @@
-//! The tables of docs/lubrication.md: published loads and attitudes of bearings beside ours.
+//! The tables of docs/lubrication.md and measured/films.md: published loads and attitudes of bearings beside ours.
 
 use loosepin::contact::{FILM_LAWS, FilmBearing, FilmForce, FilmMotion, FilmPressure};
 

@@ -1,4 +1,5 @@
-//! The documentation as a site: every page is in its table of contents once, and every link leads somewhere.
+//! The documentation as a site: every page is in its table of contents once, and every link leads somewhere; so do those of the pages
+//! that are in the repository alone.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -15,9 +16,21 @@ fn read(path: &str) -> String {
     fs::read_to_string(repository().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// Every file of `docs`, by its path in the repository.
-fn files_of_docs() -> Vec<String> {
-    let (mut found, mut folders) = (Vec::new(), vec!["docs".to_owned()]);
+/// Pages outside the site.
+const IN_THE_REPOSITORY_ALONE: [&str; 8] = [
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "README.md",
+    "cases/README.md",
+    "tools/compare/bounds/README.md",
+    "tools/compare/identify/README.md",
+    "tools/compare/space/README.md",
+    "tools/compare/surrogates/README.md",
+];
+
+/// Every file of a folder and of those in it, by its path in the repository.
+fn files_below(folder: &str) -> Vec<String> {
+    let (mut found, mut folders) = (Vec::new(), vec![folder.to_owned()]);
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(repository().join(&folder)).expect("a folder") {
             let entry = entry.expect("an entry");
@@ -84,6 +97,12 @@ fn anchors(page: &str) -> BTreeSet<String> {
     found
 }
 
+/// The pages on the site and those of measurements; without the generated ones.
+fn pages_of_docs_and_measured() -> Vec<String> {
+    let measured = files_below("measured").into_iter().filter(|path| path.ends_with(".md"));
+    contents().into_iter().filter(|page| !GENERATED.contains(&page.as_str())).chain(measured).collect()
+}
+
 /// The pages in the table of contents, by their paths in the repository, in its order.
 fn contents() -> Vec<String> {
     links(&read("docs/SUMMARY.md").replace("    - ", "- "))
@@ -97,17 +116,16 @@ fn every_page_is_in_the_table_of_contents_once() {
     let contents = contents();
     let unique: BTreeSet<&String> = contents.iter().collect();
     assert_eq!(unique.len(), contents.len(), "a page is there twice");
-    for page in files_of_docs().iter().filter(|path| path.ends_with(".md") && *path != "docs/SUMMARY.md") {
+    for page in files_below("docs").iter().filter(|path| path.ends_with(".md") && *path != "docs/SUMMARY.md") {
         assert!(contents.contains(page), "{page} is not in docs/SUMMARY.md");
     }
 }
 
 #[test]
 fn every_link_leads_somewhere() {
-    let pages: BTreeMap<String, String> = contents()
+    let pages: BTreeMap<String, String> = pages_of_docs_and_measured()
         .into_iter()
-        .filter(|page| !GENERATED.contains(&page.as_str()))
-        .chain(["README.md".to_owned()])
+        .chain(IN_THE_REPOSITORY_ALONE.map(str::to_owned))
         .map(|page| (page.clone(), read(&page)))
         .collect();
     let mut count = 0;
@@ -133,9 +151,8 @@ fn every_link_leads_somewhere() {
 /// What no page shows is waste: it grows the repository, and nobody would notice that it is wrong.
 #[test]
 fn every_picture_is_shown() {
-    let shown: BTreeSet<String> = contents()
+    let shown: BTreeSet<String> = pages_of_docs_and_measured()
         .iter()
-        .filter(|page| !GENERATED.contains(&page.as_str()))
         .flat_map(|page| {
             let folder = Path::new(page).parent().expect("a folder").to_owned();
             let link_targets = links(&read(page)).into_iter().filter(|link| !link.contains("://"));
@@ -144,7 +161,8 @@ fn every_picture_is_shown() {
                 .collect::<Vec<_>>()
         })
         .collect();
-    for picture in files_of_docs().iter().filter(|path| path.ends_with(".svg") || path.ends_with(".png")) {
+    let files = [files_below("docs"), files_below("measured")].concat();
+    for picture in files.iter().filter(|path| path.ends_with(".svg") || path.ends_with(".png")) {
         assert!(shown.contains(picture), "no page shows {picture}");
     }
 }
