@@ -14,8 +14,8 @@ use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
-use crate::output::{PointOutput, SpatialOutput};
 use crate::picture::Zones;
 use crate::play::block::PlayPart;
 use crate::play::kind_of_play::KindOfPlay;
@@ -329,6 +329,7 @@ impl SpatialModel {
             }
             ModelOutputKind::Path { point } => (format!("displacement of {}", self.point_name(point)), SiUnit::LENGTH),
             ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
+            ModelOutputKind::Orientation { body } => (format!("rotation of {}", self.bodies[body].name), SiUnit::ANGLE),
         }
     }
 }
@@ -336,11 +337,6 @@ impl SpatialModel {
 /// Whether play moves the journal of a joint; a clearance of zero moves nothing.
 fn has_play(joint: &Joint) -> bool {
     joint.play.iter().flat_map(KindOfPlay::blocks).any(|block| block.radius_m > 0.0)
-}
-
-/// Whether an output is a displacement, which is no number.
-pub(super) fn is_path(output: &ModelOutput) -> bool {
-    matches!(output.kind, ModelOutputKind::Path { .. })
 }
 
 /// Fewest steps of a turn for the angle of a body: a whole turn in one step would look like none.
@@ -409,7 +405,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a path the displacement along the
+/// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a vector its component along the
 /// direction in which it is longest.
 fn at_position(
     accuracy: &PoseAccuracy<'_>,
@@ -423,9 +419,8 @@ fn at_position(
     }
     let longest = accuracy.largest_norm(&gains)?;
     let direction = <[f64; 3]>::try_from(longest.direction).map_or(None, |n| Vec3::from(n).normalised());
-    let point = components.first().and_then(SpatialOutput::point).ok_or(AccuracyError::OutputDoesNotFit)?;
-    let along = PointOutput { direction: direction.unwrap_or(Vec3::X), ..point };
-    Ok((longest.largest, variance, along.into()))
+    let along = components.first().and_then(|first| first.component(direction.unwrap_or(Vec3::X)));
+    Ok((longest.largest, variance, along.ok_or(AccuracyError::OutputDoesNotFit)?))
 }
 
 /// Ideal values: of a point its place along the direction, of a turn the sum of the turns from position to position.

@@ -263,4 +263,16 @@ pub enum ModelOutputKind {
         /// The axis, in the frame of the body.
         about: Direction,
     },
+    /// The orientation of a body: how far it is rotated from the ideal one, about whatever axis.
+    Orientation {
+        /// The body.
+        body: usize,
+    },
+}
+
+impl ModelOutputKind {
+    /// Whether it is a displacement or a rotation with three components, and no number.
+    pub fn is_vector(self) -> bool {
+        matches!(self, Self::Path { .. } | Self::Orientation { .. })
+    }
 }

@@ -9,7 +9,6 @@
 //! Derivatives are central differences of loops that are closed exactly, at ± [`STEP`] σ_i. Where constraints repeat others, play takes up what
 //! does not fit, as in [`TurnSampler`].
 
-use super::over_turn::is_path;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::closure::error::ClosureError;
@@ -131,10 +130,10 @@ impl SpatialModel {
         values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
     }
 
-    /// The parts that deviations are read off from: of a path its three coordinates.
+    /// The parts that deviations are read off from: of a vector its three components.
     fn sampled_parts(&self) -> Vec<SampledPart> {
         let parts = |(output, own): (usize, &super::parts::ModelOutput)| {
-            let parts: &[PartOfOutput] = match is_path(own) {
+            let parts: &[PartOfOutput] = match own.kind.is_vector() {
                 true => &[PartOfOutput::X, PartOfOutput::Y, PartOfOutput::Z],
                 false => &[PartOfOutput::Number],
             };

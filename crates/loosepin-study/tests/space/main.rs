@@ -308,3 +308,84 @@ fn identity_what_lengths_do_does_not_depend_on_whether_play_is_asked_for() {
     assert!(alone.iter().flatten().all(|end| end.abs() > 1e-6), "{alone:?}");
     assert_eq!(alone, bounds(&format!("{}{}", ask("dimensional"), ask("total"))));
 }
+
+/// A part that is fixed to a driven arm with an error of manufacture.
+const TOOL: &str = r#"
+name = "tool"
+geometry = "space"
+[body.ground]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[body.arm]
+points = { o = ["0 mm", "0 mm", "0 mm"], wrist = ["200 mm", "0 mm", "0 mm"] }
+[body.tool]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[joint.pivot]
+kind = "revolute"
+bearing = "ground.o"
+journal = "arm.o"
+[joint.flange]
+kind = "rigid"
+bearing = "arm.wrist"
+journal = "tool.o"
+bearing_tilt = ["0 mrad", "0 mrad", "0 mrad"]
+[drive.motor]
+joint = "pivot"
+speed = "60 rpm"
+start_angle = "10 deg"
+[cycle]
+drive = "motor"
+samples_per_turn = 4
+[output.tool]
+orientation_of = "tool"
+"#;
+
+fn tool_study(rest: &str) -> Result<Study, Diagnostics> {
+    let model = SpatialModel::from_text("model.toml", TOOL).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", &format!("name = \"s\"\nmodel = \"model.toml\"\n{rest}"), model)
+}
+
+#[test]
+fn analytic_a_rotation_by_three_random_tilts_has_an_angle_by_maxwell() {
+    const DEVIATION: f64 = 0.01;
+    let tilts = ["x", "y", "z"].map(|axis| {
+        format!("\"joint.flange.bearing_tilt.{axis}\" = {{ normal = {{ standard_deviation = \"10 mrad\" }} }}\n")
+    });
+    // The only component may be left out.
+    for component in ["", "component = \"magnitude\"\n"] {
+        let study = tool_study(&format!(
+            "[sampling]\ninner = 4096\nreplicates = 8\n[random]\n{}[[ask]]\noutput = \"tool\"\n{component}of = \"total\"\n\
+             poses = {{ motor = [\"100 deg\"] }}\n\
+             statistics = [\"mean\", \"standard_deviation\", {{ quantile = 0.95 }}, {{ probability_above = \"20 mrad\" }}]\n",
+            tilts.concat()
+        ));
+        let study = study.unwrap_or_else(|found| panic!("{found}"));
+        let result = run(&study).result;
+        assert_eq!(result.outputs[0].name, "tool magnitude");
+        // Of θ/σ: mean √(8/π), variance 3 - 8/π; erf(x/√2) - √(2/π) x exp(-x²/2) is 0.95 at x = 2.795483 and 0.738536 at x = 2.
+        let of_maxwell =
+            [1.595_769_1, 0.673_439_3, 2.795_483].map(|own| own * DEVIATION).into_iter().chain([0.261_464]);
+        for (bound, expected) in result.bounds.iter().zip(of_maxwell) {
+            let (lower, upper) = (bound.lower.widened_si, bound.upper.widened_si);
+            assert!(lower <= expected && expected <= upper, "{lower} {expected} {upper}");
+            // Of 4096 runs, and of a probability of a quarter a little more.
+            assert!(upper - lower < 0.1 * expected, "{lower} {expected} {upper}");
+        }
+        assert_eq!(result.bounds.len(), 4);
+    }
+}
+
+#[test]
+fn an_angle_from_an_ideal_orientation_is_no_value_and_has_one_component() {
+    let tilt = "[random]\n\"joint.flange.bearing_tilt.x\" = { normal = { standard_deviation = \"1 mrad\" } }\n";
+    let refused = |key: &str| {
+        let ask = format!("[[ask]]\noutput = \"tool\"\n{key}reduce = \"maximum\"\nstatistics = [\"mean\"]\n");
+        tool_study(&format!("{tilt}{ask}")).expect_err("refused").sorted()[0].clone()
+    };
+    let found = refused("of = \"value\"\n");
+    assert_eq!(
+        found.message,
+        "[[ask]] 1: of: component 'magnitude' is an error from the ideal orientation, not a value"
+    );
+    let found = refused("component = \"x\"\nof = \"total\"\n");
+    assert!(found.message.contains("\"magnitude\"") || found.to_string().contains("magnitude"), "{found}");
+}
