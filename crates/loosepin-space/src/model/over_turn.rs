@@ -32,7 +32,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::rc::Rc;
 
 impl SpatialModel {
-    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::proven_motion_record`].
+    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::motion_record_until`].
     ///
     /// # Errors
     /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
@@ -41,15 +41,7 @@ impl SpatialModel {
         self.motion_record_until(values, false, NEVER)
     }
 
-    /// The same with proven ends of the worst case of each output, which take a tenth of a second each and more.
-    ///
-    /// # Errors
-    /// As for [`SpatialModel::motion_record`].
-    pub fn proven_motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
-        self.motion_record_until(values, true, NEVER)
-    }
-
-    /// Either of both, until it is stopped.
+    /// The same, until it is stopped; with proven ends of the worst case of each output on demand, which take a tenth of a second each and more.
     ///
     /// # Errors
     /// As for [`SpatialModel::motion_record`]; that it was stopped.
@@ -158,16 +150,11 @@ impl SpatialModel {
         }
     }
 
-    /// The positions of the turn.
+    /// The positions of the turn, until it is stopped.
     ///
     /// # Errors
-    /// There is no turn, or the loops do not close all over it.
-    pub fn positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, Diagnostics> {
-        self.positions_until(mechanism, values, NEVER)
-    }
-
-    /// The same, until it is stopped.
-    fn positions_until(
+    /// There is no turn, or the loops do not close all over it; that it was stopped.
+    pub fn positions_until(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,
@@ -209,7 +196,7 @@ impl SpatialModel {
         found.stopped.map_or(Ok(found.positions), Err)
     }
 
-    fn turn(
+    pub(super) fn turn(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,

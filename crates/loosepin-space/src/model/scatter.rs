@@ -13,7 +13,7 @@ use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::closure::error::ClosureError;
 use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
-use crate::stop::{IsStopped, NEVER};
+use crate::stop::IsStopped;
 use loosepin_result::motion::DimensionContributor;
 use loosepin_result::round_off::round_off_si;
 use loosepin_result::spatial_motion::SpatialScatter;
@@ -36,18 +36,10 @@ pub struct SpatialScatterPlan {
 }
 
 impl SpatialModel {
-    /// What random dimensions do to each output, at the positions of [`SpatialModel::motion_record`].
+    /// What random dimensions do to each output, at the positions of [`SpatialModel::motion_record`], until it is stopped.
     ///
     /// # Errors
-    /// Values that break a rule; loops that do not close; drives whose place is uncertain.
-    pub fn scatter(&self, plan: &SpatialScatterPlan) -> Result<Vec<SpatialScatter>, Diagnostics> {
-        self.scatter_until(plan, NEVER)
-    }
-
-    /// The same, until it is stopped.
-    ///
-    /// # Errors
-    /// As for [`Self::scatter`]; that it was stopped.
+    /// Values that break a rule; loops that do not close; drives whose place is uncertain; that it was stopped.
     pub fn scatter_until(
         &self,
         plan: &SpatialScatterPlan,
