@@ -2,7 +2,7 @@
 
 use loosepin_space::SpatialModel;
 use loosepin_study::{Progress, RunOptions, Study, StudyModel, StudyRun, estimate_cost, run_study};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
+use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Source};
 use std::sync::atomic::AtomicBool;
 
 const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
@@ -388,4 +388,73 @@ fn an_angle_from_an_ideal_orientation_is_no_value_and_has_one_component() {
     );
     let found = refused("component = \"x\"\nof = \"total\"\n");
     assert!(found.message.contains("\"magnitude\"") || found.to_string().contains("magnitude"), "{found}");
+}
+
+/// A question: whether of the model without play, its output, its keys.
+type Question = (bool, &'static str, String);
+
+#[test]
+fn what_is_explained_of_questions_that_are_not_possible_holds_in_space() {
+    let explained = Code::AskNotPossible.entry().explanation;
+    let outputs = (
+        "[output.rocker]",
+        "[output.ball]\npath_of = \"rocker.ball\"\n[output.place]\nposition_of = \"rocker.ball\"\nalong = \"x\"\n\
+         [output.attitude]\norientation_of = \"rocker\"\n[output.rocker]",
+    );
+    let tilts =
+        ("journal = \"rocker.o\"", "journal = \"rocker.o\"\nbearing_tilt = [\"0 mrad\", \"0 mrad\", \"0 mrad\"]");
+    let ideal = ("radial_clearance = \"0.2 mm\"\n", "");
+    let inputs = "[random]\n\"body.crank.points.pin.x\" = { normal = { standard_deviation = \"0.05 mm\" } }\n\
+                  \"joint.pivot.bearing_tilt.x\" = { normal = { standard_deviation = \"0.1 mrad\" } }\n";
+    let said = |is_ideal: bool, output: &str, keys: &str| {
+        let edits = if is_ideal { vec![outputs, tilts, ideal] } else { vec![outputs, tilts] };
+        let place = if keys.contains("poses") { "" } else { "reduce = \"maximum\"\n" };
+        let ask = format!("[[ask]]\noutput = \"{output}\"\n{keys}\n{place}statistics = [\"mean\"]\n");
+        read(&edits, &format!("{inputs}{ask}"))
+    };
+    let total = "of = \"total\"";
+    let component = |word: &str| format!("component = \"{word}\"\n{total}");
+    let at = |joint: &str| format!("{total}\nposes = {{ {joint} = [\"60 deg\"] }}");
+    // What the text says, what is refused with this code, what is possible.
+    let claims: [(&str, Vec<Question>, Vec<Question>); 5] = [
+        (
+            "A planar path has two columns, one in space three: name one with component, for example component = \"x\"",
+            vec![(false, "ball", total.to_owned())],
+            ["x", "y", "z"].map(|word| (false, "ball", component(word))).to_vec(),
+        ),
+        (
+            "or in space \"magnitude\" for the distance from the ideal point",
+            vec![(false, "ball", component("magnitude").replace("total", "value"))],
+            vec![(false, "ball", component("magnitude"))],
+        ),
+        (
+            "In space there are no runs: outputs are positions, paths, turns and orientations",
+            ["place", "rocker"].map(|output| (false, output, component("magnitude"))).to_vec(),
+            ["place", "rocker", "attitude"].map(|output| (false, output, total.to_owned())).to_vec(),
+        ),
+        (
+            "their deviations come from play, dimensions and errors of manufacture",
+            vec![(true, "rocker", total.replace("total", "clearance"))],
+            vec![
+                (false, "rocker", total.replace("total", "clearance")),
+                (true, "rocker", total.replace("total", "dimensional")),
+            ],
+        ),
+        (
+            "A pose is given by the angle of the drive that the cycle counts",
+            vec![(false, "rocker", at("pivot"))],
+            vec![(false, "rocker", at("crank"))],
+        ),
+    ];
+    for (claim, refused, possible) in claims {
+        assert!(explained.contains(claim), "{claim}: {explained}");
+        for (is_ideal, output, keys) in refused {
+            let found = said(is_ideal, output, &keys).expect_err(&keys);
+            assert_eq!(found.sorted()[0].code, Code::AskNotPossible, "{keys}: {found}");
+        }
+        for (is_ideal, output, keys) in possible {
+            let study = said(is_ideal, output, &keys).unwrap_or_else(|found| panic!("{keys}: {found}"));
+            assert_eq!(study.asks.len(), 1);
+        }
+    }
 }
