@@ -33,33 +33,37 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Model, Values};
-use loosepin_simulate::still_outputs;
+use loosepin_simulate::bodies_that_move;
+use loosepin_space::{IsStopped, SpatialModel};
 use loosepin_study::{InputFile, Study, plan_runs};
 use loosepin_text::article::Article;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
-use loosepin_text::document::describe_path;
-use loosepin_text::plausible::ImplausibleNumber;
+use loosepin_text::plausible::JudgedModel;
 
 use trial::TrialResult;
 
 /// Warnings about likely mistakes in a valid file, and about outputs that its mechanism never moves. A mechanism that cannot be moved is refused
 /// elsewhere.
 pub fn warnings(file: &InputFile) -> Vec<Diagnostic> {
-    let still = file.model().planar().map_or_else(Vec::new, |model| {
-        let values = model.quantities.nominal();
-        Mechanism::new(model, &values).map_or_else(|_| Vec::new(), |mechanism| never_moving(&mechanism, &values))
-    });
+    let still = match (file.model().planar(), file.model().spatial()) {
+        (Some(model), _) => {
+            let values = model.quantities.nominal();
+            Mechanism::new(model, &values).map_or_else(|_| Vec::new(), |mechanism| never_moving(&mechanism, &values))
+        }
+        (None, Some(model)) => never_moving_in_space(model, &model.quantities.nominal(), &|| false),
+        (None, None) => Vec::new(),
+    };
     file.warnings().iter().cloned().chain(still).collect()
 }
 
 /// Warnings of outputs whose bodies stand still over the whole cycle.
 pub fn never_moving(mechanism: &Mechanism, values: &Values) -> Vec<Diagnostic> {
-    let model = &mechanism.model;
-    let warning = |output: usize| {
-        let path = format!("output.{}", model.outputs[output].name);
-        Diagnostic::warning(&ImplausibleNumber::NeverMoves { entry: describe_path(&path) }, model.place(&path))
-    };
-    still_outputs(mechanism, values).into_iter().map(warning).collect()
+    bodies_that_move(mechanism, values).map_or_else(Vec::new, |moved| mechanism.model.never_moving(moved))
+}
+
+/// The same of a mechanism in space, until it is stopped.
+fn never_moving_in_space(model: &SpatialModel, values: &Values, is_stopped: IsStopped) -> Vec<Diagnostic> {
+    model.bodies_that_move(values, is_stopped).map_or_else(Vec::new, |moved| model.never_moving(moved))
 }
 
 /// Moves the mechanism of a file for the first time, and reports its loops, limits and first steps.
@@ -84,17 +88,20 @@ pub fn check_until(file: &InputFile, stop: &AtomicBool) -> Result<Article, Diagn
     }
 }
 
-/// The errors of [`check_until`], without its report and without the time of a run; without any, [`never_moving`]. Of a mechanism in space
-/// without a study there are none but those of its motion.
+/// The errors of [`check_until`], without its report and without the time of a run; without any, warnings of outputs that never move. Of a
+/// mechanism in space without a study there are no errors but those of its motion.
 ///
 /// # Errors
 /// As for [`check_until`].
 pub fn try_until(file: &InputFile, stop: &AtomicBool) -> Result<Vec<Diagnostic>, Diagnostics> {
+    let is_stopped = || stop.load(Ordering::Relaxed);
     let study = match file {
         InputFile::Model(model) => {
-            return match model.planar() {
-                Some(model) => try_model(model, stop).map(|tried| never_moving(&tried.mechanism, &tried.values)),
-                None => Ok(Vec::new()),
+            return match model.spatial() {
+                Some(model) => Ok(never_moving_in_space(model, &model.quantities.nominal(), &is_stopped)),
+                None => {
+                    try_model(model.demand_planar()?, stop).map(|tried| never_moving(&tried.mechanism, &tried.values))
+                }
             };
         }
         InputFile::Study(study) => study,
@@ -106,6 +113,8 @@ pub fn try_until(file: &InputFile, stop: &AtomicBool) -> Result<Vec<Diagnostic>,
         if !model.missing_for_runs.is_empty() {
             return Ok(still);
         }
+    } else if let Some(model) = study.model.spatial() {
+        still = never_moving_in_space(model, &study::middle_values(study)?, &is_stopped);
     }
     if study.has_questions() {
         plan_runs(study).map_err(|error| error.diagnostic(study))?;

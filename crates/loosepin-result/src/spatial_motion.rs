@@ -86,13 +86,13 @@ pub struct SpatialOutputRecord {
     pub words: String,
     /// Its unit: m or rad.
     pub unit: SiUnit,
-    /// The ideal value at each position; empty of a path, which is no number. A turn counts from the first position.
+    /// The ideal value at each position; empty of a path and of an orientation, which are no numbers. A turn counts from the first position.
     pub ideal_si: Vec<f64>,
     /// The worst case of first order at each position: the largest deviation to one side, which is that to the other; of a path the longest
-    /// displacement.
+    /// displacement, of an orientation the largest angle.
     pub first_order_si: Vec<f64>,
-    /// Standard deviation with the journals anywhere in their play, all places alike; of a path the root of the mean square of the displacement.
-    /// Empty where the plays must meet conditions together, so that there is no closed form.
+    /// Standard deviation with the journals anywhere in their play, all places alike; of a path the root of the mean square of the displacement,
+    /// of an orientation that of the angle. Empty where the plays must meet conditions together, so that there is no closed form.
     pub standard_deviation_si: Vec<f64>,
     /// The worst position.
     pub worst: SpatialWorstCase,
@@ -119,7 +119,8 @@ pub struct SpatialScatter {
 pub struct SpatialWorstCase {
     /// Number of the position.
     pub sample: usize,
-    /// Largest deviation that a search found, loops closed exactly; of a path along the direction of the longest displacement.
+    /// Largest deviation that a search found, loops closed exactly; of a path along the direction of the longest displacement,
+    /// of an orientation about the axis of the largest angle.
     pub largest_si: f64,
     /// Smallest deviation that a search found.
     pub smallest_si: f64,

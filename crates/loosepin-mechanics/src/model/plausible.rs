@@ -4,6 +4,8 @@
 use super::contact::Contact;
 use crate::contact::delivered_restitution;
 use crate::model::ids::{BodyId, PlayId};
+use crate::model::joint::TreeAttachment;
+use crate::model::output::{Output, Position, Recorded, Relative};
 use crate::model::parts::topology::{Body, Model};
 use loosepin_text::diagnostics::{Place, Source};
 use loosepin_text::document::describe_path;
@@ -54,6 +56,29 @@ impl JudgedModel for Model {
         self.judge_clearances(judged, &mut found);
         self.judge_gears(judged.values, &mut found);
         found
+    }
+
+    fn bodies_of_outputs(&self) -> Vec<(&str, usize)> {
+        let seen = |output: &Output| seen_from_ground(output).map(|BodyId(body)| body);
+        self.outputs.iter().filter_map(|output| Some((output.name.as_str(), seen(output)?))).collect()
+    }
+
+    fn rigid_pairs(&self) -> Vec<[usize; 2]> {
+        let rigid = self.joints.iter().filter(|joint| joint.kind.tree_attachment() == TreeAttachment::Fixed);
+        rigid.map(|joint| joint.kind.points().map(|point| point.body.0)).collect()
+    }
+}
+
+/// The body whose position or angle from the ground an output is.
+fn seen_from_ground(output: &Output) -> Option<BodyId> {
+    match output.kind.recorded() {
+        Recorded::Path(Relative { of, to: None }) => Some(of.body),
+        Recorded::Number(reading) => match reading.position()? {
+            Position::Point(Relative { of, to: None }, _) => Some(of.body),
+            Position::Angle(Relative { of, to: None }) => Some(of),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

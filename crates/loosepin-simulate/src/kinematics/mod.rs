@@ -18,7 +18,7 @@ use loosepin_text::units::SiUnit;
 pub use advantage::{MovedOutput, mechanical_advantages};
 use loops::{GroundLoop, ground_loops};
 use quantity::{Angle, Quantity, Travel};
-pub use still::still_outputs;
+pub use still::bodies_that_move;
 pub use turning::Walked;
 use turning::crossings;
 

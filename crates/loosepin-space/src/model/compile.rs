@@ -128,7 +128,7 @@ impl SpatialModel {
         Ok(CycleInput { drive: Some(drive.name.clone()), start: values[drive.start], rate, turn_s, samples })
     }
 
-    /// What an output reads off: one number, or the three components of the displacement of a point.
+    /// What an output reads off: one number, or the three components of the displacement of a point or of the rotation of a body.
     ///
     /// # Errors
     /// A direction of length zero.
@@ -147,6 +147,7 @@ impl SpatialModel {
             ModelOutputKind::Turn { body, about } => {
                 vec![RotationOutput { body, axis: unit(about, "about")? }.into()]
             }
+            ModelOutputKind::Orientation { body } => SpatialOutput::rotation(body).to_vec(),
         })
     }
 

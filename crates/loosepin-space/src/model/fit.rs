@@ -8,7 +8,7 @@ use crate::closure::assembly::Starts;
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use crate::stop::{IsStopped, NEVER};
+use crate::stop::IsStopped;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::document::listed;
 use loosepin_text::numbers::Values;
@@ -77,21 +77,14 @@ fn rounded(value: f64) -> f64 {
 
 impl SpatialModel {
     /// The least play with which the mechanism with these values can be put together, at the positions of the turn, or at the start if there is no
-    /// turn.
+    /// turn; until it is stopped.
     ///
     /// Positions are those of the mechanism without its tilts and shifts; where that does not close either, of the nominal one without them.
     /// At each the least play is exact ([`PoseAccuracy::least_play`]); between them it is not looked at.
     ///
     /// # Errors
-    /// What [`SpatialModel::mechanism`] refuses; loops that do not close without errors of manufacture; positions without an answer.
-    pub fn assembly(&self, values: &Values) -> Result<ModelAssembly, Diagnostics> {
-        self.assembly_until(values, NEVER)
-    }
-
-    /// The same, until it is stopped.
-    ///
-    /// # Errors
-    /// As for [`Self::assembly`]; that it was stopped.
+    /// What [`SpatialModel::mechanism`] refuses; loops that do not close without errors of manufacture; positions without an answer; that it was
+    /// stopped.
     pub fn assembly_until(&self, values: &Values, is_stopped: IsStopped) -> Result<ModelAssembly, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let aligned = self.aligned(values).map_err(|error| self.diagnostic(&error))?;

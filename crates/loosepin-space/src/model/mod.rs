@@ -15,7 +15,7 @@
 //! | whether a file forgot to say that it is in space | `forgotten.rs` |
 //! | what is drawn of it | `drawn.rs` |
 //! | why it cannot be sampled | `sampled.rs` |
-//! | what is hardly possible; what is wrong with it | `plausible.rs`; `problem.rs` |
+//! | what is hardly possible; which bodies never move; what is wrong with it | `plausible.rs`; `still.rs`; `problem.rs` |
 
 mod assembly;
 mod body;
@@ -38,6 +38,7 @@ mod reader;
 mod round_off;
 mod sampled;
 mod scatter;
+mod still;
 
 pub use body::is_inertia;
 pub use compile::CycleInput;

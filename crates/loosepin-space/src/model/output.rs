@@ -8,7 +8,7 @@ use loosepin_text::record;
 
 record! {
     /// what is read off a position
-    pub(super) struct SpatialOutputTable for ReadsNumbers, exactly one of [position_of, path_of, turn_of],
+    pub(super) struct SpatialOutputTable for ReadsNumbers, exactly one of [position_of, path_of, turn_of, orientation_of],
         planned &[
             ("velocity_of", "outputs in space are positions and turns"),
             ("acceleration_of", "outputs in space are positions and turns"),
@@ -22,6 +22,8 @@ record! {
     optional path_of: Entry<'t> = Kind::Point, "\"rod.tip\"";
     /// the body whose turn is read off, about an axis
     optional turn_of: Entry<'t> = Kind::Reference("body"), "\"rocker\"";
+    /// the body whose rotation from its ideal orientation is read off, about whatever axis
+    optional orientation_of: Entry<'t> = Kind::Reference("body"), "\"platform\"";
     /// direction of position_of in the frame of the ground: x, y, z, the name of an axis of the ground, or three numbers
     optional along: Entry<'t> = DIRECTION, "\"x\"";
     /// axis of turn_of in the frame of the body: x, y, z, the name of an axis of the body, or three numbers
@@ -52,14 +54,24 @@ impl SpaceReader {
             let along = self.direction(along, 0)?;
             return Some(ModelOutputKind::Position { point: point?, along });
         }
-        self.numbers.refuse_beside(table, "along", if own.path_of.is_some() { "path_of" } else { "turn_of" });
+        let of = match own {
+            SpatialOutputTable { path_of: Some(_), .. } => "path_of",
+            SpatialOutputTable { orientation_of: Some(_), .. } => "orientation_of",
+            _ => "turn_of",
+        };
+        self.numbers.refuse_beside(table, "along", of);
+        if own.turn_of.is_none() {
+            self.numbers.refuse_beside(table, "about", of);
+        }
         if let Some(point) = &own.path_of {
-            self.numbers.refuse_beside(table, "about", "path_of");
             return Some(ModelOutputKind::Path { point: self.point(point)? });
         }
-        let entry = own.turn_of.as_ref()?;
+        let entry = own.orientation_of.as_ref().or(own.turn_of.as_ref())?;
         let name = self.numbers.reader.text(entry)?;
         let body = self.body(entry, name)?;
+        if own.orientation_of.is_some() {
+            return Some(ModelOutputKind::Orientation { body });
+        }
         let Some(about) = &own.about else {
             self.numbers.report_missing(table, "turn_of", vec!["about"]);
             return None;

@@ -14,8 +14,8 @@ use crate::geometry::pose::Pose;
 use crate::geometry::vector::Vec3;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
-use crate::output::{PointOutput, SpatialOutput};
 use crate::picture::Zones;
 use crate::play::block::PlayPart;
 use crate::play::kind_of_play::KindOfPlay;
@@ -32,7 +32,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::rc::Rc;
 
 impl SpatialModel {
-    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::proven_motion_record`].
+    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::motion_record_until`].
     ///
     /// # Errors
     /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
@@ -41,15 +41,7 @@ impl SpatialModel {
         self.motion_record_until(values, false, NEVER)
     }
 
-    /// The same with proven ends of the worst case of each output, which take a tenth of a second each and more.
-    ///
-    /// # Errors
-    /// As for [`SpatialModel::motion_record`].
-    pub fn proven_motion_record(&self, values: &Values) -> Result<SpatialMotionRecord, Diagnostics> {
-        self.motion_record_until(values, true, NEVER)
-    }
-
-    /// Either of both, until it is stopped.
+    /// The same, until it is stopped; with proven ends of the worst case of each output on demand, which take a tenth of a second each and more.
     ///
     /// # Errors
     /// As for [`SpatialModel::motion_record`]; that it was stopped.
@@ -158,16 +150,11 @@ impl SpatialModel {
         }
     }
 
-    /// The positions of the turn.
+    /// The positions of the turn, until it is stopped.
     ///
     /// # Errors
-    /// There is no turn, or the loops do not close all over it.
-    pub fn positions(&self, mechanism: &SpatialMechanism, values: &Values) -> Result<Vec<Position>, Diagnostics> {
-        self.positions_until(mechanism, values, NEVER)
-    }
-
-    /// The same, until it is stopped.
-    fn positions_until(
+    /// There is no turn, or the loops do not close all over it; that it was stopped.
+    pub fn positions_until(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,
@@ -209,7 +196,7 @@ impl SpatialModel {
         found.stopped.map_or(Ok(found.positions), Err)
     }
 
-    fn turn(
+    pub(super) fn turn(
         &self,
         mechanism: &SpatialMechanism,
         values: &Values,
@@ -329,6 +316,7 @@ impl SpatialModel {
             }
             ModelOutputKind::Path { point } => (format!("displacement of {}", self.point_name(point)), SiUnit::LENGTH),
             ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
+            ModelOutputKind::Orientation { body } => (format!("rotation of {}", self.bodies[body].name), SiUnit::ANGLE),
         }
     }
 }
@@ -336,11 +324,6 @@ impl SpatialModel {
 /// Whether play moves the journal of a joint; a clearance of zero moves nothing.
 fn has_play(joint: &Joint) -> bool {
     joint.play.iter().flat_map(KindOfPlay::blocks).any(|block| block.radius_m > 0.0)
-}
-
-/// Whether an output is a displacement, which is no number.
-pub(super) fn is_path(output: &ModelOutput) -> bool {
-    matches!(output.kind, ModelOutputKind::Path { .. })
 }
 
 /// Fewest steps of a turn for the angle of a body: a whole turn in one step would look like none.
@@ -409,7 +392,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a path the displacement along the
+/// Worst case of first order, variance if there is a closed form, and the output that the worst case is of: of a vector its component along the
 /// direction in which it is longest.
 fn at_position(
     accuracy: &PoseAccuracy<'_>,
@@ -423,9 +406,8 @@ fn at_position(
     }
     let longest = accuracy.largest_norm(&gains)?;
     let direction = <[f64; 3]>::try_from(longest.direction).map_or(None, |n| Vec3::from(n).normalised());
-    let point = components.first().and_then(SpatialOutput::point).ok_or(AccuracyError::OutputDoesNotFit)?;
-    let along = PointOutput { direction: direction.unwrap_or(Vec3::X), ..point };
-    Ok((longest.largest, variance, along.into()))
+    let along = components.first().and_then(|first| first.component(direction.unwrap_or(Vec3::X)));
+    Ok((longest.largest, variance, along.ok_or(AccuracyError::OutputDoesNotFit)?))
 }
 
 /// Ideal values: of a point its place along the direction, of a turn the sum of the turns from position to position.

@@ -109,6 +109,11 @@ impl ModelJointForm {
         self.with_pitch(|_| 1.0).play_keys()
     }
 
+    /// Whether both bodies move as one.
+    pub(super) fn is_rigid(&self) -> bool {
+        self.with_pitch(|_| 1.0).freedoms() == 0
+    }
+
     /// The kind, with the pitch of a screw.
     pub(super) fn with_pitch(&self, pitch_m: impl Fn(QuantityId) -> f64) -> SpatialKind {
         match self {
@@ -263,4 +268,24 @@ pub enum ModelOutputKind {
         /// The axis, in the frame of the body.
         about: Direction,
     },
+    /// The orientation of a body: how far it is rotated from the ideal one, about whatever axis.
+    Orientation {
+        /// The body.
+        body: usize,
+    },
+}
+
+impl ModelOutputKind {
+    /// The body that it is read off.
+    pub fn body(self) -> usize {
+        match self {
+            Self::Position { point, .. } | Self::Path { point } => point.body,
+            Self::Turn { body, .. } | Self::Orientation { body } => body,
+        }
+    }
+
+    /// Whether it is a displacement or a rotation with three components, and no number.
+    pub fn is_vector(self) -> bool {
+        matches!(self, Self::Path { .. } | Self::Orientation { .. })
+    }
 }

@@ -31,6 +31,15 @@ impl JudgedModel for SpatialModel {
         }
         found
     }
+
+    fn bodies_of_outputs(&self) -> Vec<(&str, usize)> {
+        self.outputs.iter().map(|output| (output.name.as_str(), output.kind.body())).collect()
+    }
+
+    fn rigid_pairs(&self) -> Vec<[usize; 2]> {
+        let rigid = self.joints.iter().filter(|joint| joint.form.is_rigid());
+        rigid.map(|joint| [joint.bearing.point.body, joint.journal.point.body]).collect()
+    }
 }
 
 impl SpatialModel {

@@ -9,12 +9,11 @@
 //! Derivatives are central differences of loops that are closed exactly, at ± [`STEP`] σ_i. Where constraints repeat others, play takes up what
 //! does not fit, as in [`TurnSampler`].
 
-use super::over_turn::is_path;
 use super::parts::SpatialModel;
 use super::problem::SpatialMotionProblem;
 use crate::closure::error::ClosureError;
 use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
-use crate::stop::{IsStopped, NEVER};
+use crate::stop::IsStopped;
 use loosepin_result::motion::DimensionContributor;
 use loosepin_result::round_off::round_off_si;
 use loosepin_result::spatial_motion::SpatialScatter;
@@ -37,18 +36,10 @@ pub struct SpatialScatterPlan {
 }
 
 impl SpatialModel {
-    /// What random dimensions do to each output, at the positions of [`SpatialModel::motion_record`].
+    /// What random dimensions do to each output, at the positions of [`SpatialModel::motion_record`], until it is stopped.
     ///
     /// # Errors
-    /// Values that break a rule; loops that do not close; drives whose place is uncertain.
-    pub fn scatter(&self, plan: &SpatialScatterPlan) -> Result<Vec<SpatialScatter>, Diagnostics> {
-        self.scatter_until(plan, NEVER)
-    }
-
-    /// The same, until it is stopped.
-    ///
-    /// # Errors
-    /// As for [`Self::scatter`]; that it was stopped.
+    /// Values that break a rule; loops that do not close; drives whose place is uncertain; that it was stopped.
     pub fn scatter_until(
         &self,
         plan: &SpatialScatterPlan,
@@ -131,10 +122,10 @@ impl SpatialModel {
         values.map_err(|error| Diagnostics::one(&error, self.place(error.path())))
     }
 
-    /// The parts that deviations are read off from: of a path its three coordinates.
+    /// The parts that deviations are read off from: of a vector its three components.
     fn sampled_parts(&self) -> Vec<SampledPart> {
         let parts = |(output, own): (usize, &super::parts::ModelOutput)| {
-            let parts: &[PartOfOutput] = match is_path(own) {
+            let parts: &[PartOfOutput] = match own.kind.is_vector() {
                 true => &[PartOfOutput::X, PartOfOutput::Y, PartOfOutput::Z],
                 false => &[PartOfOutput::Number],
             };

@@ -70,6 +70,24 @@ impl SpatialOutput {
         }
     }
 
+    /// The body whose rotation vector this is a component of, if it is that.
+    pub(crate) fn rotated_body(&self) -> Option<usize> {
+        match self {
+            Self::Rotation(own) => Some(own.body),
+            _ => None,
+        }
+    }
+
+    /// The component along another direction of the vector that this is a component of; `None` of what is no vector.
+    pub(crate) fn component(&self, direction: Vec3) -> Option<Self> {
+        match self {
+            Self::Point(own) => Some(PointOutput { direction, ..*own }.into()),
+            Self::Rotation(own) => Some(RotationOutput { axis: direction, ..*own }.into()),
+            Self::RotationSine(own) => Some(RotationSineOutput { axis: direction, ..*own }.into()),
+            Self::Joint(_) => None,
+        }
+    }
+
     /// The components of a body's rotation vector.
     pub fn rotation(body: usize) -> [Self; 3] {
         Vec3::AXES.map(|axis| RotationOutput { body, axis }.into())

@@ -139,7 +139,7 @@ impl fmt::Display for SamplingError {
             Self::PartDoesNotFit { output, part } => write!(
                 out,
                 "output '{output}' has no part '{part}': position_of and turn_of have a number, path_of has x, y, z, along, across and \
-                 magnitude"
+                 magnitude, orientation_of has x, y, z and magnitude"
             ),
             Self::CoarseTurn { output } => write!(
                 out,

@@ -176,7 +176,9 @@ pub(super) fn components_of(
         return Err(SamplingError::NoOutput { output: part.output, outputs: model.outputs.len() });
     };
     let is_path = matches!(output.kind, ModelOutputKind::Path { .. });
-    if is_path == (part.part == PartOfOutput::Number) {
+    let fits =
+        if part.part.needs_path() { is_path } else { output.kind.is_vector() != (part.part == PartOfOutput::Number) };
+    if !fits {
         return Err(SamplingError::PartDoesNotFit { output: output.name.clone(), part: part.part.word() });
     }
     Ok(model.outputs_of(part.output, values)?)

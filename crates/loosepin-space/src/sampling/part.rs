@@ -19,7 +19,8 @@ pub enum PlaySide {
 pub enum PartOfOutput {
     /// The number of `position_of` and `turn_of`, m or rad.
     Number,
-    /// Place of the point of `path_of` along x of the ground, m.
+    /// Place of the point of `path_of` along x of the ground, m; component of the rotation vector of `orientation_of` from the nominal orientation,
+    /// along x of the body, rad.
     X,
     /// Along y.
     Y,
@@ -30,7 +31,7 @@ pub enum PartOfOutput {
     Along,
     /// Displacement across the nominal path, |d - t (d·t)|, m.
     Across,
-    /// Displacement in any direction, |d|, m.
+    /// Displacement in any direction, |d|, m; angle of the rotation from the nominal orientation, about any axis, rad.
     Magnitude,
 }
 

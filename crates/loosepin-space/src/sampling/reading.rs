@@ -1,6 +1,6 @@
 //! Numbers at one place of a sample.
 
-use super::goal::{Goal, point_m};
+use super::goal::{Goal, axes, point_m};
 use super::longest::{Displacements, Longest};
 use super::nominal::{NominalPlace, component, place_of};
 use super::part::{PartOfOutput, PlaySide};
@@ -47,20 +47,27 @@ impl PlaceReader<'_> {
             };
             return self.number(reach, ideal, ideal - nominal, output);
         }
+        let rotated = part.components.first().and_then(SpatialOutput::rotated_body);
+        if let (PartOfOutput::Magnitude, Some(body)) = (part.part, rotated) {
+            let [from, to] = [axes(body, &self.place.base.position.poses), axes(body, reach.ideal())];
+            let offset = from.transposed_times(&to).rotation_vector();
+            let goals = [to, from].map(|from| Goal::Angle { body, from });
+            return self.length(reach, part.components, offset.to_array(), goals);
+        }
         let [own, nominal] = [part.components, part.nominal].map(|all| all.first().and_then(SpatialOutput::point));
         let (own, nominal) = own.zip(nominal).ok_or(AccuracyError::OutputDoesNotFit)?;
-        let displacement = point_m(&own, reach.ideal()) - point_m(&nominal, &self.place.base.position.poses);
+        let displaced = point_m(&own, reach.ideal()) - point_m(&nominal, &self.place.base.position.poses);
         let tangent = self.place.tangents.get(part.number).copied().flatten();
         match (part.part, tangent) {
             (PartOfOutput::Along, Some(tangent)) => {
                 let output = PointOutput { direction: tangent, ..own }.into();
-                self.number(reach, 0.0, displacement.dot(tangent), &output)
+                self.number(reach, 0.0, displaced.dot(tangent), &output)
             }
             (PartOfOutput::Across, Some(tangent)) => {
                 let across = tangent.across().ok_or(AccuracyError::OutputDoesNotFit)?;
-                self.length(reach, own, displacement, &[across, tangent.cross(across)])
+                self.displacement(reach, own, displaced, &[across, tangent.cross(across)])
             }
-            (PartOfOutput::Magnitude, _) => self.length(reach, own, displacement, &Vec3::AXES),
+            (PartOfOutput::Magnitude, _) => self.displacement(reach, own, displaced, &Vec3::AXES),
             _ => Err(AccuracyError::OutputDoesNotFit),
         }
     }
@@ -98,37 +105,49 @@ impl PlaceReader<'_> {
     }
 
     /// The length of a displacement in some directions.
-    fn length(
+    fn displacement(
         &self,
         reach: &mut dyn Reach,
         point: PointOutput,
-        displacement: Vec3,
+        displaced: Vec3,
         directions: &[Vec3],
     ) -> Result<Numbers, AccuracyError> {
-        let parts_of = |vector: Vec3| directions.iter().map(move |direction| vector.dot(*direction));
-        let length_of = |vector: Vec3| parts_of(vector).map(|part| part * part).sum::<f64>().sqrt();
-        let from_nominal = length_of(displacement);
+        let outputs: Vec<SpatialOutput> =
+            directions.iter().map(|direction| PointOutput { direction: *direction, ..point }.into()).collect();
+        let mut offset = [0.0; 3];
+        offset.iter_mut().zip(directions).for_each(|(entry, direction)| *entry = displaced.dot(*direction));
+        let goals = [[0.0; 3], offset].map(|offset| Goal::Length { point, directions, offset });
+        self.length(reach, &outputs, offset, goals)
+    }
+
+    /// The length of a vector whose components are the deviations of `outputs`, from the ideal position and, with an offset, from the nominal one.
+    /// To first order components add to the offset; the goals are the length of both as it is.
+    fn length(
+        &self,
+        reach: &mut dyn Reach,
+        outputs: &[SpatialOutput],
+        offset: [f64; 3],
+        goals: [Goal; 2],
+    ) -> Result<Numbers, AccuracyError> {
+        let from_nominal = offset.iter().map(|part| part * part).sum::<f64>().sqrt();
         let (by_play, in_all) = match (self.displaced, reach.side()) {
             (Some(poses), _) => {
-                let moved = point_m(&point, poses) - point_m(&point, reach.ideal());
-                ([length_of(moved); 2], [length_of(displacement + moved); 2])
+                let [own, all] = goals.map(|goal| [goal.value(reach.mechanism(), reach.ideal(), poses); 2]);
+                (own, all)
             }
             (None, PlaySide::None) => ([0.0; 2], [from_nominal; 2]),
             (None, side) => {
-                let outputs = directions.iter().map(|direction| PointOutput { direction: *direction, ..point }.into());
-                let gains = outputs.map(|output| reach.gains(&output)).collect::<Result<Vec<_>, _>>()?;
-                let mut offset = [0.0; 3];
-                offset.iter_mut().zip(parts_of(displacement)).for_each(|(entry, part)| *entry = part);
+                let gains = outputs.iter().map(|output| reach.gains(output)).collect::<Result<Vec<_>, _>>()?;
                 let mut displacements = Displacements::new(reach, &gains);
                 let around = displacements.all_around()?;
                 let [own, all] = [[0.0; 3], offset].map(|offset| displacements.longest(offset, &around));
                 let (own, all) = (own?, all?);
                 let smallest = shortest(&mut displacements, offset, all.length)?;
-                let mut largest = |found: Longest, offset: [f64; 3]| match side {
-                    PlaySide::Exact => reach.climb(&Goal::Length { point, directions, offset }, &found.place),
+                let mut largest = |found: Longest, goal: &Goal| match side {
+                    PlaySide::Exact => reach.climb(goal, &found.place),
                     _ => Ok(found.length),
                 };
-                ([0.0, largest(own, [0.0; 3])?], [smallest, largest(all, offset)?])
+                ([0.0, largest(own, &goals[0])?], [smallest, largest(all, &goals[1])?])
             }
         };
         Ok(Numbers { ideal: 0.0, from_nominal, by_play, in_all })

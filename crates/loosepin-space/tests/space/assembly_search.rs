@@ -48,7 +48,7 @@ fn known_answer_a_bennett_linkage_without_a_guess() {
     let model = model(&bennett("a * sin(beta) / sin(alpha)"));
     let values = model.quantities.nominal();
     let mechanism = model.mechanism(&values).unwrap();
-    let positions = model.positions(&mechanism, &values).unwrap();
+    let positions = model.positions_until(&mechanism, &values, &|| false).unwrap();
     assert!(positions.iter().all(|position| position.is_other_start));
     let (alpha, beta) = (30_f64.to_radians(), 70_f64.to_radians());
     let ratio = (0.5 * (beta + alpha)).sin() / (0.5 * (beta - alpha)).sin();

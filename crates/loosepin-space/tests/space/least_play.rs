@@ -331,18 +331,18 @@ fn four_bar(lines: &str, bearing_length: Option<&str>) -> SpatialModel {
 #[test]
 fn a_model_says_with_how_much_play_its_parts_fit() {
     let plain = four_bar("", Some("20 mm"));
-    let fits = plain.assembly(&plain.quantities.nominal()).unwrap();
+    let fits = plain.assembly_until(&plain.quantities.nominal(), &|| false).unwrap();
     assert_eq!((fits.redundant_rows, fits.least_factor, fits.is_possible()), (3, 0.0, true));
     assert_eq!(fits.sentence().unwrap(), "the parts fit: constraints that repeat others close without play");
 
     // A step along the axis is shared by the stops of all four joints, 0.2 mm of 4 × 0.1 mm, where bearings are too long to lean.
     let step = four_bar("bearing_shift = [\"0 mm\", \"0 mm\", \"0.2 mm\"]\n", Some("20 m"));
-    let found = step.assembly(&step.quantities.nominal()).unwrap();
+    let found = step.assembly_until(&step.quantities.nominal(), &|| false).unwrap();
     assert!((found.least_factor - 0.5).abs() < 3e-3, "{found:?}");
     assert_eq!(found.limits.len(), 4);
     let twice = step.quantities.id("joint.pin.bearing_shift.z").unwrap();
     let values = step.quantities.evaluate(&[(twice, 8e-4)]).unwrap();
-    let found = step.assembly(&values).unwrap();
+    let found = step.assembly_until(&values, &|| false).unwrap();
     assert!((found.least_factor - 2.0).abs() < 1e-2 && !found.is_possible(), "{found:?}");
     let sentence = found.sentence().unwrap();
     assert!(
@@ -353,10 +353,10 @@ fn a_model_says_with_how_much_play_its_parts_fit() {
     // A tilt needs most somewhere; the positions one by one say the same.
     let tilted = four_bar("bearing_tilt = [\"4 mrad\", \"0 mrad\", \"0 mrad\"]\n", Some("20 mm"));
     let values = tilted.quantities.nominal();
-    let found = tilted.assembly(&values).unwrap();
+    let found = tilted.assembly_until(&values, &|| false).unwrap();
     let (off, aligned) = (tilted.mechanism(&values).unwrap(), tilted.aligned(&values).unwrap());
     let factors: Vec<f64> = tilted
-        .positions(&aligned, &values)
+        .positions_until(&aligned, &values, &|| false)
         .unwrap()
         .iter()
         .map(|position| PoseAccuracy::new(&off, position).unwrap().least_play().unwrap().factor)
@@ -368,7 +368,7 @@ fn a_model_says_with_how_much_play_its_parts_fit() {
 
     // Ideal joints have no play to give.
     let ideal = four_bar("bearing_tilt = [\"4 mrad\", \"0 mrad\", \"0 mrad\"]\n", None);
-    let found = ideal.assembly(&ideal.quantities.nominal()).unwrap();
+    let found = ideal.assembly_until(&ideal.quantities.nominal(), &|| false).unwrap();
     assert!(found.least_factor.is_infinite() && !found.is_possible());
     assert!(found.sentence().unwrap().contains("no play helps"));
 }

@@ -11,6 +11,7 @@ mod least_play;
 mod manufacture;
 mod model_files;
 mod model_motions;
+mod orientations;
 mod pictures;
 mod proven_ends;
 mod quasi_static;

@@ -62,7 +62,8 @@ path_of = "rod.tip"
 
 fn record(text: &str) -> SpatialMotionRecord {
     let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    model.proven_motion_record(&model.quantities.nominal()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
+    let found = model.motion_record_until(&model.quantities.nominal(), true, &|| false);
+    found.unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 
 fn assert_close(found: f64, expected: f64, tolerance: f64) {

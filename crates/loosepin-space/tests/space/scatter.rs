@@ -48,7 +48,7 @@ fn model() -> (SpatialModel, Vec<(QuantityId, f64)>) {
 fn analytic_scatter_of_a_four_bar_with_two_balls_is_that_of_its_closed_form() {
     let (model, quantities) = model();
     let plan = SpatialScatterPlan { quantities, ..SpatialScatterPlan::default() };
-    let found = model.scatter(&plan).unwrap_or_else(|found| panic!("{found}"));
+    let found = model.scatter_until(&plan, &|| false).unwrap_or_else(|found| panic!("{found}"));
     let scatter = &found[0];
     assert_eq!(scatter.standard_deviation_si.len(), 37);
     for (position, found) in scatter.standard_deviation_si.iter().enumerate() {
@@ -67,7 +67,7 @@ fn analytic_scatter_of_a_four_bar_with_two_balls_is_that_of_its_closed_form() {
 fn analytic_correlations_join_the_effects_with_their_signs() {
     let (model, quantities) = model();
     let plan = SpatialScatterPlan { quantities, correlations: vec![(1, 2, -0.8)], set: Vec::new() };
-    let scatter = &model.scatter(&plan).unwrap_or_else(|found| panic!("{found}"))[0];
+    let scatter = &model.scatter_until(&plan, &|| false).unwrap_or_else(|found| panic!("{found}"))[0];
     for position in [0, 7, 20] {
         let crank_rad = (10.0 * f64::from(position)).to_radians();
         let [crank, coupler, rocker] = [0, 1, 2].map(|number| derivative(number, crank_rad) * LENGTHS[number].2);
@@ -83,7 +83,7 @@ fn values_that_are_set_are_those_about_which_it_scatters() {
     let longer = 0.27;
     let set = vec![(quantities[1].0, longer)];
     let plan = SpatialScatterPlan { quantities: quantities[..1].to_vec(), set, correlations: Vec::new() };
-    let scatter = &model.scatter(&plan).unwrap_or_else(|found| panic!("{found}"))[0];
+    let scatter = &model.scatter_until(&plan, &|| false).unwrap_or_else(|found| panic!("{found}"))[0];
     let at = |side: f64| rocker_rad([0.05 + side * 1e-6, longer, 0.12], 0.5_f64.to_radians() * 20.0);
     let expected = ((at(1.0) - at(-1.0)) / 2e-6 * LENGTHS[0].2).abs();
     let found = scatter.standard_deviation_si[1];
@@ -95,6 +95,6 @@ fn a_drive_whose_start_scatters_has_no_answer() {
     let (model, _) = model();
     let start = model.quantities.id("drive.crank.start_angle").unwrap();
     let plan = SpatialScatterPlan { quantities: vec![(start, 1e-3)], ..SpatialScatterPlan::default() };
-    let found = model.scatter(&plan).unwrap_err().to_string();
+    let found = model.scatter_until(&plan, &|| false).unwrap_err().to_string();
     assert!(found.contains("drive 'crank'") && found.contains("model.toml:"), "{found}");
 }

@@ -189,8 +189,8 @@ problems! {
             says("{entry}: output '{name}' is one number and has no components"),
             hint("remove component, or add an output path_of of the point to the model");
         /// An error that is compared with nothing.
-        ValueOfPathError { entry: String, component: &'static str } => Code::AskNotPossible,
-            says("{entry}: component '{component}' is an error from the ideal path, not a value"),
+        ValueOfPathError { entry: String, component: &'static str, of: &'static str } => Code::AskNotPossible,
+            says("{entry}: component '{component}' is an error from the ideal {of}, not a value"),
             hint("write of = \"total\" to compare with the nominal mechanism, or of = \"clearance\" to compare with the same lengths without play");
         /// A statistic that is not largest where all mechanisms have their journals on one side.
         NotOfOneSide { entry: String } => Code::AskNotPossible,

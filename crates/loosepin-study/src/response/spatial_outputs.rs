@@ -1,4 +1,4 @@
-//! What can be asked of a model in space: one number of a position or a turn, and the parts of a path.
+//! What can be asked of a model in space: one number of a position or a turn, the parts of a path, and the angle from an ideal orientation.
 
 use super::outputs::{OutputSource, StudyOutput};
 use loosepin_space::{ModelOutputKind, PartOfOutput, SampledPart, SpatialModel};
@@ -34,6 +34,19 @@ pub(super) fn spatial_outputs(model: &SpatialModel) -> Vec<StudyOutput> {
             }
             ModelOutputKind::Turn { body, .. } => {
                 outputs.push(number(format!("turn of {}", model.bodies[body].name), Dimension::ANGLE));
+            }
+            ModelOutputKind::Orientation { body } => {
+                // Components of the rotation are turns about axes, which turn_of has.
+                let (part, word) = (PartOfOutput::Magnitude, PartOfOutput::Magnitude.word());
+                outputs.push(StudyOutput {
+                    name: format!("{} {word}", output.name),
+                    component: Some(word),
+                    seen: OutputSource::InSpace(SampledPart { output: index, part }),
+                    ..number(
+                        format!("angle of {} from its ideal orientation", model.bodies[body].name),
+                        Dimension::ANGLE,
+                    )
+                });
             }
             ModelOutputKind::Path { point } => {
                 let point = model.point_name(point);

@@ -2,7 +2,7 @@
 
 use loosepin_space::SpatialModel;
 use loosepin_study::{Progress, RunOptions, Study, StudyModel, StudyRun, estimate_cost, run_study};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
+use loosepin_text::diagnostics::{Code, Diagnostic, Diagnostics, Source};
 use std::sync::atomic::AtomicBool;
 
 const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
@@ -307,4 +307,154 @@ fn identity_what_lengths_do_does_not_depend_on_whether_play_is_asked_for() {
     let alone = bounds(&ask("dimensional"));
     assert!(alone.iter().flatten().all(|end| end.abs() > 1e-6), "{alone:?}");
     assert_eq!(alone, bounds(&format!("{}{}", ask("dimensional"), ask("total"))));
+}
+
+/// A part that is fixed to a driven arm with an error of manufacture.
+const TOOL: &str = r#"
+name = "tool"
+geometry = "space"
+[body.ground]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[body.arm]
+points = { o = ["0 mm", "0 mm", "0 mm"], wrist = ["200 mm", "0 mm", "0 mm"] }
+[body.tool]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[joint.pivot]
+kind = "revolute"
+bearing = "ground.o"
+journal = "arm.o"
+[joint.flange]
+kind = "rigid"
+bearing = "arm.wrist"
+journal = "tool.o"
+bearing_tilt = ["0 mrad", "0 mrad", "0 mrad"]
+[drive.motor]
+joint = "pivot"
+speed = "60 rpm"
+start_angle = "10 deg"
+[cycle]
+drive = "motor"
+samples_per_turn = 4
+[output.tool]
+orientation_of = "tool"
+"#;
+
+fn tool_study(rest: &str) -> Result<Study, Diagnostics> {
+    let model = SpatialModel::from_text("model.toml", TOOL).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    Study::from_text("study.toml", &format!("name = \"s\"\nmodel = \"model.toml\"\n{rest}"), model)
+}
+
+#[test]
+fn analytic_a_rotation_by_three_random_tilts_has_an_angle_by_maxwell() {
+    const DEVIATION: f64 = 0.01;
+    let tilts = ["x", "y", "z"].map(|axis| {
+        format!("\"joint.flange.bearing_tilt.{axis}\" = {{ normal = {{ standard_deviation = \"10 mrad\" }} }}\n")
+    });
+    // The only component may be left out.
+    for component in ["", "component = \"magnitude\"\n"] {
+        let study = tool_study(&format!(
+            "[sampling]\ninner = 4096\nreplicates = 8\n[random]\n{}[[ask]]\noutput = \"tool\"\n{component}of = \"total\"\n\
+             poses = {{ motor = [\"100 deg\"] }}\n\
+             statistics = [\"mean\", \"standard_deviation\", {{ quantile = 0.95 }}, {{ probability_above = \"20 mrad\" }}]\n",
+            tilts.concat()
+        ));
+        let study = study.unwrap_or_else(|found| panic!("{found}"));
+        let result = run(&study).result;
+        assert_eq!(result.outputs[0].name, "tool magnitude");
+        // Of θ/σ: mean √(8/π), variance 3 - 8/π; erf(x/√2) - √(2/π) x exp(-x²/2) is 0.95 at x = 2.795483 and 0.738536 at x = 2.
+        let of_maxwell =
+            [1.595_769_1, 0.673_439_3, 2.795_483].map(|own| own * DEVIATION).into_iter().chain([0.261_464]);
+        for (bound, expected) in result.bounds.iter().zip(of_maxwell) {
+            let (lower, upper) = (bound.lower.widened_si, bound.upper.widened_si);
+            assert!(lower <= expected && expected <= upper, "{lower} {expected} {upper}");
+            // Of 4096 runs, and of a probability of a quarter a little more.
+            assert!(upper - lower < 0.1 * expected, "{lower} {expected} {upper}");
+        }
+        assert_eq!(result.bounds.len(), 4);
+    }
+}
+
+#[test]
+fn an_angle_from_an_ideal_orientation_is_no_value_and_has_one_component() {
+    let tilt = "[random]\n\"joint.flange.bearing_tilt.x\" = { normal = { standard_deviation = \"1 mrad\" } }\n";
+    let refused = |key: &str| {
+        let ask = format!("[[ask]]\noutput = \"tool\"\n{key}reduce = \"maximum\"\nstatistics = [\"mean\"]\n");
+        tool_study(&format!("{tilt}{ask}")).expect_err("refused").sorted()[0].clone()
+    };
+    let found = refused("of = \"value\"\n");
+    assert_eq!(
+        found.message,
+        "[[ask]] 1: of: component 'magnitude' is an error from the ideal orientation, not a value"
+    );
+    let found = refused("component = \"x\"\nof = \"total\"\n");
+    assert!(found.message.contains("\"magnitude\"") || found.to_string().contains("magnitude"), "{found}");
+}
+
+/// A question: whether of the model without play, its output, its keys.
+type Question = (bool, &'static str, String);
+
+#[test]
+fn what_is_explained_of_questions_that_are_not_possible_holds_in_space() {
+    let explained = Code::AskNotPossible.entry().explanation;
+    let outputs = (
+        "[output.rocker]",
+        "[output.ball]\npath_of = \"rocker.ball\"\n[output.place]\nposition_of = \"rocker.ball\"\nalong = \"x\"\n\
+         [output.attitude]\norientation_of = \"rocker\"\n[output.rocker]",
+    );
+    let tilts =
+        ("journal = \"rocker.o\"", "journal = \"rocker.o\"\nbearing_tilt = [\"0 mrad\", \"0 mrad\", \"0 mrad\"]");
+    let ideal = ("radial_clearance = \"0.2 mm\"\n", "");
+    let inputs = "[random]\n\"body.crank.points.pin.x\" = { normal = { standard_deviation = \"0.05 mm\" } }\n\
+                  \"joint.pivot.bearing_tilt.x\" = { normal = { standard_deviation = \"0.1 mrad\" } }\n";
+    let said = |is_ideal: bool, output: &str, keys: &str| {
+        let edits = if is_ideal { vec![outputs, tilts, ideal] } else { vec![outputs, tilts] };
+        let place = if keys.contains("poses") { "" } else { "reduce = \"maximum\"\n" };
+        let ask = format!("[[ask]]\noutput = \"{output}\"\n{keys}\n{place}statistics = [\"mean\"]\n");
+        read(&edits, &format!("{inputs}{ask}"))
+    };
+    let total = "of = \"total\"";
+    let component = |word: &str| format!("component = \"{word}\"\n{total}");
+    let at = |joint: &str| format!("{total}\nposes = {{ {joint} = [\"60 deg\"] }}");
+    // What the text says, what is refused with this code, what is possible.
+    let claims: [(&str, Vec<Question>, Vec<Question>); 5] = [
+        (
+            "A planar path has two columns, one in space three: name one with component, for example component = \"x\"",
+            vec![(false, "ball", total.to_owned())],
+            ["x", "y", "z"].map(|word| (false, "ball", component(word))).to_vec(),
+        ),
+        (
+            "or in space \"magnitude\" for the distance from the ideal point",
+            vec![(false, "ball", component("magnitude").replace("total", "value"))],
+            vec![(false, "ball", component("magnitude"))],
+        ),
+        (
+            "In space there are no runs: outputs are positions, paths, turns and orientations",
+            ["place", "rocker"].map(|output| (false, output, component("magnitude"))).to_vec(),
+            ["place", "rocker", "attitude"].map(|output| (false, output, total.to_owned())).to_vec(),
+        ),
+        (
+            "their deviations come from play, dimensions and errors of manufacture",
+            vec![(true, "rocker", total.replace("total", "clearance"))],
+            vec![
+                (false, "rocker", total.replace("total", "clearance")),
+                (true, "rocker", total.replace("total", "dimensional")),
+            ],
+        ),
+        (
+            "A pose is given by the angle of the drive that the cycle counts",
+            vec![(false, "rocker", at("pivot"))],
+            vec![(false, "rocker", at("crank"))],
+        ),
+    ];
+    for (claim, refused, possible) in claims {
+        assert!(explained.contains(claim), "{claim}: {explained}");
+        for (is_ideal, output, keys) in refused {
+            let found = said(is_ideal, output, &keys).expect_err(&keys);
+            assert_eq!(found.sorted()[0].code, Code::AskNotPossible, "{keys}: {found}");
+        }
+        for (is_ideal, output, keys) in possible {
+            let study = said(is_ideal, output, &keys).unwrap_or_else(|found| panic!("{keys}: {found}"));
+            assert_eq!(study.asks.len(), 1);
+        }
+    }
 }

@@ -259,8 +259,8 @@ above 1), and these runs would fail. Choose a distribution within the range: tru
 
     AskNotPossible "E0608" "a question is not possible"
 "The statistic, deviation or place does not fit the output. A planar path has two columns, one in space three: name one with component, for example \
-component = \"x\", or in space \"magnitude\" for the distance from the ideal point. In space there are no runs: outputs are positions, paths and turns, and their \
-deviations come from play, dimensions and errors of manufacture. A pose is given by the angle of the drive that the cycle counts."
+component = \"x\", or in space \"magnitude\" for the distance from the ideal point. In space there are no runs: outputs are positions, paths, turns and \
+orientations, and their deviations come from play, dimensions and errors of manufacture. A pose is given by the angle of the drive that the cycle counts."
 
     NothingUncertain "E0609" "a study has no uncertain input"
 "A study needs at least one random or unknown (epistemic) input. For a single run use `loosepin simulate`."

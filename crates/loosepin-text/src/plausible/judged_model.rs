@@ -1,7 +1,8 @@
 //! Warnings of the numbers of a model, in its file and as they are set from outside: once for all kinds of models.
 
-use super::{Implausible, JudgedNumbers};
+use super::{Implausible, ImplausibleNumber, JudgedNumbers};
 use crate::diagnostics::{Diagnostic, Place, Source};
+use crate::document::describe_path;
 use crate::numbers::{Origin, QuantityId, QuantityTable, Values};
 
 /// A model whose numbers are judged.
@@ -14,6 +15,26 @@ pub trait JudgedModel {
     fn place(&self, path: &str) -> Option<Place>;
     /// What is hardly possible at these values.
     fn implausible_at(&self, judged: &JudgedNumbers<'_>) -> Vec<Implausible>;
+    /// Outputs that are read off a body as it is seen from the ground: their names, and the numbers of the bodies.
+    fn bodies_of_outputs(&self) -> Vec<(&str, usize)>;
+    /// Numbers of bodies that a joint holds rigidly together, 0 the ground.
+    fn rigid_pairs(&self) -> Vec<[usize; 2]>;
+
+    /// Warnings of outputs whose bodies stand still; `moved` says of each body, the ground first, whether it moves over the cycle.
+    fn never_moving(&self, mut moved: Vec<bool>) -> Vec<Diagnostic> {
+        // Where nothing moves, a structure is meant.
+        if !moved.contains(&true) {
+            return Vec::new();
+        }
+        count_mounts_as_moving(&mut moved, &self.rigid_pairs());
+        let outputs = self.bodies_of_outputs().into_iter();
+        let still = outputs.filter(|(_, body)| *body != 0 && moved.get(*body) == Some(&false));
+        let warning = |(output, _): (&str, usize)| {
+            let path = format!("output.{output}");
+            Diagnostic::warning(&ImplausibleNumber::NeverMoves { entry: describe_path(&path) }, self.place(&path))
+        };
+        still.map(warning).collect()
+    }
 
     /// Warnings of numbers that are hardly possible, at the values of the file.
     fn implausible_numbers(&self) -> Vec<Diagnostic> {
@@ -42,6 +63,16 @@ pub trait JudgedModel {
         };
         let new = when_set.iter().filter(|found| !in_file.contains(found));
         new.map(|(path, problem)| Diagnostic::warning(problem, of_setting(path).or_else(|| self.place(path)))).collect()
+    }
+}
+
+/// What hangs on the ground by rigid joints alone is a part of it, and is meant to stand still.
+fn count_mounts_as_moving(moved: &mut [bool], rigid_pairs: &[[usize; 2]]) {
+    let mut is_ground = vec![false; moved.len()];
+    is_ground[0] = true;
+    while let Some([first, second]) = rigid_pairs.iter().find(|[a, b]| is_ground[*a] != is_ground[*b]) {
+        let body = if is_ground[*first] { *second } else { *first };
+        (is_ground[body], moved[body]) = (true, true);
     }
 }
 

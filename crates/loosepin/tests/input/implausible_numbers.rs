@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use loosepin::model::Model;
+use loosepin::space::SpatialModel;
 use loosepin::study::{InputFile, Study};
 use loosepin::templates::{TEMPLATES, find_template};
 
@@ -205,6 +206,73 @@ fn an_output_that_never_moves_is_named() {
           hint: the loops may be closed in another way than meant: choose it by guess under [assembly], `loosepin check` shows the ways"]
     );
     assert_eq!(closed("{ rod = \"-30 deg\" }"), Vec::<String>::new());
+}
+
+/// A crank of 50 mm and a rod as long, which pushes a slide, in space; a cover is fixed to the ground. The slide stands at `at` at the start, where
+/// the rod is turned by `rod`.
+fn flat_in_space(at: &str, rod: &str) -> String {
+    let pin = |name: &str, bearing: &str, journal: &str| {
+        format!("[joint.{name}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"{journal}\"\n")
+    };
+    let zero = "[\"0 mm\", \"0 mm\", \"0 mm\"]";
+    format!(
+        "name = \"flat\"\ngeometry = \"space\"\n[body.ground]\npoints = {{ o = {zero} }}\n\
+         [body.crank]\npoints = {{ o = {zero}, pin = [\"50 mm\", \"0 mm\", \"0 mm\"] }}\n\
+         [body.rod]\npoints = {{ big = {zero}, small = [\"50 mm\", \"0 mm\", \"0 mm\"] }}\n\
+         [body.slide]\npoints = {{ pin = {zero} }}\n[body.cover]\npoints = {{ o = {zero} }}\n{}{}{}\
+         [joint.way]\nkind = \"prismatic\"\nbearing = \"ground.o\"\njournal = \"slide.pin\"\naxis = \"x\"\n\
+         [joint.screws]\nkind = \"rigid\"\nbearing = \"ground.o\"\njournal = \"cover.o\"\n\
+         [drive.crank]\njoint = \"main\"\nspeed = \"60 rpm\"\nstart_angle = \"30 deg\"\n\
+         [assembly.guess]\nslide = {{ at = [\"{at}\", \"0 mm\", \"0 mm\"] }}\n\
+         rod = {{ at = [\"43.3 mm\", \"25 mm\", \"0 mm\"], turned = [\"z {rod}\"] }}\n\
+         [cycle]\ndrive = \"crank\"\n\
+         [output.slide]\nposition_of = \"slide.pin\"\nalong = \"x\"\n[output.cover]\nturn_of = \"cover\"\nabout = \"z\"\n\
+         [output.way]\npath_of = \"slide.pin\"\n[output.lean]\norientation_of = \"slide\"\n",
+        pin("main", "ground.o", "crank.o"),
+        pin("crankpin", "crank.pin", "rod.big"),
+        pin("wrist", "rod.small", "slide.pin"),
+    )
+}
+
+#[test]
+fn an_output_that_never_moves_is_named_in_space_too() {
+    let said = |text: &str| {
+        let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        still(&InputFile::Model(model.into()))
+    };
+    let never = |place: &str, output: &str| {
+        format!(
+            "model.toml:{place}: warning[E0823]: output '{output}' never moves: its body stands still over the whole cycle\n\
+             hint: the loops may be closed in another way than meant: choose it by guess under [assembly], `loosepin check` shows the ways"
+        )
+    };
+    // Closed the other way, the rod turns with the crank and the slide rests on the axis of the crank.
+    let resting = flat_in_space("0 mm", "210 deg");
+    assert_eq!(said(&resting), [never("43:9", "slide"), never("49:9", "way"), never("51:9", "lean")]);
+    // As it is meant it slides, and does not turn: its body moves. The cover is a part of the ground.
+    assert_eq!(said(&flat_in_space("86.6 mm", "-30 deg")), Vec::<String>::new());
+    // A body that can turn alone is not held still.
+    let hinge = "[body.flap]\npoints = { o = [\"0 mm\", \"0 mm\", \"0 mm\"] }\n[output.flap]\nturn_of = \"flap\"\nabout = \"z\"\n\
+                 [joint.hinge]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"flap.o\"\n";
+    let named = said(&(resting.clone() + hinge));
+    assert!(named.len() == 3 && named.iter().all(|warning| !warning.contains("flap")), "{named:?}");
+    // Without a cycle nothing is known, nor where a second loop is left without a drive.
+    let between = |from: &str, to: &str| {
+        let rest = resting.split_once(from).expect("its beginning").1;
+        format!("{from}{}", rest.split_once(to).expect("its end").0)
+    };
+    let mut second = between("[body.crank]", "[body.cover]") + &between("[joint.main]", "[joint.screws]");
+    for name in ["body.crank", "body.rod", "body.slide", "joint.main", "joint.crankpin", "joint.wrist", "joint.way"] {
+        second = second.replace(&format!("[{name}]"), &format!("[{name}_2]"));
+    }
+    for body in ["crank", "rod", "slide"] {
+        second = second.replace(&format!("\"{body}."), &format!("\"{body}_2."));
+    }
+    let undriven = format!("{resting}{second}[output.second]\nposition_of = \"slide_2.pin\"\nalong = \"x\"\n");
+    for unknown in [resting.replace("[cycle]\ndrive = \"crank\"\n", ""), undriven] {
+        assert_ne!(unknown, resting);
+        assert_eq!(said(&unknown), Vec::<String>::new());
+    }
 }
 
 #[test]

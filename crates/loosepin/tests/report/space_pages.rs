@@ -69,6 +69,31 @@ fn analytic_ends_of_bars_are_the_projected_positions() {
 }
 
 #[test]
+fn identity_a_body_that_turns_about_one_axis_has_that_turn_as_its_rotation_and_its_words() {
+    let turn = record(FOUR_BAR);
+    let rotation = record(&FOUR_BAR.replace("turn_of = \"rocker\"\nabout = \"skew\"", "orientation_of = \"rocker\""));
+    let [of_turn, of_rotation] = [&turn.outputs[0], &rotation.outputs[0]];
+    assert!(of_rotation.ideal_si.is_empty() && !of_turn.ideal_si.is_empty());
+    for (turn, rotation) in of_turn.first_order_si.iter().zip(&of_rotation.first_order_si) {
+        assert!((turn - rotation).abs() < 1e-12, "{turn} {rotation}");
+    }
+    // About the same axis, or against it.
+    let ends = [of_rotation.worst.largest_si, of_rotation.worst.smallest_si];
+    let same = [of_turn.worst.largest_si, of_turn.worst.smallest_si];
+    let is_same = |[up, down]: [f64; 2]| (ends[0] - up).abs() < 1e-10 && (ends[1] - down).abs() < 1e-10;
+    assert!(is_same(same) || is_same([-same[1], -same[0]]), "{ends:?} {same:?}");
+    let said = spatial_motion_sentences(&rotation).concat();
+    assert!(said.contains("(rotation of rocker)") && said.contains("about the axis of the largest rotation"), "{said}");
+    let text = spatial_motion_text(&rotation);
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        text.contains("Of a rotation, the worst case is the largest angle that a search over axes found"),
+        "{text}"
+    );
+    assert!(!text.contains("displacement"), "{text}");
+}
+
+#[test]
 fn analytic_what_is_farther_is_drawn_earlier() {
     let record = record(FOUR_BAR);
     // Seen towards (1, -1, 1) the crank about the origin is behind the rocker's ball at (320, 0, ...) mm: its sign comes first.

@@ -6,7 +6,7 @@ use super::scatter::largest_scatter;
 use super::tables::place;
 use loosepin_result::spatial_motion::{SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
-use loosepin_text::units::counted;
+use loosepin_text::units::{SiUnit, counted};
 
 /// The largest worst case first: of the main output, then what was found of it and who contributes, then the others.
 pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
@@ -25,7 +25,7 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
         [main.worst.largest_si, main.worst.smallest_si].map(|own| shown_deviation(own, main, Medium::Page));
     sentences.push(format!(
         "It is to first order, to both sides alike. With loops closed exactly, a search found {up} and {down} there{}.",
-        if main.ideal_si.is_empty() { ", along the longest displacement" } else { "" }
+        along(main)
     ));
     sentences.extend(contribution(main));
     sentences.extend(others.map(|output| format!("{}: {}.", worst(output), at(record, output))));
@@ -38,6 +38,15 @@ pub(super) fn answer_sentences(record: &SpatialMotionRecord) -> Vec<String> {
         ));
     }
     sentences
+}
+
+/// What the numbers of a search are of, where the output is a vector.
+fn along(output: &SpatialOutputRecord) -> &'static str {
+    match (output.ideal_si.is_empty(), output.unit == SiUnit::ANGLE) {
+        (false, _) => "",
+        (true, false) => ", along the longest displacement",
+        (true, true) => ", about the axis of the largest rotation",
+    }
 }
 
 fn worst(output: &SpatialOutputRecord) -> String {

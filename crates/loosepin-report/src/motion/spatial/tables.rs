@@ -8,7 +8,7 @@ use crate::words::wording::{capitalised, head};
 use loosepin_result::spatial_motion::{OTHER_START, SpatialContributor, SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_result::study::OutputDescription;
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
-use loosepin_text::units::{DisplayUnits, counted, listed};
+use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
 
 /// All outputs, and what their numbers are.
 pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> Section {
@@ -51,10 +51,20 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
             counted(conditions, "condition")
         )]));
     }
-    if record.has_play && record.outputs.iter().any(|output| output.ideal_si.is_empty()) {
+    let has_vector = |is_angle: bool| {
+        let mut vectors = record.outputs.iter().filter(|output| output.ideal_si.is_empty());
+        record.has_play && vectors.any(|output| (output.unit == SiUnit::ANGLE) == is_angle)
+    };
+    if has_vector(false) {
         section.push(Content::sentences([
             "Of a displacement, the worst case is the longest one that a search over directions found, up and down are along that direction, and \
              the standard deviation is the root of the sum of the variances along x, y and z.",
+        ]));
+    }
+    if has_vector(true) {
+        section.push(Content::sentences([
+            "Of a rotation, the worst case is the largest angle that a search over axes found, up and down are about that axis, and the standard \
+             deviation is the root of the sum of the variances about x, y and z of the body.",
         ]));
     }
     section

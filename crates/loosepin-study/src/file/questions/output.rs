@@ -8,6 +8,7 @@ use loosepin_mechanics::model::WearMeasure;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, required};
+use loosepin_text::units::Dimension;
 
 /// The output of a question or a requirement.
 pub(crate) const OUTPUT: Key = required("output", Kind::Reference("output"), "\"slider\"", "an output of the model");
@@ -18,7 +19,7 @@ pub(crate) const COMPONENT: Key = optional(
     "\"normal\"",
     "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
      contour: its distance from the path whatever the timing; in space x, y, z, along, across (its distance from the line along the \
-     path) and magnitude",
+     path) and magnitude; of an orientation magnitude, its only one, which may be left out",
 );
 /// Which deviation of it.
 pub(crate) const DEVIATION: Key = required(
@@ -54,6 +55,9 @@ impl StudyReader {
             }
             return self.outputs.iter().position(|output| output.output == index);
         }
+        if let ([_], None) = (components.as_slice(), component) {
+            return self.outputs.iter().position(|output| output.output == index);
+        }
         let Some(component) = component else {
             let is_in_space = self.model.spatial().is_some();
             let problem = StudyProblem::PathOutput { entry: table.path.describe(), name, is_in_space };
@@ -69,11 +73,12 @@ impl StudyReader {
         let entry = entry?;
         let deviation = self.reader.choice(entry, &DEVIATIONS)?;
         if deviation.is_value()
-            && let Some(StudyOutput { seen, component: Some(component), .. }) =
+            && let Some(StudyOutput { seen, component: Some(component), dimension, .. }) =
                 output.map(|output| &self.outputs[output])
             && seen.is_error_of_path()
         {
-            let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
+            let of = if *dimension == Dimension::ANGLE { "orientation" } else { "path" };
+            let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component, of };
             return self.refused(&problem, entry.span);
         }
         if !deviation.is_value() && self.is_wear(output) {
