@@ -35,6 +35,7 @@ mod by_surrogate;
 mod data;
 mod estimators;
 mod measures;
+mod parallel;
 mod plan;
 mod readings;
 mod search;

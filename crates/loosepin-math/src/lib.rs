@@ -8,6 +8,7 @@ mod dual;
 mod functions;
 mod fused;
 mod numbers;
+mod outlined;
 mod real;
 mod scalar;
 mod vector;
@@ -28,6 +29,7 @@ pub use functions::spline::{
 pub use functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
 pub use fused::with_vector_instructions;
 pub use numbers::Numbers;
+pub use outlined::Outlined;
 pub use real::{Real, joined_all};
 pub use solve::four_rows::{FourRows, interleaved, pairwise_dots};
 pub use solve::gauss::{legendre_coefficient, legendre_rule, orthonormal_values, symmetric_gauss_rule};

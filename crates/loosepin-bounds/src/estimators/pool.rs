@@ -1,9 +1,7 @@
 //! Finished runs, sorted by the point of the plan that they belong to.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-use rayon::prelude::*;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::gathered::{GatheredSamples, PointSamples};
 use super::polynomials::inner_basis::InnerBasis;
@@ -12,6 +10,7 @@ use super::polynomials::smoothness::smooth;
 use super::sample::Sample;
 use crate::data::bound::Witness;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::parallel;
 
 /// The runs of one purpose, point by point, for some of the columns.
 #[derive(Debug, Clone)]
@@ -43,17 +42,14 @@ impl Pool {
         }
         let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs_by_point(table, purpose).into_iter().collect();
         let gathered: Arc<GatheredSamples> = table.kept();
-        let mut samples: Vec<(Arc<PointSamples>, bool)> = runs
-            .par_iter()
-            .map(|(point, replicates)| {
-                let mut own = gathered.of_point(purpose, *point, replicates.values().map(Vec::len).sum());
-                let missing = own.missing(slots.keys().copied());
-                if !missing.is_empty() {
-                    Arc::make_mut(&mut own).complete(table, replicates.values(), &missing);
-                }
-                (own, !missing.is_empty())
-            })
-            .collect();
+        let mut samples: Vec<(Arc<PointSamples>, bool)> = parallel::map(&runs, |(point, replicates)| {
+            let mut own = gathered.of_point(purpose, *point, replicates.values().map(Vec::len).sum());
+            let missing = own.missing(slots.keys().copied());
+            if !missing.is_empty() {
+                Arc::make_mut(&mut own).complete(table, replicates.values(), &missing);
+            }
+            (own, !missing.is_empty())
+        });
         for point in 1..samples.len() {
             let (before, own) = samples.split_at_mut(point);
             let ((before, is_before_new), (own, is_new)) = (&before[point - 1], &mut own[0]);
@@ -100,7 +96,12 @@ impl Pool {
                 column.push(sample);
             }
         }
-        columns.par_iter_mut().for_each(|samples| smooth(basis, samples, keeps));
+        // Each lock is taken once.
+        let columns: Vec<Mutex<_>> = columns.into_iter().map(Mutex::new).collect();
+        parallel::for_each_index(columns.len(), &|index| {
+            smooth(basis, &mut columns[index].lock().unwrap_or_else(PoisonError::into_inner), keeps);
+        });
+        drop(columns);
         self
     }
 

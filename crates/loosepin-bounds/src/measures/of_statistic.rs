@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::mean::Mean;
 use super::measure::Estimator;
 use super::probability::Probability;
@@ -14,6 +12,7 @@ use crate::data::problem::Request;
 use crate::estimators::estimate::Confidence;
 use crate::estimators::ordered::Ordered;
 use crate::estimators::pool::Pool;
+use crate::parallel;
 use loosepin_terms::{Estimation, Statistic};
 
 /// The estimator of `statistic`; `None` if it is more than one number.
@@ -34,9 +33,11 @@ pub(crate) fn work_out(pool: &Pool, requests: &[Request], confidence: &Confidenc
     for request in requests {
         columns.entry(request.column).or_default().push(request.statistic);
     }
-    columns.into_par_iter().for_each(|(column, statistics)| {
-        let estimators: Vec<Box<dyn Estimator>> = statistics.into_iter().filter_map(estimator).collect();
-        for sample in pool.samples(column) {
+    let columns: Vec<(usize, Vec<Statistic>)> = columns.into_iter().collect();
+    parallel::for_each_index(columns.len(), &|index| {
+        let (column, statistics) = &columns[index];
+        let estimators: Vec<Box<dyn Estimator>> = statistics.iter().copied().filter_map(estimator).collect();
+        for sample in pool.samples(*column) {
             let ordered = Ordered::new(sample);
             estimators.iter().for_each(|estimator| estimator.work_out(&ordered, confidence));
         }

@@ -1,12 +1,12 @@
 //! Running a plan on the threads of this process.
 
-use rayon::prelude::*;
 use thiserror::Error;
 
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use crate::data::problem::Problem;
 use crate::data::table::{Failure, RunInputs, SampleTable, TableError};
+use crate::parallel;
 use crate::readings::bounds::Bounds;
 
 /// A function from a row of numbers to a row of numbers.
@@ -73,13 +73,10 @@ pub(crate) fn execute_all(plan: &DoubleLoop, response: &impl Response) -> Result
 /// [`TableError`] where the rows do not fit the table.
 pub fn execute(round: Vec<RunInputs>, response: &impl Response, table: &mut SampleTable) -> Result<(), TableError> {
     let columns = table.columns();
-    let outcomes: Vec<Result<Vec<f64>, Failure>> = round
-        .par_iter()
-        .map(|inputs| {
-            let mut values = vec![f64::NAN; columns];
-            response.evaluate(&inputs.random, &inputs.epistemic, &mut values).map(|()| values)
-        })
-        .collect();
+    let outcomes: Vec<Result<Vec<f64>, Failure>> = parallel::map(&round, |inputs| {
+        let mut values = vec![f64::NAN; columns];
+        response.evaluate(&inputs.random, &inputs.epistemic, &mut values).map(|()| values)
+    });
     for (inputs, outcome) in round.into_iter().zip(outcomes) {
         table.push(inputs, outcome.as_deref().map_err(|&failure| failure))?;
     }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
 use thiserror::Error;
 
 use super::check::ProblemError;
@@ -10,6 +9,7 @@ use super::error::PlanError;
 use crate::data::bound::Witness;
 use crate::data::problem::{Problem, Reading, Request};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::parallel;
 use crate::readings::promise::{InnerRuns, OneSidedLimit, least_runs};
 use crate::readings::simultaneous::SimultaneousBand;
 use crate::search::parts::{Element, Structure};
@@ -256,7 +256,7 @@ impl PromisePlan {
         let bound = |(asked, limit): &(PromiseRequest, OneSidedLimit)| {
             promised(table, &points, *asked, limit, |values| values[asked.request.column])
         };
-        Ok(self.asked.par_iter().map(bound).collect())
+        Ok(parallel::map(&self.asked, bound))
     }
 
     /// The factor by which the shape of `band`, over `columns`, is widened so that its share of the mechanisms stays inside for the whole

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
-
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use super::inner_runs::{extreme_run, mixture_runs};
@@ -14,6 +12,7 @@ use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::pool::{Pool, PoolPoint};
 use crate::measures::measure::Measure;
 use crate::measures::of_statistic::{estimator, work_out};
+use crate::parallel;
 use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
 use crate::search::models::of_points::{MAX_LOCATED_TARGETS, Search};
@@ -120,16 +119,15 @@ impl DoubleLoop {
         };
         let requests: Vec<Request> = searched.iter().map(|(request, _)| *request).collect();
         work_out(pool, &requests, &self.setup.confidence);
-        let mut targets: Vec<(Target, Vec<Direction>)> = searched
-            .par_iter()
-            .filter(|(request, _)| !is_joint(request))
-            .flat_map_iter(|(request, directions)| {
-                let samples = pool.samples(request.column);
-                let measure = estimator(request.statistic).map(|of| of.measure(&samples, &self.setup.confidence));
-                let targets = measure.into_iter().flat_map(Measure::into_targets);
-                targets.map(|target| (target, directions.clone()))
-            })
-            .collect();
+        let mut targets = parallel::flat_map(searched, |(request, directions)| {
+            if is_joint(request) {
+                return Vec::new();
+            }
+            let samples = pool.samples(request.column);
+            let measure = estimator(request.statistic).map(|of| of.measure(&samples, &self.setup.confidence));
+            let targets = measure.into_iter().flat_map(Measure::into_targets);
+            targets.map(|target| (target, directions.clone())).collect()
+        });
         if has_joint_quantiles {
             targets.extend(Experiment::new(&self.setup, pool, table).joint_quantile_targets());
         }

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
-
 use super::double_loop::DoubleLoop;
 use super::steering::SoughtExtremes;
 use crate::data::table::{Purpose, SampleTable};
@@ -11,6 +9,7 @@ use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
 use crate::measures::mean::Mean;
 use crate::measures::measure::Estimator;
+use crate::parallel;
 use crate::search::models::of_points::Search;
 use crate::search::models::prediction::Allowance;
 use crate::search::models::shared_grids::SharedGrids;
@@ -49,7 +48,8 @@ impl DoubleLoop {
         let at: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();
         let models = Search::sharing(grids, self.setup.epistemic_box.axes(), &points, &at, &means);
         let scouts = search.scouts(&places);
-        let calls = |(column, mean): (&usize, &Target)| {
+        let calls = |index: usize| {
+            let (column, mean) = (&columns[index], &means[index]);
             let values: Vec<f64> = runs.iter().map(|&run| table.values(run)[*column]).collect();
             let mut scatter = Scatter::new(&pool.samples(*column));
             let Some(ends) = ends_by_chance(&mut scatter.standardised, places.len()) else { return Vec::new() };
@@ -57,7 +57,7 @@ impl DoubleLoop {
             let observed = Observed { values: &values, moments: &scatter.moments, means: &means, ends };
             search.calls(&scouts, &observed, count)
         };
-        let calls: Vec<Vec<BoxPoint>> = columns.par_iter().zip(&means).map(calls).collect();
+        let calls: Vec<Vec<BoxPoint>> = parallel::map_indices(columns.len(), calls);
         let turns = (0..count).flat_map(|turn| calls.iter().filter_map(move |own| own.get(turn).cloned()));
         search.new_places(turns, count)
     }

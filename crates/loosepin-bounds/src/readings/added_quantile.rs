@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::experiment::{Experiment, Focal};
 use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
@@ -12,6 +10,7 @@ use crate::estimators::sample::Sample;
 use crate::measures::mean::Mean;
 use crate::measures::measure::{Estimator, Measure};
 use crate::measures::probability::Probability;
+use crate::parallel;
 use crate::search::target::Target;
 use loosepin_terms::Event;
 
@@ -152,50 +151,36 @@ impl Experiment<'_> {
         columns.sort_unstable();
         columns.dedup();
         let sorted: BTreeMap<usize, Sorted> =
-            columns.into_par_iter().map(|column| (column, Sorted::new(&self.pool.samples(column)))).collect();
+            parallel::map(&columns, |&column| (column, Sorted::new(&self.pool.samples(column)))).into_iter().collect();
         let quantile = |job: &QuantileJob, probability: f64| {
             sorted[&job.column].quantile(&self.pool.samples(job.column), elements, probability, job.direction)
         };
-        let mut attempts: Vec<Attempt> = jobs
-            .par_iter()
-            .map(|job| {
-                let value = quantile(job, job.probability);
-                Attempt {
-                    value,
-                    at: value,
-                    conceded: 0.0,
-                    errors: None,
-                    widened: (!value.is_finite()).then_some(value),
-                }
-            })
-            .collect();
+        let mut attempts: Vec<Attempt> = parallel::map(jobs, |job| {
+            let value = quantile(job, job.probability);
+            let widened = (!value.is_finite()).then_some(value);
+            Attempt { value, at: value, conceded: 0.0, errors: None, widened }
+        });
         for attempt in 0..MAX_ATTEMPTS {
             let pending: Vec<usize> = (0..jobs.len()).filter(|&job| attempts[job].widened.is_none()).collect();
             if pending.is_empty() {
                 break;
             }
-            let measures: Vec<Measure> = pending
-                .par_iter()
-                .map(|&job| {
-                    let samples = self.pool.samples(jobs[job].column);
-                    let event = quantile_event(attempts[job].at, jobs[job].direction);
-                    Probability(event).measure(&samples, &self.setup.confidence)
-                })
-                .collect();
+            let measures: Vec<Measure> = parallel::map(&pending, |&job| {
+                let samples = self.pool.samples(jobs[job].column);
+                let event = quantile_event(attempts[job].at, jobs[job].direction);
+                Probability(event).measure(&samples, &self.setup.confidence)
+            });
             let search = self.search(measures.iter());
-            let found: Vec<(Bound, f64)> = pending
-                .par_iter()
-                .zip(&measures)
-                .map(|(&index, measure)| {
-                    let job = &jobs[index];
-                    let samples = self.pool.samples(job.column);
-                    let direction = job.direction.opposite();
-                    let cdf = self.added(&Modelled::new(&search, measure, &samples), elements, direction);
-                    let reached = sorted[&job.column].cdf(&samples, elements, attempts[index].at, direction);
-                    let gap = (reached - cdf.widened).abs();
-                    (cdf, gap)
-                })
-                .collect();
+            let found: Vec<(Bound, f64)> = parallel::map_indices(pending.len(), |place| {
+                let (index, measure) = (pending[place], &measures[place]);
+                let job = &jobs[index];
+                let samples = self.pool.samples(job.column);
+                let direction = job.direction.opposite();
+                let cdf = self.added(&Modelled::new(&search, measure, &samples), elements, direction);
+                let reached = sorted[&job.column].cdf(&samples, elements, attempts[index].at, direction);
+                let gap = (reached - cdf.widened).abs();
+                (cdf, gap)
+            });
             for (&index, (cdf, gap)) in pending.iter().zip(found) {
                 let (job, attempt_of) = (&jobs[index], &mut attempts[index]);
                 attempt_of.errors.get_or_insert([cdf.error.sampling, cdf.error.optimisation]);
@@ -215,8 +200,7 @@ impl Experiment<'_> {
                 }
             }
         }
-        let finished = jobs.par_iter().zip(&attempts);
-        finished.map(|(job, attempt)| self.quantile_bound(job, attempt)).collect()
+        parallel::map_indices(jobs.len(), |index| self.quantile_bound(&jobs[index], &attempts[index]))
     }
 
     /// The probabilities that decide where the quantiles of several elements together end, as something to search: those of the
@@ -243,7 +227,7 @@ impl Experiment<'_> {
             };
             ends.flat_map(of_end).collect::<Vec<_>>()
         };
-        quantiles.par_iter().flat_map_iter(of_quantile).collect()
+        parallel::flat_map(&quantiles, of_quantile)
     }
 
     /// Quantile without scatter: each element gives a range with its mass; its ends, sorted, are the added distribution functions.

@@ -1,7 +1,5 @@
 //! Statistics over several focal elements: masses add (A. P. Dempster 1967, G. Shafer 1976).
 
-use rayon::prelude::*;
-
 use super::added_quantile::QuantileJob;
 use super::experiment::{Experiment, Focal};
 use super::interval::Modelled;
@@ -10,6 +8,7 @@ use crate::data::direction::Direction;
 use crate::data::problem::Request;
 use crate::estimators::estimate::Estimate;
 use crate::measures::measure::Measure;
+use crate::parallel;
 use crate::search::models::of_points::Search;
 use loosepin_terms::Estimation;
 
@@ -33,42 +32,40 @@ impl Experiment<'_> {
             })
             .collect();
         let quantiles: Vec<Bound> = self.quantiles(&jobs, elements);
-        requests
-            .par_iter()
-            .zip(measures)
-            .filter_map(|(&Request { column, statistic }, measure)| {
-                let samples = self.pool.samples(column);
-                let measure = measure.as_ref()?;
-                let modelled = Modelled::new(search, measure, &samples);
-                let ends = match statistic.estimation()? {
-                    Estimation::Ordered(probability) if !is_one => Direction::BOTH.map(|direction| {
-                        let job = QuantileJob { column, probability, direction };
-                        let place = jobs.iter().position(|known| *known == job);
-                        place.map_or_else(|| self.unknown(direction), |place| quantiles[place].clone())
-                    }),
-                    Estimation::RootOfVariance if !is_one || self.is_mixed() => self.deviations(column, elements),
-                    // A mean over a mixture is the sum of mass times mean; a probability is the mean of a hit.
-                    Estimation::Mean | Estimation::Counted(_) => {
-                        Direction::BOTH.map(|direction| self.added(&modelled, elements, direction))
-                    }
-                    // Of one element nothing is added.
-                    Estimation::Ordered(_) | Estimation::RootOfVariance => {
-                        Direction::BOTH.map(|direction| self.bound(&modelled, direction, &elements[0]))
-                    }
-                    // What it is of a mixture is not known.
-                    Estimation::Sampled => Direction::BOTH.map(|direction| self.unknown_of(statistic, direction)),
-                };
-                let at: Vec<f64> = measure.low.iter().map(Estimate::lower_limit).collect();
-                // Of several elements the sum has been attained, at no single point.
-                let seen = if is_one {
-                    at
-                } else {
-                    Direction::BOTH.map(|direction| sum_of_extremes(elements, &at, direction)).to_vec()
-                };
-                let central = centre.map(|point| modelled.at(point));
-                Some(BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
-            })
-            .collect()
+        let pairs = parallel::map_indices(requests.len(), |index| {
+            let (Request { column, statistic }, measure) = (requests[index], &measures[index]);
+            let samples = self.pool.samples(column);
+            let measure = measure.as_ref()?;
+            let modelled = Modelled::new(search, measure, &samples);
+            let ends = match statistic.estimation()? {
+                Estimation::Ordered(probability) if !is_one => Direction::BOTH.map(|direction| {
+                    let job = QuantileJob { column, probability, direction };
+                    let place = jobs.iter().position(|known| *known == job);
+                    place.map_or_else(|| self.unknown(direction), |place| quantiles[place].clone())
+                }),
+                Estimation::RootOfVariance if !is_one || self.is_mixed() => self.deviations(column, elements),
+                // A mean over a mixture is the sum of mass times mean; a probability is the mean of a hit.
+                Estimation::Mean | Estimation::Counted(_) => {
+                    Direction::BOTH.map(|direction| self.added(&modelled, elements, direction))
+                }
+                // Of one element nothing is added.
+                Estimation::Ordered(_) | Estimation::RootOfVariance => {
+                    Direction::BOTH.map(|direction| self.bound(&modelled, direction, &elements[0]))
+                }
+                // What it is of a mixture is not known.
+                Estimation::Sampled => Direction::BOTH.map(|direction| self.unknown_of(statistic, direction)),
+            };
+            let at: Vec<f64> = measure.low.iter().map(Estimate::lower_limit).collect();
+            // Of several elements the sum has been attained, at no single point.
+            let seen = if is_one {
+                at
+            } else {
+                Direction::BOTH.map(|direction| sum_of_extremes(elements, &at, direction)).to_vec()
+            };
+            let central = centre.map(|point| modelled.at(point));
+            Some(BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+        });
+        pairs.into_iter().flatten().collect()
     }
 }
 

@@ -1,11 +1,10 @@
 //! How much narrower the band would be if one epistemic input were known.
 
-use rayon::prelude::*;
-
 use super::experiment::Experiment;
 use crate::data::direction::{Direction, extreme_point};
 use crate::measures::measure::{Estimator, Measure};
 use crate::measures::quantile::Quantile;
+use crate::parallel;
 use crate::search::models::of_points::Branch;
 use crate::search::models::prediction::Allowance;
 use crate::search::target::Target;
@@ -82,16 +81,13 @@ impl Experiment<'_> {
             })
             .collect();
         let search = self.search(measures.iter().flatten());
-        let of_columns: Option<Vec<Pinching>> = measures
-            .par_iter()
-            .zip(columns)
-            .map(|(pair, &column)| {
-                let ends = pair.each_ref().map(|measure| (&measure.target, search.branches(&measure.target)));
-                let means: Vec<f64> = self.pool.samples(column).iter().map(|sample| mean(sample.values())).collect();
-                self.pinched(&ends, &means)
-            })
-            .collect();
-        of_columns?.into_iter().reduce(Pinching::add)
+        let of_columns = parallel::map_indices(columns.len(), |index| {
+            let ends = measures[index].each_ref().map(|measure| (&measure.target, search.branches(&measure.target)));
+            let samples = self.pool.samples(columns[index]);
+            let means: Vec<f64> = samples.iter().map(|sample| mean(sample.values())).collect();
+            self.pinched(&ends, &means)
+        });
+        of_columns.into_iter().collect::<Option<Vec<Pinching>>>()?.into_iter().reduce(Pinching::add)
     }
 
     fn pinched(&self, ends: &[(&Target, Vec<Branch<'_>>); 2], means: &[f64]) -> Option<Pinching> {

@@ -1,7 +1,5 @@
 //! The distribution function and its bounds over u.
 
-use rayon::prelude::*;
-
 use super::experiment::Experiment;
 use super::interval::Modelled;
 use super::random_set::RandomSet;
@@ -14,6 +12,7 @@ use crate::estimators::pool::Pool;
 use crate::estimators::probability::{ShareLimits, probability};
 use crate::measures::measure::Measure;
 use crate::measures::probability::Probability;
+use crate::parallel;
 use crate::search::models::of_points::TARGETS_AT_ONCE;
 use loosepin_terms::Event;
 
@@ -55,24 +54,25 @@ impl ProbabilityBox {
             (0..GRID_VALUES).map(|i| if i + 1 == GRID_VALUES { high } else { low + i as f64 * step }).collect()
         };
         let limits = ShareLimits::default();
-        let measures: Vec<Measure> = values
-            .par_iter()
-            .map(|&value| Probability(Event::UpTo(value)).measure_with(&samples, &setup.confidence, &limits))
-            .collect();
+        let measures: Vec<Measure> = parallel::map(&values, |&value| {
+            Probability(Event::UpTo(value)).measure_with(&samples, &setup.confidence, &limits)
+        });
         let search = experiment.search(measures.iter());
         let elements = experiment.focal_elements(setup.structure.widest());
         let set = (setup.problem.reading == Reading::RandomSet).then(|| RandomSet::new(experiment, &elements, column));
         let ends: Vec<[Bound; 2]> = match &set {
             Some(set) => {
                 let of = |&value: &f64, direction| set.probability(experiment, Event::UpTo(value), direction);
-                values.par_iter().map(|value| Direction::BOTH.map(|direction| of(value, direction))).collect()
+                parallel::map(&values, |value| Direction::BOTH.map(|direction| of(value, direction)))
             }
             None => {
                 let of = |modelled: Modelled<'_>| {
                     Direction::BOTH.map(|direction| experiment.added(&modelled, &elements, direction))
                 };
-                let chunks = measures.par_chunks(TARGETS_AT_ONCE);
-                chunks.flat_map_iter(|own| Modelled::of_column(&search, own, &samples).into_iter().map(of)).collect()
+                let chunks: Vec<&[Measure]> = measures.chunks(TARGETS_AT_ONCE).collect();
+                parallel::flat_map(&chunks, |own| {
+                    Modelled::of_column(&search, own, &samples).into_iter().map(of).collect()
+                })
             }
         };
         let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = ends.into_iter().map(<(Bound, Bound)>::from).unzip();

@@ -14,8 +14,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::deviation::golden_section_minimum;
 use super::experiment::{Experiment, Focal};
 use crate::data::bound::{Bound, BoundError, BoundPair};
@@ -26,6 +24,7 @@ use crate::estimators::estimate::{Confidence, Estimate, FailureExtremes};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
+use crate::parallel;
 use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::{Estimation, Event, Statistic};
@@ -81,7 +80,7 @@ impl Experiment<'_> {
         columns.sort_unstable();
         columns.dedup();
         let centre = self.centre(elements);
-        let of_column = |column: usize| {
+        let of_column = |&column: &usize| {
             let set = RandomSet::new(self, elements, column);
             let at_centre = centre.map(|point| RandomSet::at(self.pool.samples(column)[point]));
             let failed_runs = self.failed_runs(column);
@@ -98,7 +97,7 @@ impl Experiment<'_> {
             };
             own.map(pair).collect::<Vec<_>>()
         };
-        let mut pairs: Vec<(usize, BoundPair)> = columns.into_par_iter().flat_map_iter(of_column).collect();
+        let mut pairs: Vec<(usize, BoundPair)> = parallel::flat_map(&columns, of_column);
         pairs.sort_by_key(|(place, _)| *place);
         pairs.into_iter().map(|(_, pair)| pair).collect()
     }
@@ -131,7 +130,7 @@ impl RandomSet {
             ([ends[0].0, ends[1].0], [ends[0].1, ends[1].1])
         };
         let elements = elements.iter().map(|element| {
-            let found: Vec<EndsOfRun> = targets.par_iter().map(|target| ends(element, target)).collect();
+            let found: Vec<EndsOfRun> = parallel::map(&targets, |target| ends(element, target));
             let sample = |of: &dyn Fn(&EndsOfRun) -> f64| {
                 let mut by_replicate: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
                 for (ends, replicate) in found.iter().zip(&replicates) {

@@ -14,8 +14,6 @@
 //! go (optimisation error); the sampling error of S where it is near S_p, and the spread of S_p between scramblings of θ (sampling
 //! error).
 
-use rayon::prelude::*;
-
 use super::experiment::Experiment;
 use crate::data::bound::{Bound, BoundError, Guarantee, Witness};
 use crate::data::direction::{Direction, extreme, extreme_point};
@@ -24,6 +22,7 @@ use crate::data::table::Purpose;
 use crate::estimators::estimate::{Confidence, replicate_error};
 use crate::measures::measure::Measure;
 use crate::measures::of_statistic::estimator;
+use crate::parallel;
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::models::noise::Noise;
 use crate::search::models::of_points::{Branch, Search};
@@ -104,24 +103,21 @@ impl Experiment<'_> {
             &inside,
             asked.iter().map(|(_, measure)| &measure.target),
         );
-        asked
-            .par_iter()
-            .map(|(request, measure)| {
-                let branches = search.branches(&measure.target);
-                let seen: Vec<Option<Vec<Forecast>>> =
-                    branches.iter().map(|branch| grid.at_places(branch, inside.len())).collect();
-                let percentile = |&probability: &f64| {
-                    let [lower, upper] = Direction::BOTH
-                        .map(|direction| self.percentile(&grid, measure, &seen, probability, direction, confidence));
-                    Percentile { probability, lower, upper }
-                };
-                StatisticPercentiles {
-                    column: request.column,
-                    statistic: request.statistic,
-                    percentiles: self.setup.problem.percentiles.iter().map(percentile).collect(),
-                }
-            })
-            .collect()
+        parallel::map(&asked, |(request, measure)| {
+            let branches = search.branches(&measure.target);
+            let seen: Vec<Option<Vec<Forecast>>> =
+                branches.iter().map(|branch| grid.at_places(branch, inside.len())).collect();
+            let percentile = |&probability: &f64| {
+                let [lower, upper] = Direction::BOTH
+                    .map(|direction| self.percentile(&grid, measure, &seen, probability, direction, confidence));
+                Percentile { probability, lower, upper }
+            };
+            StatisticPercentiles {
+                column: request.column,
+                statistic: request.statistic,
+                percentiles: self.setup.problem.percentiles.iter().map(percentile).collect(),
+            }
+        })
     }
 
     fn grid(&self) -> Option<Grid> {

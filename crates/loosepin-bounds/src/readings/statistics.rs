@@ -1,7 +1,5 @@
 //! Bounds of all single statistics, cut by cut.
 
-use rayon::prelude::*;
-
 use super::experiment::{Experiment, Focal};
 use super::interval::Modelled;
 use crate::data::bound::{BoundPair, CutBounds};
@@ -11,6 +9,7 @@ use crate::estimators::estimate::Estimate;
 use crate::estimators::sample::Sample;
 use crate::measures::measure::Measure;
 use crate::measures::of_statistic::{estimator, work_out};
+use crate::parallel;
 use crate::search::models::of_points::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
@@ -23,10 +22,9 @@ impl Experiment<'_> {
         let requests = self.setup.single_statistics();
         let confidence = &self.setup.confidence;
         work_out(self.pool, &requests, confidence);
-        let measures: Vec<Option<Measure>> = requests
-            .par_iter()
-            .map(|request| Some(estimator(request.statistic)?.measure(&self.pool.samples(request.column), confidence)))
-            .collect();
+        let measures: Vec<Option<Measure>> = parallel::map(&requests, |request| {
+            Some(estimator(request.statistic)?.measure(&self.pool.samples(request.column), confidence))
+        });
         let search = self.search(measures.iter().flatten());
         let of_cut = |cut: &Cut| CutBounds { alpha: cut.alpha, pairs: self.pairs(&requests, &measures, &search, cut) };
         let mut cuts: Vec<CutBounds> = self.setup.structure.cuts.iter().map(of_cut).collect();
@@ -73,15 +71,15 @@ impl Experiment<'_> {
             let central = centre.map(|point| modelled.at(point));
             BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) }
         };
-        let chunks = requests.par_chunks(TARGETS_AT_ONCE).zip(measures.par_chunks(TARGETS_AT_ONCE));
-        let pairs = chunks.flat_map_iter(|(requests, measures)| {
+        let chunks: Vec<(&[Request], &[Option<Measure>])> =
+            requests.chunks(TARGETS_AT_ONCE).zip(measures.chunks(TARGETS_AT_ONCE)).collect();
+        parallel::flat_map(&chunks, |(requests, measures)| {
             let samples: Vec<Vec<&Sample>> = requests.iter().map(|request| self.pool.samples(request.column)).collect();
             let modelled = Modelled::all(search, measures, &samples);
             let pairs =
                 requests.iter().zip(&modelled).filter_map(|(request, own)| Some(pair((request, own.as_ref()?))));
-            pairs.collect::<Vec<BoundPair>>()
-        });
-        pairs.collect()
+            pairs.collect()
+        })
     }
 }
 

@@ -1,7 +1,5 @@
 //! Bands of a column with everything random, with everything an interval, and with both kinds kept apart.
 
-use rayon::prelude::*;
-
 use super::added_quantile::QuantileJob;
 use super::coverage::Coverage;
 use super::experiment::Experiment;
@@ -15,6 +13,7 @@ use crate::estimators::pool::Pool;
 use crate::estimators::quantile::quantile;
 use crate::measures::measure::{Estimator, Measure};
 use crate::measures::quantile::Quantile;
+use crate::parallel;
 use crate::search::models::of_points::Search;
 use crate::search::models::shared_grids::SharedGrids;
 use crate::search::search_box::Region;
@@ -75,15 +74,13 @@ impl TreatmentComparison {
             Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, failed_runs, coverage }
         };
         let ends: Vec<_> = columns.iter().zip(mixed).zip(probability_only).zip(interval_only).collect();
-        ends.into_par_iter()
-            .map(|(((&column, mixed), probability_only), interval_only)| Self {
-                column,
-                probability: setup.problem.band_probability,
-                probability_only: band(Treatment::ProbabilityOnly, &mixture, column, probability_only),
-                interval_only: band(Treatment::IntervalOnly, &extremes, column, interval_only),
-                mixed: band(Treatment::Mixed, experiment.pool, column, mixed),
-            })
-            .collect()
+        parallel::map(&ends, |&(((&column, ref mixed), ref probability_only), ref interval_only)| Self {
+            column,
+            probability: setup.problem.band_probability,
+            probability_only: band(Treatment::ProbabilityOnly, &mixture, column, probability_only.clone()),
+            interval_only: band(Treatment::IntervalOnly, &extremes, column, interval_only.clone()),
+            mixed: band(Treatment::Mixed, experiment.pool, column, mixed.clone()),
+        })
     }
 }
 
@@ -99,13 +96,10 @@ fn mixed_ends(experiment: &Experiment<'_>, columns: &[usize]) -> Vec<[Bound; 2]>
     let quantiles = setup.band_quantiles();
     let elements = experiment.focal_elements(setup.structure.widest());
     if setup.problem.reading == Reading::RandomSet {
-        return columns
-            .par_iter()
-            .map(|&column| {
-                let set = RandomSet::new(experiment, &elements, column);
-                quantiles.map(|(probability, direction)| set.quantile(experiment, probability, direction))
-            })
-            .collect();
+        return parallel::map(columns, |&column| {
+            let set = RandomSet::new(experiment, &elements, column);
+            quantiles.map(|(probability, direction)| set.quantile(experiment, probability, direction))
+        });
     }
     let [whole] = &elements[..] else {
         let job = |column, (probability, direction)| QuantileJob { column, probability, direction };
@@ -114,23 +108,16 @@ fn mixed_ends(experiment: &Experiment<'_>, columns: &[usize]) -> Vec<[Bound; 2]>
         let bounds = experiment.quantiles(&jobs, &elements);
         return bounds.chunks(2).map(|pair| [pair[0].clone(), pair[1].clone()]).collect();
     };
-    let measures: Vec<[Measure; 2]> = columns
-        .par_iter()
-        .map(|&column| {
-            let samples = experiment.pool.samples(column);
-            quantiles.map(|(probability, _)| Quantile(probability).measure(&samples, &setup.confidence))
-        })
-        .collect();
+    let measures: Vec<[Measure; 2]> = parallel::map(columns, |&column| {
+        let samples = experiment.pool.samples(column);
+        quantiles.map(|(probability, _)| Quantile(probability).measure(&samples, &setup.confidence))
+    });
     let search = experiment.search(measures.iter().flatten());
-    columns
-        .par_iter()
-        .zip(&measures)
-        .map(|(&column, measures)| {
-            let samples = experiment.pool.samples(column);
-            [0, 1]
-                .map(|end| experiment.bound(&Modelled::new(&search, &measures[end], &samples), quantiles[end].1, whole))
-        })
-        .collect()
+    parallel::map_indices(columns.len(), |index| {
+        let samples = experiment.pool.samples(columns[index]);
+        let measures = &measures[index];
+        [0, 1].map(|end| experiment.bound(&Modelled::new(&search, &measures[end], &samples), quantiles[end].1, whole))
+    })
 }
 
 /// Both quantiles of the mixture of every column.
@@ -141,46 +128,39 @@ fn probability_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[us
     let end = |value: f64, sign: f64, sampling: f64| {
         Bound::without_witness(value, value + sign * sampling, BoundError::of_runs(sampling, 0.0), guarantee)
     };
-    columns
-        .par_iter()
-        .map(|&column| match pool.samples(column).first() {
-            Some(sample) if !sample.values().is_empty() => {
-                let lower = quantile(sample, &setup.confidence, tail).low;
-                let upper = quantile(sample, &setup.confidence, 1.0 - tail).high;
-                [end(lower.value, -1.0, lower.below), end(upper.value, 1.0, upper.above)]
-            }
-            _ => Direction::BOTH.map(|direction| Bound::unknown(direction, guarantee)),
-        })
-        .collect()
+    parallel::map(columns, |&column| match pool.samples(column).first() {
+        Some(sample) if !sample.values().is_empty() => {
+            let lower = quantile(sample, &setup.confidence, tail).low;
+            let upper = quantile(sample, &setup.confidence, 1.0 - tail).high;
+            [end(lower.value, -1.0, lower.below), end(upper.value, 1.0, upper.above)]
+        }
+        _ => Direction::BOTH.map(|direction| Bound::unknown(direction, guarantee)),
+    })
 }
 
 /// Extremes of every column over the joint box.
 fn interval_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let setup = experiment.setup;
     let places = setup.extreme_places(pool);
-    let targets: Vec<_> = columns.par_iter().map(|&column| setup.extreme_target(pool, column)).collect();
+    let targets: Vec<_> = parallel::map(columns, |&column| setup.extreme_target(pool, column));
     let grids = SharedGrids::after(experiment.table, Purpose::Extreme);
     let search = Search::sharing(&grids, setup.joint_box.axes(), &places, &setup.joint_candidates, &targets);
     let whole = Region::whole(setup.joint_box.dimensions());
-    columns
-        .par_iter()
-        .zip(&targets)
-        .map(|(&column, target)| {
-            let branches = search.branches(target);
-            Direction::BOTH.map(|direction| {
-                let sign = direction.sign();
-                let (value, witness) = furthest_run(experiment, column, direction);
-                let searched = extreme(&target.values, direction);
-                let further = search.furthest_reach(target, &branches, direction, &whole);
-                let conceded = SEARCH_RESOLUTION * target.range();
-                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
-                let has_box = setup.joint_box.dimensions() > 0;
-                let error =
-                    BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
-                Bound { value, widened: error.widen(value, direction), witness, error, guarantee: Guarantee::Optimised }
-            })
+    parallel::map_indices(columns.len(), |index| {
+        let (column, target) = (columns[index], &targets[index]);
+        let branches = search.branches(target);
+        Direction::BOTH.map(|direction| {
+            let sign = direction.sign();
+            let (value, witness) = furthest_run(experiment, column, direction);
+            let searched = extreme(&target.values, direction);
+            let further = search.furthest_reach(target, &branches, direction, &whole);
+            let conceded = SEARCH_RESOLUTION * target.range();
+            let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
+            let has_box = setup.joint_box.dimensions() > 0;
+            let error = BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
+            Bound { value, widened: error.widen(value, direction), witness, error, guarantee: Guarantee::Optimised }
         })
-        .collect()
+    })
 }
 
 /// The run that goes furthest of all runs inside the joint box, whatever they were made for.

@@ -1,9 +1,8 @@
 //! Places to which a smooth function is expected to lead on from the attained extremes.
 
-use rayon::prelude::*;
-
 use super::extremes::Extreme;
 use super::search_box::{Axes, BoxPoint};
+use crate::parallel;
 use crate::search::models::local::LocalSmoothers;
 use crate::search::models::of_points::{Search, defined};
 use crate::search::models::prediction::Allowance;
@@ -30,7 +29,7 @@ impl Search<'_> {
     /// what it allows for round-off it cannot tell the least ones along a curved ridge, where no candidate lies nearer to the summit.
     pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
         let mut summits: Vec<(f64, BoxPoint)> =
-            extremes.par_iter().filter_map(|extreme| self.summit(extreme)).collect();
+            parallel::map(extremes, |extreme| self.summit(extreme)).into_iter().flatten().collect();
         summits.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.new_places(summits.into_iter().map(|(_, place)| place), count)
     }

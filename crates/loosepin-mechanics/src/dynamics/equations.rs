@@ -236,7 +236,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Evaluates the equations of motion with roots of penetrations and deflections of bristles as unknowns: an entry for each
     /// contact, or none at all.
-    #[inline(always)]
+    #[inline(never)]
     pub fn evaluate_with_unknowns(
         &mut self,
         time_s: T,
@@ -277,7 +277,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Biases of the accelerations, and forces in the joints with play.
-    #[inline(always)]
+    #[inline(never)]
     fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[ContactUnknowns<T>]) {
         let tree = &self.mechanism.real;
         self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
@@ -289,7 +289,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Mass matrix and generalised forces of inertia and gravity (Kane).
-    #[inline(always)]
+    #[inline(never)]
     fn add_bodies(&mut self) {
         let tree = &self.mechanism.real;
         let n = tree.free;
@@ -335,7 +335,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Adds the forces of the joints with play.
-    #[inline(always)]
+    #[inline(never)]
     fn add_plays(&mut self) {
         for index in 0..self.contacts.len() {
             let (force, at) = (self.contacts[index], self.sample.contacts[index]);
@@ -363,7 +363,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// M q̈ = h + Jᵀ λ with J q̈ = -γ.
-    #[inline(always)]
+    #[inline(never)]
     fn solve(&mut self) {
         let tree = &self.mechanism.real;
         let (n, columns) = (tree.free, tree.coordinates());
@@ -390,7 +390,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
-    #[inline(always)]
+    #[inline(never)]
     pub fn powers(&self) -> Powers<T> {
         let mut powers = Powers {
             drives_w: T::zero(),
@@ -418,7 +418,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
-    #[inline(always)]
+    #[inline(never)]
     pub fn drive_force(&self, k: usize) -> T {
         let tree = &self.mechanism.real;
         let n = tree.free;
@@ -460,7 +460,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.plays[at.play].force(&self.sample.plays[at.play], at.place, state)
     }
     /// The gap function of the contact `contact` and its derivatives at the last evaluation.
-    #[inline(always)]
+    #[inline(never)]
     pub fn gap(&self, contact: usize) -> GapMotion<T> {
         let at = self.sample.contacts[contact];
         let motion = &self.plays[at.play];

@@ -34,7 +34,7 @@ impl<'a, T: Real> InverseDynamics<'a, T> {
 
     /// Follows the drives and references of `sample` to `time_s` and works out the efforts along them:
     /// Σ m (a - g)·∂v/∂q̇_k + I α ∂ω/∂q̇_k over all bodies.
-    #[inline(always)]
+    #[inline(never)]
     pub fn evaluate(&mut self, model: &Model, sample: &Sample<T>, time_s: T, workspace: &mut [TimeDual<T>]) {
         let tree = &self.chain.tree;
         for k in 0..tree.drives.len() {

@@ -14,14 +14,13 @@
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
 use super::inner_basis::DesignMatrix;
 use super::orthogonal::Axis;
 use super::smooth::{ROUND_OFF, largest_magnitude};
 use crate::data::table::SampleTable;
 use crate::estimators::sample::Sample;
 use crate::estimators::unsampled_events::UnsampledEvents;
+use crate::parallel;
 use loosepin_math::dense::dot;
 
 /// Errors between the outer points are this many times those at the outer points, at most.
@@ -89,7 +88,7 @@ impl SingleRuns {
             let deviation = samples.iter().map(|sample| sample.sums().deviation()).fold(0.0, f64::max);
             Some(Contradiction { unseen, is_small: unseen.largest() <= SMALL * deviation })
         };
-        columns.par_iter().map(of_column).collect()
+        parallel::map(columns, of_column).into_iter().collect()
     }
 
     fn of_column(&self, at: &AtRuns, samples: &[&Sample], value: impl Fn(usize) -> f64) -> Option<UnsampledEvents> {

@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use rayon::prelude::*;
-
+use crate::parallel;
 use crate::search::models::assessment::NOISE_RATIOS;
 use crate::search::models::gaussian_process::{Distances, Kernel, MAX_APPENDED_TO, Model, Smoothness};
 use crate::search::models::trend::Trend;
@@ -73,8 +72,9 @@ impl Grid {
             levels,
             with_kinks: OnceLock::new(),
         };
-        let kernels = grid.kernels(0).into_par_iter().enumerate();
-        let without_noise: Vec<Model> = kernels.filter_map(|own| grid.model(own, 0)).collect();
+        let kernels: Vec<_> = grid.kernels(0).into_iter().enumerate().collect();
+        let without_noise: Vec<Model> =
+            parallel::map(&kernels, |own| grid.model(own.clone(), 0)).into_iter().flatten().collect();
         let is_empty = without_noise.is_empty();
         let _ = grid.levels[0].set(without_noise);
         (!is_empty).then_some(grid)

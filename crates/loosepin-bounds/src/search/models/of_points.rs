@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use crate::data::direction::{Direction, extreme_among};
+use crate::parallel;
 use crate::search::models::grid::Grid;
 use crate::search::models::local::LocalSmoothers;
 use crate::search::models::prediction::Allowance;
@@ -192,7 +191,8 @@ impl<'a> Search<'a> {
         let of = |targets: &[(Target, Vec<Direction>)]| {
             self.branches_of_all(&targets.iter().map(|(target, _)| target).collect::<Vec<_>>())
         };
-        targets.par_chunks(TARGETS_AT_ONCE).flat_map_iter(of).collect()
+        let chunks: Vec<&[(Target, Vec<Direction>)]> = targets.chunks(TARGETS_AT_ONCE).collect();
+        parallel::flat_map(&chunks, |targets| of(targets))
     }
 
     /// The model of `target` on the points at which it is `defined`; `None` if these are too few.

@@ -52,7 +52,7 @@ impl<T: Real> PlayMotion<T> {
     /// The force at `place` with the root of the penetration and the deflection of the bristles as unknowns, where they are.
     ///
     /// Both forces act at one common point, so that energy and angular momentum are exact.
-    #[inline(always)]
+    #[inline(never)]
     pub fn force_with_unknowns(
         &self,
         play: &PlayGeometry<T>,
@@ -86,7 +86,7 @@ impl<T: Real> PlayMotion<T> {
 }
 
 /// The force between these parts.
-#[inline(always)]
+#[inline(never)]
 fn force_between<T: Real>(
     parts: &impl Parts<T>,
     at: Touch<'_, T>,

@@ -25,7 +25,7 @@ pub struct PlayMotion<T> {
 
 impl<T: Real> PlayMotion<T> {
     /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
-    #[inline(always)]
+    #[inline(never)]
     pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
         if let Some(flanks) = play.shape.flanks() {
             let [x_m, rate_m_s] = flanks.deviation_m(kinematics);

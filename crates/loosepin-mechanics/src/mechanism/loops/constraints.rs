@@ -12,7 +12,7 @@ use std::fmt;
 
 /// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line or a circle, sine of the
 /// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
-#[inline(always)]
+#[inline(never)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
@@ -38,7 +38,7 @@ fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
 }
 
 /// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
-#[inline(always)]
+#[inline(never)]
 pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let columns = tree.coordinates();
     out.fill(T::zero());
@@ -79,7 +79,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
 
 /// dΦ for a motion of the bodies that `moves` names, each with a velocity of the origin of its frame and an angular velocity.
 /// A cut both of whose bodies move does not feel it where they move as one.
-#[inline(always)]
+#[inline(never)]
 pub fn gradient<T: Real>(
     tree: &Tree,
     geometry: &Geometry<T>,
@@ -134,7 +134,7 @@ pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Ki
 }
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
-#[inline(always)]
+#[inline(never)]
 pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {

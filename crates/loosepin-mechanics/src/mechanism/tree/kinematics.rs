@@ -156,7 +156,7 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Poses and partial velocities at `coordinates` (m and rad, free ones first).
-    #[inline(always)]
+    #[inline(never)]
     pub fn set_positions(&mut self, tree: &Tree, geometry: &Geometry<T>, coordinates: &[T]) {
         for (index, (link, numbers)) in tree.links.iter().zip(&geometry.links).enumerate() {
             let slot = index + 1;
@@ -229,7 +229,7 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Velocities for the rates of all coordinates (m/s and rad/s). Needs [`Self::set_positions`].
-    #[inline(always)]
+    #[inline(never)]
     pub fn set_velocities(&mut self, tree: &Tree, rates: &[T]) {
         for (index, link) in tree.links.iter().enumerate() {
             let slot = index + 1;
@@ -246,7 +246,7 @@ impl<T: Real> Kinematics<T> {
 
     /// Accelerations that the rates cause when the free coordinates have none and the driven ones have
     /// `driven_accelerations` (in the order of the tree's drives). Needs [`Self::set_velocities`].
-    #[inline(always)]
+    #[inline(never)]
     pub fn set_biases(&mut self, tree: &Tree, geometry: &Geometry<T>, rates: &[T], driven_accelerations: &[T]) {
         for (index, (link, numbers)) in tree.links.iter().zip(&geometry.links).enumerate() {
             let slot = index + 1;

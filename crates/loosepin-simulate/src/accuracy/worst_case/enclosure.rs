@@ -16,7 +16,7 @@
 
 use super::evaluate::Evaluator;
 use super::variables::{Variables, balls_and_numbers};
-use loosepin_math::{Dual, Interval, Real, solve_square};
+use loosepin_math::{Dual, Interval, Outlined, Real, solve_square};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Position, Values};
 use std::ops::Range;
@@ -54,13 +54,16 @@ pub(in super::super) struct Moving<'a> {
     pub driven_steps: Option<Vec<f64>>,
 }
 
+/// A number with its derivative.
+pub(super) type Along<T> = Outlined<Dual<T>>;
+
 /// Evaluators over the numbers that the proof needs.
 pub(in super::super) struct Encloser<'a> {
     pub(super) moving: Moving<'a>,
     pub(super) readings: Vec<Position>,
-    pub(super) plain: Evaluator<'a, Dual<f64>>,
-    pub(super) first: Evaluator<'a, Dual<Interval>>,
-    second: Evaluator<'a, Dual<Dual<Interval>>>,
+    pub(super) plain: Evaluator<'a, Along<f64>>,
+    pub(super) first: Evaluator<'a, Along<Interval>>,
+    second: Evaluator<'a, Along<Dual<Interval>>>,
 }
 
 /// A box of which it is shown that it holds one position for each v.
@@ -261,16 +264,18 @@ impl<'a> Encloser<'a> {
         let whole: Vec<Interval> = box_.iter().chain(v).copied().collect();
         for i in 0..nz {
             for j in i..nz {
-                let number = |k: usize| Dual {
-                    value: Dual { value: whole[k], derivative: Interval::from_f64(f64::from(u8::from(k == i))) },
-                    derivative: Dual::constant(Interval::from_f64(f64::from(u8::from(k == j)))),
+                let number = |k: usize| {
+                    Outlined(Dual {
+                        value: Dual { value: whole[k], derivative: Interval::from_f64(f64::from(u8::from(k == i))) },
+                        derivative: Dual::constant(Interval::from_f64(f64::from(u8::from(k == j)))),
+                    })
                 };
                 let [q, v]: [Vec<_>; 2] = [(0..n).map(number).collect(), (n..nz).map(number).collect()];
                 self.moving.place(&mut self.second, &q, driven, &v);
                 let residuals: Vec<Interval> =
-                    self.second.residuals().map(|residual| residual.derivative.derivative).collect();
+                    self.second.residuals().map(|residual| residual.0.derivative.derivative).collect();
                 for (output, reading) in self.readings.iter().enumerate() {
-                    let own = self.second.value(*reading).derivative.derivative;
+                    let own = self.second.value(*reading).0.derivative.derivative;
                     let ways = weights[output].iter().zip(&residuals);
                     let entry = ways.fold(own, |sum, (weight, residual)| sum - *weight * *residual);
                     (second[output][i * nz + j], second[output][j * nz + i]) = (entry, entry);
@@ -332,20 +337,21 @@ pub(super) fn krawczyk_image(
 /// Residuals at a place.
 pub(super) fn residuals<T: Real>(
     moving: &Moving<'_>,
-    evaluator: &mut Evaluator<'_, Dual<T>>,
+    evaluator: &mut Evaluator<'_, Along<T>>,
     q: &[T],
     driven: &[f64],
     v: &[T],
 ) -> Vec<T> {
-    let [q, v] = [q, v].map(|numbers| numbers.iter().map(|number| Dual::constant(*number)).collect::<Vec<_>>());
+    let [q, v] =
+        [q, v].map(|numbers| numbers.iter().map(|number| Outlined(Dual::constant(*number))).collect::<Vec<_>>());
     moving.place(evaluator, &q, driven, &v);
-    evaluator.residuals().map(|residual| residual.value).collect()
+    evaluator.residuals().map(|residual| residual.0.value).collect()
 }
 
 /// Residuals and outputs with their first derivatives.
 pub(super) fn slopes<T: Real>(
     moving: &Moving<'_>,
-    evaluator: &mut Evaluator<'_, Dual<T>>,
+    evaluator: &mut Evaluator<'_, Along<T>>,
     readings: &[Position],
     q: &[T],
     driven: &[f64],
@@ -354,16 +360,17 @@ pub(super) fn slopes<T: Real>(
     let (n, nz) = (q.len(), q.len() + v.len());
     let mut found = Slopes { of_residuals: vec![T::zero(); n * nz], of_outputs: vec![T::zero(); readings.len() * nz] };
     for z in 0..nz {
-        let number =
-            |place: usize, value: &T| Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } };
+        let number = |place: usize, value: &T| {
+            Outlined(Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } })
+        };
         let along_q: Vec<_> = q.iter().enumerate().map(|(k, value)| number(k, value)).collect();
         let along_v: Vec<_> = v.iter().enumerate().map(|(k, value)| number(n + k, value)).collect();
         moving.place(evaluator, &along_q, driven, &along_v);
         for (row, residual) in evaluator.residuals().enumerate() {
-            found.of_residuals[row * nz + z] = residual.derivative;
+            found.of_residuals[row * nz + z] = residual.0.derivative;
         }
         for (output, reading) in readings.iter().enumerate() {
-            found.of_outputs[output * nz + z] = evaluator.value(*reading).derivative;
+            found.of_outputs[output * nz + z] = evaluator.value(*reading).0.derivative;
         }
     }
     found

@@ -1,0 +1,44 @@
+//! Work that threads share. Each piece gets a thread through one function that knows nothing of what it does, so that it is compiled once:
+//! the iterators of rayon are compiled anew wherever they are used.
+
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+/// What `of` makes of each of `items`, in their order.
+pub(crate) fn map<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    map_indices(items.len(), |index| of(&items[index]))
+}
+
+/// What `of` makes of each of some `items`, as many pieces as there are, one behind the other in the order of the items.
+pub(crate) fn flat_map<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
+    map(items, of).into_iter().flatten().collect()
+}
+
+/// What `of` makes of each index below `count`, in their order.
+pub(crate) fn map_indices<R: Send + Sync>(count: usize, of: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    let made: Vec<OnceLock<R>> = (0..count).map(|_| OnceLock::new()).collect();
+    for_each_index(count, &|index| {
+        let _ = made[index].set(of(index));
+    });
+    made.into_iter().filter_map(OnceLock::into_inner).collect()
+}
+
+/// Does `work` for each index below `count`.
+pub(crate) fn for_each_index(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().for_each(work);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{flat_map, map, map_indices};
+
+    #[test]
+    fn identity_what_threads_make_is_in_the_order_of_what_it_is_of() {
+        let numbers: Vec<usize> = (0..10_000).collect();
+        assert_eq!(map(&numbers, |number| number * 3), numbers.iter().map(|number| number * 3).collect::<Vec<_>>());
+        assert_eq!(map_indices(10_000, |index| index), numbers);
+        let repeated = flat_map(&numbers, |number| vec![*number; number % 3]);
+        assert_eq!(repeated, numbers.iter().flat_map(|number| vec![*number; number % 3]).collect::<Vec<_>>());
+        assert!(map(&[], |number: &usize| *number).is_empty());
+    }
+}
