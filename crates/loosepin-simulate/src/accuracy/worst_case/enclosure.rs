@@ -54,16 +54,13 @@ pub(in super::super) struct Moving<'a> {
     pub driven_steps: Option<Vec<f64>>,
 }
 
-/// A number with its derivative.
-pub(super) type Along<T> = Outlined<Dual<T>>;
-
 /// Evaluators over the numbers that the proof needs.
 pub(in super::super) struct Encloser<'a> {
     pub(super) moving: Moving<'a>,
     pub(super) readings: Vec<Position>,
-    pub(super) plain: Evaluator<'a, Along<f64>>,
-    pub(super) first: Evaluator<'a, Along<Interval>>,
-    second: Evaluator<'a, Along<Dual<Interval>>>,
+    pub(super) plain: Evaluator<'a, Dual<f64>>,
+    pub(super) first: Evaluator<'a, Dual<Interval>>,
+    second: Evaluator<'a, Outlined<Dual<Dual<Interval>>>>,
 }
 
 /// A box of which it is shown that it holds one position for each v.
@@ -337,21 +334,20 @@ pub(super) fn krawczyk_image(
 /// Residuals at a place.
 pub(super) fn residuals<T: Real>(
     moving: &Moving<'_>,
-    evaluator: &mut Evaluator<'_, Along<T>>,
+    evaluator: &mut Evaluator<'_, Dual<T>>,
     q: &[T],
     driven: &[f64],
     v: &[T],
 ) -> Vec<T> {
-    let [q, v] =
-        [q, v].map(|numbers| numbers.iter().map(|number| Outlined(Dual::constant(*number))).collect::<Vec<_>>());
+    let [q, v] = [q, v].map(|numbers| numbers.iter().map(|number| Dual::constant(*number)).collect::<Vec<_>>());
     moving.place(evaluator, &q, driven, &v);
-    evaluator.residuals().map(|residual| residual.0.value).collect()
+    evaluator.residuals().map(|residual| residual.value).collect()
 }
 
 /// Residuals and outputs with their first derivatives.
 pub(super) fn slopes<T: Real>(
     moving: &Moving<'_>,
-    evaluator: &mut Evaluator<'_, Along<T>>,
+    evaluator: &mut Evaluator<'_, Dual<T>>,
     readings: &[Position],
     q: &[T],
     driven: &[f64],
@@ -360,17 +356,16 @@ pub(super) fn slopes<T: Real>(
     let (n, nz) = (q.len(), q.len() + v.len());
     let mut found = Slopes { of_residuals: vec![T::zero(); n * nz], of_outputs: vec![T::zero(); readings.len() * nz] };
     for z in 0..nz {
-        let number = |place: usize, value: &T| {
-            Outlined(Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } })
-        };
+        let number =
+            |place: usize, value: &T| Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } };
         let along_q: Vec<_> = q.iter().enumerate().map(|(k, value)| number(k, value)).collect();
         let along_v: Vec<_> = v.iter().enumerate().map(|(k, value)| number(n + k, value)).collect();
         moving.place(evaluator, &along_q, driven, &along_v);
         for (row, residual) in evaluator.residuals().enumerate() {
-            found.of_residuals[row * nz + z] = residual.0.derivative;
+            found.of_residuals[row * nz + z] = residual.derivative;
         }
         for (output, reading) in readings.iter().enumerate() {
-            found.of_outputs[output * nz + z] = evaluator.value(*reading).0.derivative;
+            found.of_outputs[output * nz + z] = evaluator.value(*reading).derivative;
         }
     }
     found

@@ -24,7 +24,7 @@ use super::bordered::Bordered;
 use super::enclosure::{
     Encloser, NotEnclosed, eliminate, inverse_of, krawczyk_image, preconditioned, residuals, slopes,
 };
-use loosepin_math::{Dual, Interval, Outlined, Real};
+use loosepin_math::{Dual, Interval, Real};
 use std::ops::Range;
 
 /// Parts of the inputs where all of them at once come too near to a dead centre: what they do is then linear to a sixteenth.
@@ -392,12 +392,12 @@ impl Encloser<'_> {
 
     /// The outputs at positions `x` without play, at the driven coordinates of `coordinates`.
     fn values(&mut self, coordinates: &[f64], x: &[Interval]) -> Vec<Interval> {
-        let constant = |number: &Interval| Outlined(Dual::constant(*number));
+        let constant = |number: &Interval| Dual::constant(*number);
         let n = self.moving.mechanism.ideal.free;
         let q: Vec<_> = x[..n].iter().map(constant).collect();
         let v = vec![constant(&Interval::ZERO); self.moving.count()];
         self.moving.place(&mut self.first, &q, &coordinates[n..], &v);
-        self.readings.iter().map(|reading| self.first.value(*reading).0.value).collect()
+        self.readings.iter().map(|reading| self.first.value(*reading).value).collect()
     }
 
     /// The solution at one a without play, known to round-off.
