@@ -138,7 +138,7 @@ pub(crate) fn bend_words(drawing: &Drawing, beam: &DrawnBeam, bend: &Bend) -> St
         return format!(" Green line: axis of the {}, true to scale.", drawing.bodies[beam.body].name);
     }
     let hz = |list: &[f64]| {
-        let each: Vec<String> = list.iter().map(|hz| format!("{hz:.0} Hz")).collect();
+        let each: Vec<String> = list.iter().map(|hz| format!("{hz:.0}\u{a0}Hz")).collect();
         listed(&each, "and")
     };
     let axial = if beam.axial_hz.is_empty() { String::new() } else { format!(", axial {}", hz(&beam.axial_hz)) };
@@ -146,7 +146,8 @@ pub(crate) fn bend_words(drawing: &Drawing, beam: &DrawnBeam, bend: &Bend) -> St
     format!(
         " Green line: axis of the {} as it bends, deflection {scale}, at most {}; frequencies with its frame held: lateral {}{axial}.",
         drawing.bodies[beam.body].name,
-        format_value(round_to_digits(largest_deflection_m(beam), SHOWN_DIGITS).unwrap_or(f64::NAN), Dimension::LENGTH),
+        format_value(round_to_digits(largest_deflection_m(beam), SHOWN_DIGITS).unwrap_or(f64::NAN), Dimension::LENGTH)
+            .replace(' ', "\u{a0}"),
         hz(&beam.lateral_hz),
     )
 }

@@ -11,6 +11,47 @@ pub(crate) fn page_section(section: impl Into<Option<Section>>) -> Option<page::
     Some(page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(&section)))
 }
 
+/// Rows of a table of the first screen, at most.
+const MAX_FIRST_ROWS: usize = 8;
+
+/// A section that is one table for the first screen of a page, what there is to say on it below; and where it has more rows than that has room for,
+/// the section itself.
+pub(crate) fn overview(section: Option<Section>) -> (Markup, Option<page::Section>) {
+    let Some(section) = section else { return Default::default() };
+    let heading = section.heading.words_on(Medium::Page);
+    let is_table = |content: &Content| matches!(content, Content::Table(_));
+    let blocks = || section.blocks_on(Medium::Page).map(|block| &block.content);
+    let (tables, others): (Vec<_>, Vec<_>) = blocks().partition(|content| is_table(content));
+    let shown: Vec<Table> = tables
+        .iter()
+        .filter_map(|table| if let Content::Table(own) = table { Some(first_rows(own)) } else { None })
+        .collect();
+    let is_whole = shown.iter().zip(&tables).all(|(shown, table)| matches!(table, Content::Table(own) if own == shown));
+    let id = if is_whole { section.id.to_owned() } else { format!("{}-overview", section.id) };
+    let markup = html! {
+        section.overview id=(id) aria-labelledby={ (id) "-title" } {
+            h2 id={ (id) "-title" } { (heading) }
+            @for table in &shown { (whole_table(table)) }
+            @if is_whole { @for other in others { (content(other)) } }
+            @else { p { "All rows: " a href={ "#" (section.id) } { (heading) } "." } }
+        }
+    };
+    let whole = if is_whole { None } else { page_section(section.clone()) };
+    (markup, whole)
+}
+
+/// The same table with the rows that the first screen has room for.
+fn first_rows(table: &Table) -> Table {
+    let mut left = MAX_FIRST_ROWS;
+    let mut groups = table.groups.clone();
+    for group in &mut groups {
+        group.rows.truncate(left);
+        left -= group.rows.len();
+    }
+    groups.retain(|group| !group.rows.is_empty());
+    Table { groups, ..table.clone() }
+}
+
 /// The blocks of a section.
 pub(crate) fn blocks(section: &Section) -> Markup {
     html! { @for block in section.blocks_on(Medium::Page) { (content(&block.content)) } }

@@ -5,5 +5,6 @@ pub(crate) mod article_page;
 pub(crate) mod article_text;
 pub(crate) mod page;
 pub(crate) mod script_data;
+pub(crate) mod short_answer;
 pub(crate) mod styles;
 pub(crate) mod terminal_table;

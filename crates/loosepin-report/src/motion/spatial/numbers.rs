@@ -4,7 +4,7 @@ use crate::numbers::number::within_turn_rad;
 use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{Dimension, DisplayUnit, SiUnit, format_number, format_value};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Digits of deviations.
 const DIGITS: i32 = 4;
@@ -47,10 +47,23 @@ pub(super) fn shown_end(value_si: f64, side: f64, output: &SpatialOutputRecord, 
     with_symbol(side * ((steps + 4.0 * f64::EPSILON * steps.abs()).ceil() * step), &unit, medium)
 }
 
-/// The input at a position. On a page an angle counts from 0° to 360°, as in charts.
+/// Whether the record holds one whole turn of its input, the last position a step before its end or at it.
+pub(crate) fn is_whole_turn(record: &SpatialMotionRecord) -> bool {
+    const ROUND_OFF: f64 = 1e-6;
+    let [first, .., before, last] = record.inputs_si[..] else { return false };
+    let is_turn = |extent: f64| (extent.abs() / TAU - 1.0).abs() < ROUND_OFF;
+    record.input_unit == SiUnit::ANGLE && (is_turn(last - first) || is_turn(2.0 * last - before - first))
+}
+
+/// What the record is over, in words.
+pub(super) fn span_words(record: &SpatialMotionRecord) -> &'static str {
+    if is_whole_turn(record) { "turn" } else { "cycle" }
+}
+
+/// The input at a position. On a page an angle of a whole turn counts from 0° to 360°, as in charts.
 pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: Medium) -> String {
     let own = record.inputs_si.get(sample).copied().unwrap_or_default();
-    let is_within = medium == Medium::Page && record.input_unit == SiUnit::ANGLE;
+    let is_within = medium == Medium::Page && is_whole_turn(record);
     let input = if is_within { within_turn_rad(own) } else { own };
     shown(input, &record.input_unit, input, medium)
 }
@@ -58,7 +71,8 @@ pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: M
 /// A number with the unit that fits a number of the size of `scale_si`.
 pub(super) fn shown(value_si: f64, unit: &SiUnit, scale_si: f64, medium: Medium) -> String {
     if *unit == SiUnit::TIME {
-        return format_value(rounded(value_si), Dimension::TIME);
+        let text = format_value(rounded(value_si), Dimension::TIME);
+        return if medium == Medium::Page { text.replace(' ', "\u{a0}") } else { text };
     }
     let unit = unit_of_size(unit, scale_si, medium);
     let value_si = if value_si.abs() < ROUND_OFF * scale_si.abs() { 0.0 } else { value_si };
