@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use crate::charts::axes::with_unit;
 use crate::charts::figure::{Picture, csv_number, csv_text, name_of};
 use crate::charts::ticks::{tick_text, ticks};
+use crate::medium::glue::glued;
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::Tag;
 use loosepin_result::simulation::JournalOrbit;
@@ -102,9 +103,9 @@ fn orbit_title(orbit: &JournalOrbit) -> String {
 fn label_words(label: &str) -> String {
     match label.split_once(" = ") {
         Some((path, value)) if path.contains('.') && !path.contains(' ') => {
-            format!("{} {value}", plain_name(path, &[]))
+            format!("{} {}", plain_name(path, &[]), glued(value))
         }
-        _ => label.to_owned(),
+        _ => glued(label),
     }
 }
 

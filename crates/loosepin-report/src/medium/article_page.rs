@@ -1,5 +1,6 @@
 //! An article on a page.
 
+use crate::medium::glue::glued;
 use crate::medium::page;
 use crate::numbers::number::NumberWriter;
 use loosepin_text::article::{Cell, Column, Content, Emphasis, Fact, Group, Medium, Section, Table, Text};
@@ -85,9 +86,9 @@ fn text(text: &Text) -> Markup {
     html! {
         @for span in text.spans_on(Medium::Page) {
             @match span.emphasis {
-                Emphasis::Plain => { (span.text) }
-                Emphasis::Strong => strong { (span.text) },
-                Emphasis::Quiet => span.quiet { (span.text) },
+                Emphasis::Plain => { (glued(&span.text)) }
+                Emphasis::Strong => strong { (glued(&span.text)) },
+                Emphasis::Quiet => span.quiet { (glued(&span.text)) },
                 Emphasis::Code => code { (span.text) },
             }
         }
@@ -193,11 +194,11 @@ mod tests {
         let text = Text::from("<rod> ").strong("0.25 mm").quiet("at 60°").code("bounds.csv");
         assert_eq!(
             shown(Content::Note(text.on(Medium::Terminal, "not on a page"))),
-            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25 mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
+            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25\u{a0}mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
         );
         assert_eq!(
             shown(Content::Facts(vec![Fact::new("rod", ["0.5 kg", "settled"])])),
-            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5 kg<br>settled</dd></div></dl>"
+            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5\u{a0}kg<br>settled</dd></div></dl>"
         );
     }
 

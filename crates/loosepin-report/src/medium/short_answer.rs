@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 /// Sentences that a page begins with, at most.
 const MAX_SENTENCES: usize = 5;
-/// Those of them that are kept for caveats, where there are any.
+/// Those of them that caveats have, where there are any.
 const OF_CAVEATS: usize = 2;
 
 /// How much a paragraph of an answer matters to somebody who reads a few sentences.
@@ -47,6 +47,7 @@ pub(crate) fn words(said: Vec<Said>) -> Vec<String> {
 
 /// An answer as a page has it.
 pub(crate) struct ShortAnswer {
+    /// The first one is the headline.
     answers: Vec<String>,
     caveats: Vec<String>,
     /// Paragraphs that are not shown, or not to their end.
@@ -54,29 +55,37 @@ pub(crate) struct ShortAnswer {
 }
 
 impl ShortAnswer {
-    /// The first sentence of each paragraph of weight, then more of the first ones, while there is room.
+    /// Caveats first, each with what follows from it; then the first sentence of each answer, and more of the first ones, while there is room.
     pub fn of(said: &[Said]) -> ShortAnswer {
         let paragraphs: Vec<Vec<&str>> = said.iter().map(|said| sentences(&said.words)).collect();
         let places = |weight: Weight| (0..said.len()).filter(move |place| said[*place].weight == weight);
         let mut shown = vec![0; said.len()];
-        let caveats = places(Weight::Caveat).take(OF_CAVEATS);
-        let room = MAX_SENTENCES - caveats.clone().count();
-        for place in places(Weight::Answer).take(room).chain(caveats) {
-            shown[place] = 1;
-        }
-        let mut left = MAX_SENTENCES - shown.iter().sum::<usize>();
-        for place in places(Weight::Answer).chain(places(Weight::Caveat)) {
-            let more = left.min(paragraphs[place].len() - shown[place]);
-            shown[place] += more;
-            left -= more;
-        }
+        let mut show = |places: &mut dyn Iterator<Item = usize>, room: usize, most: usize| {
+            let mut left = room;
+            for place in places {
+                let more = left.min(most).min(paragraphs[place].len() - shown[place]);
+                shown[place] += more;
+                left -= more;
+            }
+            left
+        };
+        let left = MAX_SENTENCES - OF_CAVEATS + show(&mut places(Weight::Caveat), OF_CAVEATS, OF_CAVEATS);
+        let left = show(&mut places(Weight::Answer), left, 1);
+        let left = show(&mut places(Weight::Answer), left, MAX_SENTENCES);
+        show(&mut places(Weight::Caveat), left, MAX_SENTENCES);
         let of = |weight: Weight| {
             let shown_ones = places(weight).filter(|place| shown[*place] > 0);
             shown_ones.map(|place| paragraphs[place][..shown[place]].join(" ")).collect()
         };
         let is_left = |place: &usize| shown[*place] < paragraphs[*place].len();
+        let mut answers: Vec<String> = of(Weight::Answer);
+        let headline = answers.first().map(|first| sentences(first)[0].len());
+        if let Some(end) = headline.filter(|end| *end < answers[0].len()) {
+            let rest = answers[0].split_off(end).trim_start().to_owned();
+            answers.insert(1, rest);
+        }
         ShortAnswer {
-            answers: of(Weight::Answer),
+            answers,
             caveats: of(Weight::Caveat),
             further: (0..said.len()).filter(is_left).map(|place| said[place].words.clone()).collect(),
         }
@@ -130,14 +139,16 @@ mod tests {
         ];
         let (shown, further) = short(&all);
         let words = |own: &[&str]| own.iter().map(|own| (*own).to_owned()).collect::<Vec<String>>();
-        assert_eq!(shown[0], words(&["Met.", "A is 0.5 mm. A is proven.", "C is 0.5 mm."]));
-        assert_eq!(shown[1], words(&["B is 0.5 mm."]));
+        assert_eq!(shown[0], words(&["Met.", "A is 0.5 mm.", "C is 0.5 mm."]));
+        assert_eq!(shown[1], words(&["B is 0.5 mm. B is proven."]));
         // What is cut is told in whole, so that it can be read.
         assert_eq!(further, vec!["No news.".to_owned(), paragraph("A"), paragraph("B"), paragraph("C")]);
         // Where there are too many answers, caveats have their room.
         let many: Vec<Said> = (0..9).map(|k| Said::answer(format!("{k}."))).chain(all).collect();
         let (shown, further) = short(&many);
-        assert_eq!((shown[0].len(), shown[1].len(), further.len()), (4, 1, 10));
+        assert_eq!((shown[0].len(), shown[1].len(), further.len()), (3, 1, 11));
+        let (shown, _) = short(&[Said::answer(paragraph("A"))]);
+        assert_eq!(shown[0], words(&["A is 0.5 mm.", "A is proven. 3 of A are left."]));
         assert!(ShortAnswer::of(&[Said::answer("All of it.".to_owned())]).further().is_none());
     }
 

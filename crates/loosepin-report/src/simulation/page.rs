@@ -36,7 +36,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
 
 /// The first screen of [`simulation_page`] and its extremes, as a document for a frame in a notebook.
 pub fn simulation_frame(record: &SimulationRecord) -> Frame {
-    page(record).into_frame(&[], before_rad(record).to_degrees(), &record.drawing)
+    page(record).into_frame(&["extremes"], before_rad(record).to_degrees(), &record.drawing)
 }
 
 /// The mechanism and the first chart of [`simulation_page`] as HTML to stand inside another page, such as a notebook; without scripts.

@@ -289,7 +289,7 @@ fn analytic_names_lie_within_the_picture_in_every_pose_and_do_not_hide_one_anoth
 fn an_orbit_says_its_run_in_words_and_where_the_journal_touches() {
     let page = parsed("study", &study_page(&report_fixture::study::worn_pin()));
     let titles: Vec<String> = select(&page, "figure.orbit strong").iter().map(|title| title.text().collect()).collect();
-    assert_eq!(titles, ["gudgeon, at the upper bound", "gudgeon, gudgeon radial clearance 0.1 mm"]);
+    assert_eq!(titles, ["gudgeon, at the upper bound", "gudgeon, gudgeon radial clearance 0.1\u{a0}mm"]);
     for figure in select(&page, "figure.orbit") {
         let inside = |selector: &str| {
             let selector = Selector::parse(selector).expect("the selector is valid");
