@@ -25,11 +25,11 @@ MOST_SENTENCES = 5
 # Sentences of the answer: a point ends one where the next one begins.
 SENTENCES = r"""[...document.querySelectorAll('.answer p, .answer li')].filter((words) => words.getClientRects().length > 0)
     .flatMap((words) => words.textContent.split(/(?<=\.) (?=[^a-z\s])/))"""
-SHOWN = "[...document.querySelectorAll('%s')].filter((element) => element.getClientRects().length > 0 && !element.closest('.numbers')).length"
-# Numbers that a line could part from their unit, or break in two; files and commands are shown as they are.
+SHOWN = "[...document.querySelectorAll('%s')].filter((element) => !element.closest('details:not([open])')).length"
+# Numbers that a line could part from their unit or their power of ten; files and commands are shown as they are.
 PARTED = r"""(() => {
     const units = 'mm|µm|um|m|s|ms|µs|N|kN|J|W|rad|mrad|%|Hz|kHz|rpm|kg|deg|MPa|GPa|K';
-    const parted = new RegExp('\\d (?:' + units + ')(?![\\w/-])|\\d [·×] ?10|N m(?![\\w])|\\d[eE][-−]\\d', 'g');
+    const parted = new RegExp('\\d (?:' + units + ')(?![\\w/-])|\\d [·×] ?10|N m(?![\\w])', 'g');
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     const found = [];
     for (let text; (text = texts.nextNode());) {
