@@ -443,7 +443,7 @@ mod tests {
     #[test]
     fn a_caption_says_words_and_magnification() {
         let text = figure(&orbit());
-        assert!(text.contains("<strong>gudgeon, gudgeon radial clearance 0.1 mm</strong>"), "{text}");
+        assert!(text.contains("<strong>gudgeon, gudgeon radial clearance 0.1\u{a0}mm</strong>"), "{text}");
         // 80 mm times 1000 / 2360, over 0.1 mm: 339.
         assert!(text.contains("magnified 340 times at a width of 80\u{a0}mm"), "{text}");
         assert!(text.contains("below 10\u{a0}N") && text.contains("up to 60\u{a0}N"), "{text}");

@@ -191,8 +191,8 @@ mod tests {
         assert_eq!(bends[0].path(2), "M0.000 100.000L-20.000 -50.000L0.000 -200.000");
         assert_eq!(
             bend_words(&drawing, &drawing.beams[0], &bends[0]),
-            " Green line: axis of the rod as it bends, deflection × 100, at most 0.2 mm; frequencies with its frame held: \
-             lateral 172 Hz, axial 4953 Hz."
+            " Green line: axis of the rod as it bends, deflection × 100, at most 0.2\u{a0}mm; frequencies with its frame held: \
+             lateral 172\u{a0}Hz, axial 4953\u{a0}Hz."
         );
         assert!(super::bends(&drawing, 2, 1).is_empty(), "poses and coordinates do not fit");
     }

@@ -31,7 +31,7 @@ pub(crate) fn overview(section: Option<Section>) -> (Markup, Option<page::Sectio
     let id = if is_whole { section.id.to_owned() } else { format!("{}-overview", section.id) };
     let markup = html! {
         section.overview id=(id) aria-labelledby={ (id) "-title" } {
-            h2 id={ (id) "-title" } { (heading) }
+            h2 id={ (id) "-title" } { (heading) @if !is_whole { ": first rows" } }
             @for table in &shown { (whole_table(table)) }
             @if is_whole { @for other in others { (content(other)) } }
             @else { p { "All rows: " a href={ "#" (section.id) } { (heading) } "." } }

@@ -21,7 +21,6 @@ mod tables;
 mod text;
 
 pub(crate) use charts::{motion_chart, sorted};
-pub(crate) use numbers::is_whole_turn;
 pub(crate) use page::spatial_motion_figure;
 pub use page::{spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences};
 pub(crate) use tables::{joints_section, joints_text};

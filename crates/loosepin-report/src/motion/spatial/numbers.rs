@@ -1,10 +1,11 @@
 //! Numbers of a motion in space in the unit that fits their size.
 
 use crate::numbers::number::within_turn_rad;
+use crate::spatial::turn::is_whole_turn;
 use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{Dimension, DisplayUnit, SiUnit, format_number, format_value};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// Digits of deviations.
 const DIGITS: i32 = 4;
@@ -45,14 +46,6 @@ pub(super) fn shown_end(value_si: f64, side: f64, output: &SpatialOutputRecord, 
     let steps = value / step;
     // What the conversion of units has lost counts too.
     with_symbol(side * ((steps + 4.0 * f64::EPSILON * steps.abs()).ceil() * step), &unit, medium)
-}
-
-/// Whether the record holds one whole turn of its input, the last position a step before its end or at it.
-pub(crate) fn is_whole_turn(record: &SpatialMotionRecord) -> bool {
-    const ROUND_OFF: f64 = 1e-6;
-    let [first, .., before, last] = record.inputs_si[..] else { return false };
-    let is_turn = |extent: f64| (extent.abs() / TAU - 1.0).abs() < ROUND_OFF;
-    record.input_unit == SiUnit::ANGLE && (is_turn(last - first) || is_turn(2.0 * last - before - first))
 }
 
 /// What the record is over, in words.
