@@ -1,5 +1,5 @@
-"""Reports of studies and motions are pages that one forwards: their height before a section is opened, their sheets, their sections and
-their chooser."""
+"""Reports are pages that one forwards: their height before a section is opened, their sheets, their sections and their chooser; what stands
+in them, whole and in one line."""
 
 import pathlib
 import subprocess
@@ -15,9 +15,55 @@ from paper import Paper  # noqa: E402
 SCREEN_PX = 800
 # Screens before any section is opened, by the width of the window.
 MOST_SCREENS = {1280: 4, 400: 6}
-MOST_SHEETS = 4
-# A study, one with lists and several treatments, one with eight outputs; a motion, one with two paths.
-PAGES = ["study", "lists", "outputs", "motion", "coupler_path"]
+# A study, one with lists and several treatments, one with eight outputs: with the sheets that they take, at most.
+STUDIES = {"study": 4, "lists": 4, "outputs": 4}
+# Motions, one with two paths, one with a coupler, two in space, one of them over time; a run; a sweep.
+OTHERS = dict.fromkeys(["motion", "four_bar", "coupler_path", "space", "space_over_time", "simulation", "sweep"], 2)
+MOST_SHEETS = STUDIES | OTHERS
+PAGES = list(MOST_SHEETS)
+MOST_SENTENCES = 5
+# Sentences of the answer: a point ends one where the next one begins.
+SENTENCES = r"""[...document.querySelectorAll('.answer p, .answer li')].filter((words) => words.getClientRects().length > 0)
+    .flatMap((words) => words.textContent.split(/(?<=\.) (?=[^a-z\s])/))"""
+SHOWN = "[...document.querySelectorAll('%s')].filter((element) => !element.closest('details:not([open])')).length"
+# Numbers that a line could part from their unit or their power of ten; files and commands are shown as they are.
+PARTED = r"""(() => {
+    const units = 'mm|µm|um|m|s|ms|µs|N|kN|J|W|rad|mrad|%|Hz|kHz|rpm|kg|deg|MPa|GPa|K';
+    const parted = new RegExp('\\d (?:' + units + ')(?![\\w/-])|\\d [·×] ?10|N m(?![\\w])', 'g');
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = [];
+    for (let text; (text = texts.nextNode());) {
+        if (text.parentElement.closest('script, style, pre, svg, h1, .numbers, .legend, .readout')) continue;
+        for (const match of text.textContent.matchAll(parted)) found.push(text.textContent.slice(Math.max(0, match.index - 20), match.index + 20));
+    }
+    return found;
+})()"""
+# Words of drawings that the edge of their picture cuts, in each view and position.
+CUT = """(async () => {
+    const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const found = new Set();
+    const look = (where) => document.querySelectorAll('figure:is(.space, .mechanism) svg').forEach((svg) => {
+        const edge = svg.getBoundingClientRect();
+        svg.querySelectorAll('text').forEach((text) => {
+            const box = text.getBoundingClientRect();
+            if (box.width && (box.left < edge.left - 1 || box.right > edge.right + 1 || box.top < edge.top - 1 || box.bottom > edge.bottom + 1)) {
+                found.add(where + ': ' + text.textContent);
+            }
+        });
+    });
+    look('first');
+    for (const view of document.querySelectorAll('[data-space] .views button')) {
+        view.click();
+        const slider = view.closest('figure').querySelector('.pose');
+        for (const share of [0, 0.3, 0.6, 1]) {
+            slider.value = String(Math.round(share * Number(slider.max)));
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+            await frames();
+            look(view.textContent);
+        }
+    }
+    return [...found];
+})()"""
 # What is left out of the paper, as the reader of a sheet sees it.
 LEFT_OUT = """(() => {
     dispatchEvent(new Event('beforeprint'));
@@ -80,6 +126,29 @@ def test_the_closed_page_is_a_few_screens_high(pages, browser, name, width):
     assert browser.evaluate(HEIGHT) <= MOST_SCREENS[width] * SCREEN_PX
 
 
+@pytest.mark.parametrize("name", OTHERS)
+def test_the_page_begins_with_few_sentences_one_table_and_one_chart(pages, browser, name):
+    opened(browser, pages / f"{name}.html")
+    assert 1 <= len(browser.evaluate(SENTENCES)) <= MOST_SENTENCES
+    assert browser.evaluate(SHOWN % "table") == 1
+    assert browser.evaluate(SHOWN % "main :is([data-chart], figure.section, figure.zone)") == 1
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_no_line_parts_a_number_from_its_unit(pages, browser, name):
+    opened(browser, pages / f"{name}.html")
+    assert browser.evaluate(PARTED) == []
+
+
+@pytest.mark.parametrize("width", MOST_SCREENS)
+@pytest.mark.parametrize("name", ["motion", "space", "space_over_time"])
+def test_names_in_drawings_are_whole(pages, browser, name, width):
+    opened(browser, pages / f"{name}.html", width)
+    browser.evaluate("document.querySelectorAll('details.fold').forEach((fold) => { fold.open = true; })")
+    browser.evaluate(FRAMES)
+    assert browser.evaluate(CUT) == []
+
+
 def printed(browser, folder):
     browser.pdf(str(folder / "page.pdf"))
     return Paper((folder / "page.pdf").read_bytes())
@@ -89,7 +158,8 @@ def printed(browser, folder):
 def test_paper_has_what_the_screen_has_and_names_the_rest(pages, browser, name, tmp_path):
     opened(browser, pages / f"{name}.html")
     closed = printed(browser, tmp_path)
-    assert len(closed.sheets) <= MOST_SHEETS
+    assert len(closed.sheets) <= MOST_SHEETS[name]
+    assert closed.torn_rows() == [] and closed.lonely_heads() == []
     titles = browser.evaluate("[...document.querySelectorAll('details.fold > summary')].map((summary) => summary.textContent)")
     assert browser.evaluate(LEFT_OUT) == [
         f"Closed sections are not printed: {'; '.join(titles)}. “Open all sections” on the page prints them too.", True

@@ -2,6 +2,7 @@
 // page, and moves it.
 (() => {
   const secondsPerTurn = 4;
+  const mostPartOfTurn = 359;
 
   interface BodyMotion {
     x: number[];
@@ -65,6 +66,9 @@
     const choice = figure.querySelector<HTMLSelectElement>('.magnification');
     const count = data.angle_deg.length;
     const angles = data.angle_deg;
+    const isTurn = Math.abs((angles[count - 1] ?? 0) - (angles[0] ?? 0)) > mostPartOfTurn;
+    /** Less than a turn is told as charts tell it. */
+    const told = (angle: number): number => isTurn ? ((angle % 360) + 360) % 360 : angle;
     let magnification = data.magnification;
     let pose = data.start;
     let isRunning = false;
@@ -98,7 +102,7 @@
       riders.forEach((rider) => rider.setAttribute('transform', ride(rider, index, share)));
       ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
       const angle = between(angles, index, share);
-      if (output) output.textContent = (((angle % 360) + 360) % 360).toFixed(0) + '°';
+      if (output) output.textContent = told(angle).toFixed(0) + '°';
       if (slider) slider.value = String(Math.round(pose));
       return angle;
     }

@@ -28,6 +28,7 @@ interface SpaceName {
 interface SpaceData {
   inputs: number[];
   is_angle: boolean;
+  is_turn: boolean;
   start: number;
   azimuth: number;
   elevation: number;

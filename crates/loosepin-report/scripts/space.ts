@@ -3,6 +3,8 @@
 (() => {
   const secondsPerTurn = 4;
   const degreesPerPixel = 0.5;
+  const widestLetter = 0.62;
+  const edgeLetters = 0.4;
 
   function build(figure: HTMLElement): void {
     const data = JSON.parse(figure.querySelector('script[type="application/json"]')?.textContent ?? '') as SpaceData;
@@ -20,14 +22,36 @@
     let isRunning = false;
     let lastTime = 0;
 
+    const names = [...svg.querySelectorAll<SVGElement>('.names text')];
+    const sheet = svg.viewBox.baseVal;
+    const toldAngle = (angle: number): number => data.is_turn ? ((angle % 360) + 360) % 360 : angle;
+
+    /** Names that the edge of the sheet would cut, moved so far that it does not: as in src/spatial/names.rs. */
+    function keepInside(): void {
+      const edge = edgeLetters * data.font;
+      names.forEach((name) => {
+        const width = widestLetter * [...(name.textContent ?? '')].length * data.font;
+        const anchor = name.getAttribute('text-anchor');
+        const before = anchor === 'start' ? 0 : anchor === 'end' ? width : 0.5 * width;
+        const bounded = (attribute: string, least: number, most: number): void => {
+          const own = Number(name.getAttribute(attribute));
+          const moved = Math.max(Math.min(own, most), least);
+          if (moved !== own) name.setAttribute(attribute, moved.toFixed(6));
+        };
+        bounded('x', sheet.x + edge + before, sheet.x + sheet.width - edge - width + before);
+        bounded('y', sheet.y + edge + data.font, sheet.y + sheet.height - edge - 0.3 * data.font);
+      });
+    }
+
     function draw(): void {
       scene.draw(pose, azimuth, elevation);
+      keepInside();
       views.forEach((view) => {
         const isShown = Math.abs(Number(view.dataset.azimuth) - azimuth) < 1e-3 && Math.abs(Number(view.dataset.elevation) - elevation) < 1e-3;
         view.setAttribute('aria-pressed', String(isShown));
       });
       const input = inputs[Math.min(Math.round(pose), count - 1)] ?? 0;
-      if (output) output.textContent = data.is_angle ? (((scene.inputAt(pose) % 360) + 360) % 360).toFixed(0) + '°' : readText(input) + ' s';
+      if (output) output.textContent = data.is_angle ? toldAngle(scene.inputAt(pose)).toFixed(0) + '°' : readText(input) + '\u00a0s';
       if (slider) slider.value = String(Math.round(pose));
     }
 

@@ -1,4 +1,4 @@
-//! Writes pages of three kinds, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
+//! Writes pages of all kinds but one, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
 //! `cargo run --example report_pages -- FOLDER`. NAME.figures beside NAME.html holds the figures of the page as they are saved.
 
 #![allow(clippy::disallowed_methods, reason = "a program of developers")]
@@ -13,6 +13,8 @@ use std::{env, fs, io};
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::report;
+use loosepin::result::spatial_motion::SpatialMotionRecord;
+use loosepin::space::SpatialModel;
 use loosepin::study::InputFile;
 
 fn main() -> ExitCode {
@@ -38,6 +40,9 @@ fn write_pages(folder: &Path) -> io::Result<()> {
     write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
     write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;
     write_page(folder, "coupler_path", &report::motion_page(&coupler_path()))?;
+    write_page(folder, "space", &report::spatial_motion_page(&template_in_space("spatial-four-bar")))?;
+    write_page(folder, "space_over_time", &report::spatial_motion_page(&template_in_space("steering-linkage")))?;
+    write_page(folder, "sweep", &report::sweep_page(&report_fixture::sweep::windows()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
     fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))
@@ -49,6 +54,13 @@ fn coupler_path() -> MotionRecord {
     let found = InputFile::from_path(&file)
         .and_then(|file| file.motion_answer(&[], &["coupler.head".to_owned()], &AtomicBool::new(false)));
     found.unwrap_or_else(|problems| panic!("{problems}"))
+}
+
+/// The motion of a template in space, as the library computes it.
+fn template_in_space(name: &str) -> SpatialMotionRecord {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../loosepin-import/templates/{name}/model.toml"));
+    let model = SpatialModel::from_path(&file).unwrap_or_else(|problems| panic!("{problems}"));
+    model.motion_record(&model.quantities.nominal()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 /// A page, and beside it a folder with its figures as the library saves them.

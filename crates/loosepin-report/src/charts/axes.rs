@@ -15,6 +15,8 @@ pub(crate) const NAME_ABOVE_EDGE: f64 = 8.0;
 pub(crate) const HALF_DIGIT: f64 = 4.0;
 /// Position of the name of the vertical axis from the left edge of the picture.
 pub(crate) const UPRIGHT_NAME: f64 = 13.0;
+/// The same of pictures that are drawn whole: narrow screens make their letters larger.
+const UPRIGHT_NAME_OF_PICTURE: f64 = 20.0;
 /// Room for numbers on the left.
 const LEFT: f64 = 74.0;
 /// Ticks of an axis, about.
@@ -100,7 +102,7 @@ impl Axes {
         let label = |[words, symbol]: [&str; 2]| with_unit(words, symbol);
         html! {
             text x=(0.5 * (LEFT + self.width - MARGIN)) y=(self.height - NAME_ABOVE_EDGE) text-anchor="middle" { (label(x)) }
-            text transform=(format!("translate({UPRIGHT_NAME} {}) rotate(-90)", 0.5 * (self.height - BELOW))) text-anchor="middle" {
+            text transform=(format!("translate({UPRIGHT_NAME_OF_PICTURE} {}) rotate(-90)", 0.5 * (self.height - BELOW))) text-anchor="middle" {
                 (label(y))
             }
         }

@@ -9,6 +9,8 @@ use loosepin_text::units::SiUnit;
 
 /// A turn of a drive, degrees.
 pub(crate) const TURN_DEG: f64 = 360.0;
+/// What a record names in place of a drive where none turns evenly: the phase of its cycle.
+pub(crate) const PHASE: &str = "cycle";
 /// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
 const SHARE_OF_TURN: f64 = 1e-9;
 
@@ -199,7 +201,8 @@ impl Chart {
 
     /// Over angles of a drive.
     pub fn over_angle(id: String, drive: &str, angles_rad: &[f64], writer: &NumberWriter) -> Chart {
-        let label = format!("angle of {drive}");
+        // Then 0° to 360° are one cycle, and the angle of no drive.
+        let label = if drive == PHASE { "phase of the cycle".to_owned() } else { format!("angle of {drive}") };
         let chart = Chart::over(id, &label, angles_rad, &SiUnit::ANGLE, writer);
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }

@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use crate::charts::axes::with_unit;
 use crate::charts::figure::{Picture, csv_number, csv_text, name_of};
 use crate::charts::ticks::{tick_text, ticks};
+use crate::medium::glue::glued;
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::Tag;
 use loosepin_result::simulation::JournalOrbit;
@@ -102,9 +103,9 @@ fn orbit_title(orbit: &JournalOrbit) -> String {
 fn label_words(label: &str) -> String {
     match label.split_once(" = ") {
         Some((path, value)) if path.contains('.') && !path.contains(' ') => {
-            format!("{} {value}", plain_name(path, &[]))
+            format!("{} {}", plain_name(path, &[]), glued(value))
         }
-        _ => label.to_owned(),
+        _ => glued(label),
     }
 }
 
@@ -442,7 +443,7 @@ mod tests {
     #[test]
     fn a_caption_says_words_and_magnification() {
         let text = figure(&orbit());
-        assert!(text.contains("<strong>gudgeon, gudgeon radial clearance 0.1 mm</strong>"), "{text}");
+        assert!(text.contains("<strong>gudgeon, gudgeon radial clearance 0.1\u{a0}mm</strong>"), "{text}");
         // 80 mm times 1000 / 2360, over 0.1 mm: 339.
         assert!(text.contains("magnified 340 times at a width of 80\u{a0}mm"), "{text}");
         assert!(text.contains("below 10\u{a0}N") && text.contains("up to 60\u{a0}N"), "{text}");

@@ -138,7 +138,7 @@ pub(crate) fn bend_words(drawing: &Drawing, beam: &DrawnBeam, bend: &Bend) -> St
         return format!(" Green line: axis of the {}, true to scale.", drawing.bodies[beam.body].name);
     }
     let hz = |list: &[f64]| {
-        let each: Vec<String> = list.iter().map(|hz| format!("{hz:.0} Hz")).collect();
+        let each: Vec<String> = list.iter().map(|hz| format!("{hz:.0}\u{a0}Hz")).collect();
         listed(&each, "and")
     };
     let axial = if beam.axial_hz.is_empty() { String::new() } else { format!(", axial {}", hz(&beam.axial_hz)) };
@@ -146,7 +146,8 @@ pub(crate) fn bend_words(drawing: &Drawing, beam: &DrawnBeam, bend: &Bend) -> St
     format!(
         " Green line: axis of the {} as it bends, deflection {scale}, at most {}; frequencies with its frame held: lateral {}{axial}.",
         drawing.bodies[beam.body].name,
-        format_value(round_to_digits(largest_deflection_m(beam), SHOWN_DIGITS).unwrap_or(f64::NAN), Dimension::LENGTH),
+        format_value(round_to_digits(largest_deflection_m(beam), SHOWN_DIGITS).unwrap_or(f64::NAN), Dimension::LENGTH)
+            .replace(' ', "\u{a0}"),
         hz(&beam.lateral_hz),
     )
 }
@@ -190,8 +191,8 @@ mod tests {
         assert_eq!(bends[0].path(2), "M0.000 100.000L-20.000 -50.000L0.000 -200.000");
         assert_eq!(
             bend_words(&drawing, &drawing.beams[0], &bends[0]),
-            " Green line: axis of the rod as it bends, deflection × 100, at most 0.2 mm; frequencies with its frame held: \
-             lateral 172 Hz, axial 4953 Hz."
+            " Green line: axis of the rod as it bends, deflection × 100, at most 0.2\u{a0}mm; frequencies with its frame held: \
+             lateral 172\u{a0}Hz, axial 4953\u{a0}Hz."
         );
         assert!(super::bends(&drawing, 2, 1).is_empty(), "poses and coordinates do not fit");
     }

@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
-use crate::charts::chart::turns_before_rad;
+use crate::charts::chart::{PHASE, turns_before_rad};
 use crate::charts::figure::Picture;
 use crate::mechanism::bends::{Bend, bend_words, bends, bent, is_drawn_by_its_axis};
 use crate::mechanism::labels::{Label, Sizes, frame_with, labels};
@@ -86,9 +86,10 @@ fn moving(drawing: &Drawing, drive: &str, is_gap_shown: bool) -> Option<Moving> 
     let magnification = if is_magnified { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
     let motion = motion(drawing, reference, has_ideal, magnification);
     let alternative = format!(
-        "Drawing of the mechanism with {} and {}, moving through one turn of {drive}.",
+        "Drawing of the mechanism with {} and {}, moving through one {}.",
         if drawing.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", drawing.bodies.len()) },
-        units::counted(drawing.joints.len(), "joint")
+        units::counted(drawing.joints.len(), "joint"),
+        if drive == PHASE { drive.to_owned() } else { format!("turn of {drive}") }
     );
     let has_play = is_magnified && largest_clearance_mm > 0.0;
     let sizes = Sizes { pin: PIN_SHARE * frame.diagonal(), font_mm: FONT_SHARE * frame.diagonal() };
@@ -140,15 +141,16 @@ pub(crate) fn start_deg(drawing: &Drawing) -> Option<f64> {
 pub(crate) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     let Some(Moving { picture, motion, has_play, has_signs }) = moving(drawing, drive, false) else { return html! {} };
     let magnification = motion.magnification;
+    let cycle = if drive == PHASE { "cycle" } else { "turn" };
     html! {
         figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
             (picture.svg())
             div.controls {
                 button.play type="button" aria-pressed="false" { "Play" }
                 label {
-                    span { (drive) " at " output.angle { (format!("{:.0}°", motion.angle_deg[motion.start].unwrap_or(0.0))) } }
+                    span { (if drive == PHASE { "phase of the cycle:" } else { drive }) @if drive != PHASE { " at" } " " output.angle { (format!("{:.0}°", motion.angle_deg[motion.start].unwrap_or(0.0))) } }
                     input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value=(motion.start)
-                        step="1" aria-label=(format!("Angle of {drive}"));
+                        step="1" aria-label=(if drive == PHASE { "Phase of the cycle".to_owned() } else { format!("Angle of {drive}") });
                 }
                 @if has_play {
                     label {
@@ -165,10 +167,10 @@ pub(crate) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
             }
             figcaption {
                 @if has_play {
-                    "The mechanism over one turn. Solid: with play, deviation magnified as chosen above. Dashed: ideal. Orange rings: \
+                    "The mechanism over one " (cycle) ". Solid: with play, deviation magnified as chosen above. Dashed: ideal. Orange rings: \
                      bearings with play; the gap to the pin is the clearance, with the same magnification."
                 } @else {
-                    "The mechanism over one turn."
+                    "The mechanism over one " (cycle) "."
                 }
                 @for beam in bent(drawing, drawing.poses.drive_angle_rad.len()) {
                     @if let Some(bend) = motion.bends.iter().find(|bend| bend.body == beam.body) { (bend_words(drawing, beam, bend)) }

@@ -1,5 +1,6 @@
 //! An article on a page.
 
+use crate::medium::glue::glued;
 use crate::medium::page;
 use crate::numbers::number::NumberWriter;
 use loosepin_text::article::{Cell, Column, Content, Emphasis, Fact, Group, Medium, Section, Table, Text};
@@ -9,6 +10,47 @@ use maud::{Markup, PreEscaped, html};
 pub(crate) fn page_section(section: impl Into<Option<Section>>) -> Option<page::Section> {
     let section = section.into()?;
     Some(page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(&section)))
+}
+
+/// Rows of a table of the first screen, at most.
+const MAX_FIRST_ROWS: usize = 8;
+
+/// A section that is one table for the first screen of a page, what there is to say on it below; and where it has more rows than that has room for,
+/// the section itself.
+pub(crate) fn overview(section: Option<Section>) -> (Markup, Option<page::Section>) {
+    let Some(section) = section else { return Default::default() };
+    let heading = section.heading.words_on(Medium::Page);
+    let is_table = |content: &Content| matches!(content, Content::Table(_));
+    let blocks = || section.blocks_on(Medium::Page).map(|block| &block.content);
+    let (tables, others): (Vec<_>, Vec<_>) = blocks().partition(|content| is_table(content));
+    let shown: Vec<Table> = tables
+        .iter()
+        .filter_map(|table| if let Content::Table(own) = table { Some(first_rows(own)) } else { None })
+        .collect();
+    let is_whole = shown.iter().zip(&tables).all(|(shown, table)| matches!(table, Content::Table(own) if own == shown));
+    let id = if is_whole { section.id.to_owned() } else { format!("{}-overview", section.id) };
+    let markup = html! {
+        section.overview id=(id) aria-labelledby={ (id) "-title" } {
+            h2 id={ (id) "-title" } { (heading) @if !is_whole { ": first rows" } }
+            @for table in &shown { (whole_table(table)) }
+            @if is_whole { @for other in others { (content(other)) } }
+            @else { p { "All rows: " a href={ "#" (section.id) } { (heading) } "." } }
+        }
+    };
+    let whole = if is_whole { None } else { page_section(section.clone()) };
+    (markup, whole)
+}
+
+/// The same table with the rows that the first screen has room for.
+fn first_rows(table: &Table) -> Table {
+    let mut left = MAX_FIRST_ROWS;
+    let mut groups = table.groups.clone();
+    for group in &mut groups {
+        group.rows.truncate(left);
+        left -= group.rows.len();
+    }
+    groups.retain(|group| !group.rows.is_empty());
+    Table { groups, ..table.clone() }
 }
 
 /// The blocks of a section.
@@ -44,9 +86,9 @@ fn text(text: &Text) -> Markup {
     html! {
         @for span in text.spans_on(Medium::Page) {
             @match span.emphasis {
-                Emphasis::Plain => { (span.text) }
-                Emphasis::Strong => strong { (span.text) },
-                Emphasis::Quiet => span.quiet { (span.text) },
+                Emphasis::Plain => { (glued(&span.text)) }
+                Emphasis::Strong => strong { (glued(&span.text)) },
+                Emphasis::Quiet => span.quiet { (glued(&span.text)) },
                 Emphasis::Code => code { (span.text) },
             }
         }
@@ -152,11 +194,11 @@ mod tests {
         let text = Text::from("<rod> ").strong("0.25 mm").quiet("at 60°").code("bounds.csv");
         assert_eq!(
             shown(Content::Note(text.on(Medium::Terminal, "not on a page"))),
-            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25 mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
+            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25\u{a0}mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
         );
         assert_eq!(
             shown(Content::Facts(vec![Fact::new("rod", ["0.5 kg", "settled"])])),
-            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5 kg<br>settled</dd></div></dl>"
+            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5\u{a0}kg<br>settled</dd></div></dl>"
         );
     }
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use loosepin_result::simulation::Drawing;
+use loosepin_result::simulation::{Drawing, Override};
 use loosepin_text::date::date_for_reading;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -244,6 +244,13 @@ fn in_style(text: &str) -> String {
     text.chars()
         .map(|c| if c.is_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:x} ", u32::from(c)) })
         .collect()
+}
+
+/// What a command has changed in the model: ` · joint.gudgeon.radial_clearance = 0.5 mm`.
+pub(crate) fn changes(overrides: &[Override]) -> Markup {
+    html! {
+        @for change in overrides { " · " code { (change.path) " = " (change.written.replace(' ', "\u{a0}")) } }
+    }
 }
 
 /// Sentences, the first one as the headline.

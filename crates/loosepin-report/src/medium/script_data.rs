@@ -15,7 +15,7 @@ pub(crate) fn script_json<T: Serialize>(record: &T) -> Markup {
 
 /// Digits that a number with all its places has at most, without round-off.
 const MAX_DIGITS: usize = 15;
-/// Neighbours that are closer than this share of the largest value differ by round-off.
+/// Values below this share of the largest one are round-off; neighbours that are closer differ by it.
 const ROUND_OFF_SHARE: f64 = 1e-12;
 
 /// Digits that distinguish all `values` from their neighbours, to a hundredth of the least distance; at least `fewest`.
@@ -34,9 +34,12 @@ pub(crate) fn rounded_distinct(values: &[f64]) -> Vec<Option<f64>> {
     values.iter().map(|value| round_to_digits(*value, digits)).collect()
 }
 
-/// Values to the digits of a chart; what is not finite is a gap.
+/// Values to the digits of a chart; what is not finite is a gap, and what is nothing but round-off beside the largest of them is 0.
 pub(crate) fn rounded(values: &[f64]) -> Vec<Option<f64>> {
-    values.iter().map(|value| round_to_digits(*value, CHART_DIGITS)).collect()
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    let largest = finite.fold(0.0, |most: f64, value| most.max(value.abs()));
+    let shown = |value: f64| if value.abs() < ROUND_OFF_SHARE * largest { 0.0 } else { value };
+    values.iter().map(|value| round_to_digits(shown(*value), CHART_DIGITS)).collect()
 }
 
 /// The number nearest to `value` with `digits` significant digits; `None` if it is not finite.
@@ -49,7 +52,13 @@ pub(crate) fn round_to_digits(value: f64, digits: usize) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{distinguishing_digits, rounded_distinct};
+    use super::{distinguishing_digits, rounded, rounded_distinct};
+
+    #[test]
+    fn analytic_round_off_beside_other_values_is_zero() {
+        assert_eq!(rounded(&[5.551e-18, -3.0, f64::NAN, 0.25]), [Some(0.0), Some(-3.0), None, Some(0.25)]);
+        assert_eq!(rounded(&[5.551e-18, 2e-17]), [Some(5.551e-18), Some(2e-17)]);
+    }
 
     #[test]
     fn analytic_neighbours_stay_apart_and_have_no_noise() {

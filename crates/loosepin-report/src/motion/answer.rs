@@ -1,5 +1,6 @@
 //! The answer of an ideal motion in sentences, the most important first; for pages and terminals alike.
 
+use crate::medium::short_answer::{Said, Weight, words};
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::listed;
@@ -10,7 +11,7 @@ use loosepin_text::units::SiUnit;
 use super::angles::{asked_place, largest, shown_angle_rad, turn_angle};
 use super::kinematic_sentences::kinematic_sentences;
 use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
-use super::verdicts::{verdict_headline, verdict_sentences};
+use super::verdicts::{verdict_headline, verdicts_said};
 
 /// Whether play moves an output.
 pub(super) fn has_clearance(output: &OutputMotion) -> bool {
@@ -32,28 +33,34 @@ pub(super) fn has_scatter(output: &OutputMotion) -> bool {
 
 /// All sentences of the answer.
 pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
-    let judged = verdict_headline(record).map(|headline| format!("{headline}."));
-    let verdicts: Vec<String> = judged.into_iter().chain(verdict_sentences(record, writer)).collect();
-    let mut sentences: Vec<String> = record
-        .outputs
-        .iter()
-        .filter(|output| has_clearance(output))
-        .map(|output| {
+    words(all_said(record, writer))
+}
+
+/// All paragraphs of the answer, with what each matters to a page: outputs but the first stand in a table.
+pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said> {
+    let weight_of = |place: usize| if place == 0 { Weight::Answer } else { Weight::Detail };
+    let judged = verdict_headline(record).map(|headline| Said::answer(format!("{headline}.")));
+    let mut said: Vec<Said> = judged.into_iter().chain(verdicts_said(record, writer)).collect();
+    let outputs = record.outputs.iter().filter(|output| has_clearance(output));
+    let of_play: Vec<Said> = outputs
+        .enumerate()
+        .map(|(place, output)| {
             let effect = play_effect(record, output);
-            format!(
+            let words = format!(
                 "Play alone moves the {} by up to {} ({}). If every contact direction is equally likely, the standard deviation is at \
                  most {}.",
                 moved_words(output),
                 effect.written(output, writer),
                 effect.words(record, output, writer),
                 spread_on_rims(record, output, writer),
-            )
+            );
+            Said { weight: weight_of(place), words }
         })
         .collect();
-    if sentences.is_empty() {
+    if of_play.is_empty() {
         let is_ideal = !record.outputs.iter().any(has_scatter);
         let playing = playing_joints(record);
-        sentences.push(if record.outputs.is_empty() {
+        said.push(Said::answer(if record.outputs.is_empty() {
             "No output is a position or an angle: no effect of play is shown.".to_owned()
         } else if !playing.is_empty() {
             format!("The play of {} moves none of the outputs.", listed(&playing))
@@ -61,26 +68,29 @@ pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             "No joint has play and no part scatters: the motion is ideal.".to_owned()
         } else {
             "No joint has play.".to_owned()
-        });
+        }));
     }
-    for output in record.outputs.iter().filter(|output| has_scatter(output)) {
-        let [most, place] = scatter_words(record, output, writer);
+    said.extend(of_play);
+    for (place, output) in record.outputs.iter().filter(|output| has_scatter(output)).enumerate() {
+        let [most, at] = scatter_words(record, output, writer);
         let asked: Vec<String> =
             record.asked_of(&output.name).map(|asked| asked_scatter(output, asked, writer)).collect();
         let asked = if asked.is_empty() { String::new() } else { format!("{}, and ", listed(&asked)) };
-        sentences.push(format!(
-            "Part scatter moves the {} with a standard deviation of {asked}at most {most} (at {place}).",
+        let words = format!(
+            "Part scatter moves the {} with a standard deviation of {asked}at most {most} (at {at}).",
             moved_words(output)
-        ));
+        );
+        said.push(Said { weight: weight_of(place), words });
     }
     for position in &record.singular_positions {
         let place = singular_place(record, position, writer);
-        sentences.push(format!("Singular at {place} of {}: {}.", record.drive, position.words));
+        said.push(Said::caveat(format!("Singular at {place} of {}: {}.", record.drive, position.words)));
     }
-    sentences.extend(unproven_sentences(record, writer));
-    sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
-    sentences.extend(kinematic_sentences(record, writer));
-    verdicts.into_iter().chain(sentences).collect()
+    said.extend(unproven_sentences(record, writer).into_iter().map(Said::caveat));
+    let overhangs = record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer));
+    said.extend(overhangs.map(Said::caveat));
+    said.extend(kinematic_sentences(record, writer).into_iter().map(Said::detail));
+    said
 }
 
 /// `0.0142 mm at 0°, where the requirement is`.

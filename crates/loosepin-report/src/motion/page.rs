@@ -1,10 +1,11 @@
 //! The page of the ideal motion: outputs, the quasi-static worst case and its contributors, the mechanism.
 
-use maud::{Markup, html};
+use maud::html;
 
 use crate::mechanism::figure::mechanism_figure;
-use crate::medium::article_page::page_section;
-use crate::medium::page::{Page, Section, sentences};
+use crate::medium::article_page::{overview, page_section};
+use crate::medium::page::{Page, Section, changes};
+use crate::medium::short_answer::ShortAnswer;
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::repeat_section::repeat_section;
@@ -13,7 +14,7 @@ use loosepin_result::motion::MotionRecord;
 use loosepin_text::article::{self, Fact};
 use loosepin_text::units::SiUnit;
 
-use super::answer::{has_clearance, has_scatter, headline_sentences, singular_place};
+use super::answer::{all_said, has_clearance, has_scatter, singular_place};
 use super::charts::{clearance, clearance_chart, ideal_motion, transmission};
 use super::contributors::contributors_section;
 use super::efforts::efforts_section;
@@ -21,8 +22,8 @@ use super::paths::{first_path_figure, paths_section};
 use super::ranges::ranges_section;
 use super::scatter::{scatter_chart, scatter_section};
 
-/// The page of an ideal motion as one HTML text that needs no network: the answer, the mechanism and the chart that it is about; then
-/// sections that open: paths, ranges, the quasi-static worst case and standard deviations of the clearances, what each joint contributes,
+/// The page of an ideal motion as one HTML text that needs no network: the answer in a few sentences, the mechanism, the chart that it is about and the
+/// ranges of the outputs; then sections that open: what else was found, paths, the quasi-static worst case and standard deviations of the clearances, what each joint contributes,
 /// position, velocity and acceleration of the outputs. Text from files is escaped.
 pub fn motion_page(record: &MotionRecord) -> String {
     let writer = &NumberWriter::for_page(&record.display_units);
@@ -33,10 +34,14 @@ pub fn motion_page(record: &MotionRecord) -> String {
         (None, Some(output)) => scatter_chart(record, output, writer).figure(),
         (None, None) => first_path_figure(record, writer),
     };
+    let short = ShortAnswer::of(&all_said(record, writer));
+    let answer = short.markup();
+    let (outputs, all_outputs) = overview(ranges_section(record, writer));
     let is_path_shown = play.is_none() && scatter.is_none();
     let sections = [
+        page_section(short.further()),
         page_section(paths_section(record, usize::from(is_path_shown), writer)),
-        page_section(ranges_section(record, writer)),
+        all_outputs,
         play.map(|_| Section::new("clearance", "Effect of play", clearance(record, writer))),
         page_section(contributors_section(record, writer)),
         page_section(scatter_section(record, scatter, writer)),
@@ -55,13 +60,13 @@ pub fn motion_page(record: &MotionRecord) -> String {
                 " · " (record.drive) " at "
                 (writer.with_tag(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
             }
-            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+            (changes(&record.overrides))
         },
-        answer: sentences(&headline_sentences(record, writer)),
+        answer,
         is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.drive),
         below,
-        more: Markup::default(),
+        more: outputs,
         is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: "motion".to_owned(),

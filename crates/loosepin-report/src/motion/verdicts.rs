@@ -1,5 +1,6 @@
 //! Verdicts of `motion` on the requirements of a study without dynamics, in sentences for pages and terminals.
 
+use crate::medium::short_answer::Said;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::limits_words;
@@ -24,7 +25,7 @@ pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
 }
 
 /// A sentence or a few for each requirement, and for each input that may be loosened.
-pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<Said> {
     let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
     let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
     let rests_on = record
@@ -32,7 +33,7 @@ pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>
         .iter()
         .any(|requirement| requirement.verdict == MotionVerdict::Met)
         .then(|| "Elastic contacts and bending bodies add to this; only runs show how much.".to_owned());
-    requirements.chain(allowances).chain(rests_on).collect()
+    requirements.chain(allowances).map(Said::answer).chain(rests_on.map(Said::detail)).collect()
 }
 
 fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, writer: &NumberWriter<'_>) -> String {

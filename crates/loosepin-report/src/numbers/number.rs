@@ -216,6 +216,8 @@ impl<'a> NumberWriter<'a> {
     /// The digits of a number as the medium has them, with its unit.
     fn with_symbol(&self, digits: String, value_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let symbol = self.symbol(unit);
+        // Nor inside a unit: `N m`.
+        let symbol = if self.medium == Medium::Page { symbol.replace(' ', "\u{a0}") } else { symbol };
         let text = self.dress(digits.clone());
         let text = match symbol.as_str() {
             _ if digits == NOT_KNOWN => return digits,

@@ -1,9 +1,10 @@
 //! The answer of a run in sentences, the most important first; for pages and terminals alike.
 
+use crate::medium::short_answer::{Said, Weight, words};
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
-use crate::words::force::run_sentences;
+use crate::words::force::run_said;
 use crate::words::trust::TrustedRun;
 use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
@@ -11,13 +12,18 @@ use loosepin_result::simulation::{
 };
 use loosepin_text::units::SiUnit;
 
-use super::bending::bending_sentences;
+use super::bending::bending_said;
 use super::kind::kind_sentences;
 use super::life::life_sentence;
 
 /// All sentences of the answer.
 pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
-    let mut sentences = Vec::new();
+    words(all_said(record, writer))
+}
+
+/// All paragraphs of the answer, with what each matters to a page.
+pub(super) fn all_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
+    let mut said = Vec::new();
     let deviation = record.extremes.iter().find(|extreme| !extreme.of.is_value());
     let play: Vec<String> = record
         .joints
@@ -46,19 +52,21 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             let value_si = without_round_off(record, point.value_si, &extreme.unit);
             writer.with_tag(&Tag::extreme(extreme, part)).value(value_si, &extreme.unit)
         };
-        sentences.push(format!(
+        said.push(Said::answer(format!(
             "{with}, the {} deviates from its ideal motion by {} to {}.",
             extreme.name,
             shown("minimum", &extreme.minimum),
             shown("maximum", &extreme.maximum),
-        ));
+        )));
     } else {
-        sentences.push(format!(
+        said.push(Said::answer(format!(
             "{with}, {} were recorded.",
             turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer)
-        ));
+        )));
     }
-    sentences.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)));
+    said.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)).map(Said::answer));
+    // The others stand in a table.
+    let most_loaded = record.joints.iter().max_by(|a, b| a.peak_force_n.total_cmp(&b.peak_force_n));
     for joint in &record.joints {
         let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
         let force = writer.with_tag(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE);
@@ -71,18 +79,18 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
                 writer.with_tag(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
             )
         };
-        sentences.push(format!(
-            "{}: {contact}, penetration up to {}.",
-            joint.joint,
-            writer.with_tag(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
-        ));
+        let is_most_loaded = most_loaded.is_some_and(|most| most.joint == joint.joint);
+        let weight = if is_most_loaded { Weight::Answer } else { Weight::Detail };
+        let penetration =
+            writer.with_tag(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH);
+        said.push(Said { weight, words: format!("{}: {contact}, penetration up to {penetration}.", joint.joint) });
     }
-    sentences.extend(run_sentences(record, writer));
+    said.extend(run_said(record, writer));
     for control in &record.controls {
-        sentences.extend(control_sentences(control, writer));
+        said.extend(control_said(control, writer));
     }
-    sentences.extend(kind_sentences(record, writer));
-    sentences.push(format!(
+    said.extend(kind_sentences(record, writer).into_iter().map(Said::answer));
+    said.push(Said::detail(format!(
         "The energy balance has an error of {} of the largest energy exchanged.",
         writer.with_tag(&Tag::whole("energy residual", "relative")).rounded(
             record.energy.relative_residual,
@@ -90,16 +98,17 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             2,
             Rounding::Up
         )
-    ));
-    sentences.extend(trusted_run(record).sentences(writer));
-    sentences.extend(bending_sentences(&record.bending, writer));
+    )));
+    said.extend(trusted_run(record).sentences(writer).into_iter().map(Said::answer));
+    said.extend(bending_said(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
     };
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
-    sentences.extend(quasi_static_sentence(record, &checks, writer));
-    sentences
+    let weight = if checks.iter().any(|check| check.is_exceeded) { Weight::Caveat } else { Weight::Detail };
+    said.extend(quasi_static_sentence(record, &checks, writer).map(|words| Said { weight, words }));
+    said
 }
 
 /// The trust in the positions of the run.
@@ -165,21 +174,21 @@ fn place_words(record: &SimulationRecord, time_s: Option<f64>, writer: &NumberWr
 }
 
 /// Largest error and effort of a control, and its oscillation where the reference rests.
-fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
+fn control_said(control: &ControlHistory, writer: &NumberWriter) -> Vec<Said> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let tag = |part: &str| Tag::joint(&control.name, "control", part);
-    let mut sentences = vec![format!(
+    let mut said = vec![Said::detail(format!(
         "Control {}: {} deviates from its reference by up to {}, with an effort of up to {} in {}.",
         control.name,
         control.measured,
         writer.with_tag(&tag("largest error")).value(largest(&control.error_si), &control.unit),
         writer.with_tag(&tag("largest effort")).value(largest(&control.effort_si), &control.effort_unit),
         control.joint,
-    )];
+    ))];
     if let Some(swing) = &control.swing {
         let amplitude = writer.with_tag(&tag("amplitude")).value(swing.amplitude_si, &control.unit);
         let period = writer.with_tag(&tag("period")).value(swing.period_s, &SiUnit::TIME);
-        sentences.push(match swing.course {
+        said.push(Said::caveat(match swing.course {
             OscillationTrend::Steady => format!(
                 "Control {}: {} does not come to rest although its reference does. It oscillates with amplitude {amplitude} and period \
                  {period} (a limit cycle, {} oscillations).",
@@ -192,7 +201,7 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
                  {amplitude}.",
                 control.name, control.measured
             ),
-        });
+        }));
     }
-    sentences
+    said
 }

@@ -1,15 +1,19 @@
 //! How flexible bodies start and bend, in sentences, and what to do where their formulation does not fit that.
 
+use crate::medium::short_answer::{Said, Weight};
 use crate::numbers::number::NumberWriter;
 use loosepin_result::simulation::{BendingRecord, OtherFormulation};
 use loosepin_text::units::SiUnit;
 
-/// Sentences of all flexible bodies of a run.
-pub(super) fn bending_sentences(bending: &[BendingRecord], writer: &NumberWriter) -> Vec<String> {
-    let mut sentences: Vec<String> = bending.iter().map(start_sentence).collect();
-    sentences.extend(bending.iter().filter_map(|bending| condensed_sentence(bending, writer)));
-    sentences.extend(bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
-    sentences
+/// What there is to say on all flexible bodies of a run.
+pub(super) fn bending_said(bending: &[BendingRecord], writer: &NumberWriter) -> Vec<Said> {
+    let start = bending.iter().map(|own| Said::detail(start_sentence(own)));
+    let condensed = bending.iter().filter_map(|own| Some(Said::detail(condensed_sentence(own, writer)?)));
+    let far = bending.iter().filter_map(|own| {
+        let weight = if own.is_nodal { Weight::Detail } else { Weight::Caveat };
+        Some(Said { weight, words: bending_sentence(own, writer)? })
+    });
+    start.chain(condensed).chain(far).collect()
 }
 
 /// How a flexible body starts.

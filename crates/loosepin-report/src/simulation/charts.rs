@@ -7,7 +7,7 @@ use crate::charts::figure::name_of;
 use crate::charts::path_figure::{RunCourse, run_path_figure};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::words::wording::named_words;
+use crate::words::wording::{all_without_round_off, named_words};
 use loosepin_result::simulation::{ImpactRecord, OutputHistory, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
@@ -78,9 +78,12 @@ pub(super) fn paths(record: &SimulationRecord, writer: &NumberWriter) -> Option<
 fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &NumberWriter) -> Chart {
     let mut chart = run_chart(record, name_of("output", &output.name), writer);
     chart.set_vertical_axis(&output.name, &output.unit, writer);
-    chart.entries.push(Entry::line("with play", Role::First, false, &output.value_si, &output.unit, writer));
+    let shown = |values_si: &[f64]| all_without_round_off(record, values_si, &output.unit);
+    let value_si = shown(&output.value_si);
+    chart.entries.push(Entry::line("with play", Role::First, false, &value_si, &output.unit, writer));
     if !output.ideal_si.is_empty() {
-        chart.entries.push(Entry::line("ideal", Role::Worst, true, &output.ideal_si, &output.unit, writer));
+        let ideal_si = shown(&output.ideal_si);
+        chart.entries.push(Entry::line("ideal", Role::Worst, true, &ideal_si, &output.unit, writer));
     }
     let over = abscissa_words(record);
     chart.caption = html! { strong { (named_words(&output.name, &output.words)) } " " (over) "." };
@@ -104,14 +107,8 @@ pub(super) fn other_deviations(record: &SimulationRecord, writer: &NumberWriter)
 pub(super) fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, writer: &NumberWriter) -> Chart {
     let mut chart = run_chart(record, name_of("deviation", &output.name), writer);
     chart.set_vertical_axis(format!("deviation of {}", output.name), &output.unit, writer);
-    chart.entries.push(Entry::line(
-        "actual minus ideal",
-        Role::Mixed,
-        false,
-        &output.deviation_si,
-        &output.unit,
-        writer,
-    ));
+    let deviation_si = all_without_round_off(record, &output.deviation_si, &output.unit);
+    chart.entries.push(Entry::line("actual minus ideal", Role::Mixed, false, &deviation_si, &output.unit, writer));
     chart.caption = html! { strong { "Deviation of " (named_words(&output.name, &output.words)) } ": actual minus ideal at the same time." };
     chart.alternative = format!(
         "Chart of the deviation of {} from its ideal value {}.",

@@ -5,8 +5,9 @@ use maud::{Markup, html};
 use crate::charts::figure::images;
 use crate::charts::still_figures::orbit_chooser;
 use crate::mechanism::figure::mechanism_figure;
-use crate::medium::article_page::page_section;
-use crate::medium::page::{Frame, Page, Section, sentences};
+use crate::medium::article_page::{overview, page_section};
+use crate::medium::page::{Frame, Page, Section, changes};
+use crate::medium::short_answer::ShortAnswer;
 use crate::numbers::number::NumberWriter;
 use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
@@ -14,7 +15,7 @@ use crate::study::repeat_section::repeat_section;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::units::SiUnit;
 
-use super::answer::{headline_sentences, trusted_run};
+use super::answer::{all_said, trusted_run};
 use super::charts::{
     before_rad, controls, deviation_chart, energy, other_deviations, outputs, outputs_with_deviation, paths,
 };
@@ -26,8 +27,9 @@ use super::method::method_section;
 use super::spectra::spectrum_section;
 use super::wear::wear_section;
 
-/// The page of one run as one HTML text that needs no network: outputs and their deviation over time, impacts, contact
-/// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
+/// The page of one run as one HTML text that needs no network: the answer in a few sentences, the moving mechanism, the deviation of the first output and
+/// the extremes of all; then sections that open: what else was found, journal paths, outputs, impacts and contact forces, the energy account, and how
+/// all of it was computed. Text from files is escaped.
 pub fn simulation_page(record: &SimulationRecord) -> String {
     page(record).into_html()
 }
@@ -46,13 +48,16 @@ pub fn simulation_excerpt(record: &SimulationRecord) -> String {
 fn page(record: &SimulationRecord) -> Page {
     let writer = &NumberWriter::for_page(&record.display_units);
     let first = outputs_with_deviation(record).next();
+    let short = ShortAnswer::of(&all_said(record, writer));
+    let answer = answer(record, &short);
+    let (extremes, all_extremes) = overview(extremes_section(record, writer));
     let own =
         |id: &'static str, title: &'static str, body: Option<Markup>| body.map(|body| Section::new(id, title, body));
     let sections = [
+        page_section(short.further()),
         own("orbits", "The journal in its bearing", (!record.orbits.is_empty()).then(|| orbits(record, writer))),
         own("paths", "Paths of points", paths(record, writer)),
-        // The numbers before the charts: on a narrow screen those are several screens high.
-        page_section(extremes_section(record, writer)),
+        all_extremes,
         own("outputs", "Outputs", Some(outputs(record, writer))),
         own(
             "deviation",
@@ -79,27 +84,27 @@ fn page(record: &SimulationRecord) -> Page {
                 (writer.with_tag(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
             (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer))
-            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+            (changes(&record.overrides))
         },
-        answer: answer(record, writer),
+        answer,
         is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.settings.drive),
         below: first.map(|output| deviation_chart(record, output, writer).figure()).unwrap_or_default(),
-        more: Markup::default(),
-        is_folded: false,
+        more: extremes,
+        is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: "simulation".to_owned(),
         version: record.version.clone(),
     }
 }
 
-fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+fn answer(record: &SimulationRecord, short: &ShortAnswer) -> Markup {
     html! {
         @if let StopReason::Failed { words, .. } = &record.stop {
             p.verdict.not-met { "The run failed" }
             p { (words) ". This page shows what was computed." }
         }
-        (sentences(&headline_sentences(record, writer)))
+        (short.markup())
     }
 }
 

@@ -9,6 +9,7 @@ use super::parts::{Part, parts, round};
 use super::placed::{Surroundings, on_sheet, placed};
 use super::projection::Projection;
 use super::signs::{sheet, triad};
+use super::turn::is_whole_turn;
 use crate::charts::figure::Picture;
 use crate::mechanism::figure::pose_step;
 use crate::mechanism::shapes::{Frame, MM_PER_M};
@@ -37,6 +38,8 @@ struct Data<'p> {
     /// The input at each position: degrees where it is an angle, seconds where it is the time.
     inputs: Vec<f64>,
     is_angle: bool,
+    /// Whether the inputs are one whole turn: then they are told from 0° to 360°.
+    is_turn: bool,
     /// Position, azimuth and elevation that are shown first; degrees.
     start: usize,
     azimuth: f64,
@@ -99,7 +102,6 @@ fn prepared(record: &SpatialMotionRecord, wanted: usize) -> Option<Prepared> {
     let projection = Projection::ISOMETRIC;
     let half = half_sides(&around).map(|own| ROOM * own);
     let font_mm = FONT_SHARE * 2.0 * half[0];
-    let names = names(own, wanted, &projection, font_mm);
     let ([x, y], _) = on_sheet(&projection, around.centre);
     let frame = Frame {
         left: x - half[0],
@@ -109,11 +111,12 @@ fn prepared(record: &SpatialMotionRecord, wanted: usize) -> Option<Prepared> {
     };
     // The lower left corner, above the scale.
     let triad_at = [-half[0] + 4.4 * font_mm, half[1] + (BELOW_LETTERS - 5.0) * font_mm];
+    let names = names(own, wanted, &projection, (&frame, [x + triad_at[0], y + triad_at[1]]), font_mm);
     let drawn = html! {
         (sheet(&frame))
         g.scene { (scene(&placed(&parts, poses, &projection, &around), &around, &projection)) }
         g.signs style=(format!("font-size: {font_mm:.4}px")) {
-            g.names { (drawn_names(&names, poses, &projection, font_mm)) }
+            g.names { (drawn_names(&names, poses, &projection, (&frame, font_mm))) }
             g.triad { (triad(&projection, [x + triad_at[0], y + triad_at[1]], font_mm)) }
             (scale(&frame, font_mm, magnification))
         }
@@ -169,6 +172,7 @@ fn data<'p>(record: &SpatialMotionRecord, prepared: &'p Prepared) -> Data<'p> {
     Data {
         inputs: prepared.samples.iter().map(shown).collect(),
         is_angle,
+        is_turn: is_whole_turn(record),
         start: prepared.start,
         azimuth: view.azimuth_rad.to_degrees(),
         elevation: view.elevation_rad.to_degrees(),
@@ -190,7 +194,11 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Mar
     let data = data(record, &prepared);
     let is_angle = data.is_angle;
     let at = data.inputs.get(prepared.start).copied().unwrap_or_default();
-    let at = if is_angle { format!("{:.0}°", at.rem_euclid(360.0)) } else { format!("{at:.4} s") };
+    let at = if is_angle {
+        format!("{:.0}°", if data.is_turn { at.rem_euclid(360.0) } else { at })
+    } else {
+        format!("{at:.4}\u{a0}s")
+    };
     html! {
         figure.space id=(NAME) data-space=(NAME) data-figure=(NAME) {
             (prepared.picture.svg())
@@ -226,7 +234,7 @@ fn caption(record: &SpatialMotionRecord, magnification: Option<f64>) -> Markup {
     let traces = &record.picture.traces;
     let points: Vec<&str> = traces.iter().map(|trace| trace.point.as_str()).collect();
     html! {
-        "The mechanism over one turn. Drag the picture, or use arrow keys, to turn it."
+        "The mechanism over one " (if is_whole_turn(record) { "turn" } else { "cycle" }) ". Drag the picture, or use arrow keys, to turn it."
         @if record.has_play { " Orange: joints with play." }
         @if !points.is_empty() { " Green: " (if points.len() == 1 { "path" } else { "paths" }) " of " (points.join(", ")) "." }
         @if let Some(magnification) = magnification {

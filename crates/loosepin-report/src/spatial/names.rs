@@ -6,7 +6,8 @@ use super::drawing::places;
 use super::parts::round;
 use super::placed::on_sheet;
 use super::projection::Projection;
-use crate::mechanism::shapes::MM_PER_M;
+use super::signs::AXIS_LETTERS;
+use crate::mechanism::shapes::{Frame, MM_PER_M};
 use loosepin_result::spatial_picture::{PicturePose, PictureRole, SpatialPicture};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -50,8 +51,14 @@ struct Seen {
 }
 
 /// Names of all joints, each on the side on which the fewest bars are over the turn, in this view; in the position `sample` none covers another
-/// joint or name where that can be.
-pub(crate) fn names(picture: &SpatialPicture, sample: usize, projection: &Projection, font_mm: f64) -> Vec<Name> {
+/// joint or name, nor the axes that stand at a place of the sheet, and all are inside its frame, where that can be.
+pub(crate) fn names(
+    picture: &SpatialPicture,
+    sample: usize,
+    projection: &Projection,
+    (sheet, axes): (&Frame, [f64; 2]),
+    font_mm: f64,
+) -> Vec<Name> {
     let step = picture.poses.len().div_ceil(POSITIONS).max(1);
     let poses: Vec<&Vec<PicturePose>> = picture.poses.iter().step_by(step).collect();
     let places = |body: usize, at_mm: [f64; 3]| -> Vec<[f64; 2]> {
@@ -85,7 +92,7 @@ pub(crate) fn names(picture: &SpatialPicture, sample: usize, projection: &Projec
     let poses_first = picture.poses.get(sample);
     let first = |own: &Seen| poses_first.map(|poses| on_sheet(projection, in_ground(poses, own.body, own.at_mm)).0);
     let joints: Vec<[f64; 2]> = seen.iter().filter_map(first).collect();
-    let mut taken: Vec<Box2> = Vec::new();
+    let mut taken = vec![Box2 { middle: axes, half: [1.5 * AXIS_LETTERS * font_mm; 2] }];
     seen.iter()
         .map(|own| {
             // Bodies of which a point is here.
@@ -108,7 +115,10 @@ pub(crate) fn names(picture: &SpatialPicture, sample: usize, projection: &Projec
                 let own_box = box_at(side);
                 let of_joints =
                     joints.iter().filter(|joint| own_box.is_some_and(|own| own.has(**joint, JOINT_LETTERS * font_mm)));
-                of_joints.count() + taken.iter().filter(|other| own_box.is_some_and(|own| own.meets(other))).count()
+                let is_outside = own_box.is_some_and(|own| !own.is_in(sheet));
+                usize::from(is_outside)
+                    + of_joints.count()
+                    + taken.iter().filter(|other| own_box.is_some_and(|own| own.meets(other))).count()
             };
             let side = (0..SIDES)
                 .map(direction)
@@ -159,6 +169,15 @@ impl Box2 {
         Self { middle: [at[0] + away * side[0] * font_mm + beside, at[1] + away * side[1] * font_mm], half }
     }
 
+    fn is_in(&self, sheet: &Frame) -> bool {
+        let [x, y] = self.middle;
+        let [width, height] = self.half;
+        x - width > sheet.left
+            && x + width < sheet.left + sheet.width
+            && y - height > sheet.top
+            && y + height < sheet.top + sheet.height
+    }
+
     fn has(&self, point: [f64; 2], radius: f64) -> bool {
         (0..2).all(|k| (point[k] - self.middle[k]).abs() < self.half[k] + radius)
     }
@@ -196,14 +215,38 @@ fn in_ground(poses: &[PicturePose], body: usize, at_mm: [f64; 3]) -> [f64; 3] {
     PicturePose { at_m: pose.at_m.map(|own| own * MM_PER_M), ..pose }.point_m(at_mm)
 }
 
-/// Names beside their joints. `scripts/space-scene.ts` does the same.
-pub(crate) fn drawn_names(names: &[Name], poses: &[PicturePose], projection: &Projection, font_mm: f64) -> Markup {
+/// Width of a letter of a name that must stay inside, and the room between it and the edge of the sheet, in letters. `scripts/space.ts` has them too.
+const WIDEST_LETTER: f64 = 0.62;
+const EDGE_LETTERS: f64 = 0.4;
+
+/// The place of a text that would be cut by the edge of the sheet, moved so far that it is not.
+fn inside([x, y]: [f64; 2], name: &Name, sheet: &Frame, font_mm: f64) -> [f64; 2] {
+    let edge = EDGE_LETTERS * font_mm;
+    let width = WIDEST_LETTER * name.text.chars().count() as f64 * font_mm;
+    let before = match name.anchor {
+        "start" => 0.0,
+        "end" => width,
+        _ => 0.5 * width,
+    };
+    let [least, most] = [sheet.left + edge + before, sheet.left + sheet.width - edge - width + before];
+    let [top, bottom] = [sheet.top + edge + font_mm, sheet.top + sheet.height - edge - 0.3 * font_mm];
+    [x.min(most).max(least), y.min(bottom).max(top)]
+}
+
+/// Names beside their joints, inside the sheet. `scripts/space-scene.ts` and `scripts/space.ts` do the same.
+pub(crate) fn drawn_names(
+    names: &[Name],
+    poses: &[PicturePose],
+    projection: &Projection,
+    (sheet, font_mm): (&Frame, f64),
+) -> Markup {
     let digits = places(font_mm) + 1;
     html! {
         @for name in names {
             @let [x, y] = on_sheet(projection, in_ground(poses, name.body, name.at)).0;
+            @let [x, y] = inside([x + name.side[0] * font_mm, y + name.side[1] * font_mm], name, sheet, font_mm);
             text class=[name.play.then_some("with-play")] text-anchor=(name.anchor)
-                x=(format!("{:.digits$}", x + name.side[0] * font_mm)) y=(format!("{:.digits$}", y + name.side[1] * font_mm)) { (name.text) }
+                x=(format!("{x:.digits$}")) y=(format!("{y:.digits$}")) { (name.text) }
         }
     }
 }

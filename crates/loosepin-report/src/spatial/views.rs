@@ -19,8 +19,11 @@ const NAME: &str = "views";
 const FONT_SHARE: f64 = 0.0165;
 /// Room around a view in letters: on its sides and above, with its name; and below, with its axes.
 const SIDE_LETTERS: f64 = 1.5;
-const ABOVE_LETTERS: f64 = 2.2;
+const ABOVE_LETTERS: f64 = 3.0;
 const BELOW_LETTERS: f64 = AXIS_LETTERS + 2.4;
+
+/// Room for the scale beside the top view, as a share of its width, at least.
+const SCALE_SHARE: f64 = 0.4;
 
 /// The least and the largest place of what is drawn, in all positions.
 fn range(parts: &[Part], poses: &[Vec<PicturePose>], projection: &Projection, around: &Surroundings) -> [[f64; 2]; 2] {
@@ -47,11 +50,13 @@ pub(crate) fn views_figure(record: &SpatialMotionRecord, sample: usize, at: &str
     let [deep, _] = range(&parts, &own.poses, &Projection::SIDE, &around);
     let [width, depth, height] = [across, deep, up].map(|[low, high]| high - low);
     // The sheet is wider than the views by four margins.
-    let font_mm = FONT_SHARE * (width + depth) / (1.0 - 4.0 * SIDE_LETTERS * FONT_SHARE);
+    // Above the side view stands the scale.
+    let right = depth.max(SCALE_SHARE * width);
+    let font_mm = FONT_SHARE * (width + right) / (1.0 - 4.0 * SIDE_LETTERS * FONT_SHARE);
     let (beside, above, below) = (SIDE_LETTERS * font_mm, ABOVE_LETTERS * font_mm, BELOW_LETTERS * font_mm);
     let [first, second] = [beside, width + 3.0 * beside];
     let [upper, lower] = [above, depth + 2.0 * above + below];
-    let frame = Frame { left: 0.0, top: 0.0, width: width + depth + 4.0 * beside, height: lower + height + below };
+    let frame = Frame { left: 0.0, top: 0.0, width: width + right + 4.0 * beside, height: lower + height + below };
     // Ranges point down: that of the depth is up in the top view.
     let views = [
         ("top, x–y", Projection::TOP, [first - across[0], upper + deep[1]], [first, upper + depth]),
@@ -70,7 +75,7 @@ pub(crate) fn views_figure(record: &SpatialMotionRecord, sample: usize, at: &str
                 g.triad { (triad(projection, [left + 0.4 * font_mm, bottom + below - 1.7 * font_mm], font_mm)) }
             }
             g transform=(format!("translate({:.4} {:.4})", second - 0.8 * font_mm, -below)) {
-                (scale(&Frame { left: 0.0, top: 0.0, width: depth.max(0.4 * width) + 2.0 * beside, height: lower - above + font_mm }, font_mm, None))
+                (scale(&Frame { left: 0.0, top: 0.0, width: right + 2.0 * beside, height: lower - above + font_mm }, font_mm, None))
             }
         }
     };

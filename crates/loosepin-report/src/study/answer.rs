@@ -12,7 +12,8 @@ use crate::words::wording::{
     capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, path_part, place_words, verdict_words,
 };
 use loosepin_result::study::{
-    Deviation, DeviationCurve, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult, Verdict,
+    Deviation, DeviationCurve, FurtherOutput, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -61,8 +62,10 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
         false => (headline, Some(conditions.trim_start().to_owned())),
     };
     let verdict = result.verdict();
-    let caveats = caveats(result, writer);
+    let mut caveats = caveats(result, writer);
     let mut details = Vec::new();
+    let of_turns = if do_later_turns_matter(result, &answers) { &mut caveats } else { &mut details };
+    of_turns.extend(turns_sentence(result, writer));
     let first = answers.first().copied();
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, first, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
@@ -75,7 +78,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
-/// penetrations, contacts below the least impact speed, and motions that differ from turn to turn.
+/// penetrations, and contacts below the least impact speed.
 fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
@@ -95,7 +98,20 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
         [of.warning(writer), of.slow(writer)].into_iter().flatten()
     };
     let soft = result.impacts.iter().flat_map(of_forces);
-    beyond.chain(soft).chain(turns_sentence(result, writer)).collect()
+    beyond.chain(soft).collect()
+}
+
+/// Whether later turns may change an answer: they break a limit, go further by more than its numerical error, or are not known.
+fn do_later_turns_matter(result: &StudyResult, answers: &[OutputSummary]) -> bool {
+    let Some(further) = &result.further_turns else { return true };
+    let error_si = |output: &str| {
+        let errors = answers.iter().filter(|answer| answer.output() == output);
+        errors.filter_map(|answer| answer.error_si()).map(|(error_si, _)| error_si).reduce(f64::min)
+    };
+    // Not a number matters.
+    let is_within = |one: &FurtherOutput| one.largest_excess_si <= error_si(&one.output).unwrap_or(0.0);
+    further.broken_later.iter().any(|broken| broken.is_some_and(|count| count > 0))
+        || !further.outputs.iter().all(is_within)
 }
 
 /// The verdict over all requirements as a headline.

@@ -7,7 +7,7 @@ use loosepin_result::sweep::SweepRecord;
 
 use super::stretches::{Stretch, period_words, stretches, value_words};
 
-/// All sentences of the answer.
+/// All sentences of the answer; a page shows all of them.
 pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) -> Vec<String> {
     let runs = record.points.len();
     let repeating = record.points.iter().filter(|point| point.period_turns.is_some()).count();

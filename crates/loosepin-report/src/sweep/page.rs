@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::charts::chart::{Chart, Entry, Role};
-use crate::medium::article_page::{page_section, push_figure};
-use crate::medium::page::{self, Page, sentences};
+use crate::medium::article_page::{overview, page_section};
+use crate::medium::page::{self, Page, changes, sentences};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::repeat_section::repeat_section;
@@ -18,17 +18,18 @@ use super::answer::headline_sentences;
 use super::section_figure::section_figure;
 use super::stretches::{stretches_section, value_words};
 
-/// The page of a sweep as one HTML text that needs no network: a bifurcation diagram for each position and angle, impacts,
-/// loss of contact and peak forces of each joint. Text from files is escaped.
+/// The page of a sweep as one HTML text that needs no network: the answer, the bifurcation diagram of the first output, and which kind of motion there is
+/// where; then sections that open: the diagrams of the other positions and angles; impacts, loss of contact and peak forces of each joint. Text from
+/// files is escaped.
 pub fn sweep_page(record: &SweepRecord) -> String {
     let writer = &NumberWriter::for_page(&record.display_units);
-    let mut kinds = stretches_section(record, writer);
-    push_figure(&mut kinds, writer, || {
-        html! { @for output in 0..record.outputs.len() { (section_figure(record, output, writer)) } }
-    });
+    let (kinds, all_kinds) = overview(Some(stretches_section(record, writer)));
+    let figure = |output| section_figure(record, output, writer);
+    let others = || html! { @for output in 1..record.outputs.len() { (figure(output)) } };
     let title = "Impacts and forces in the joints";
     let sections = [
-        page_section(kinds),
+        all_kinds,
+        (record.outputs.len() > 1).then(|| page::Section::new("others", "The other outputs", others())),
         (!record.joints.is_empty()).then(|| page::Section::new("joints", title, joints(record, writer))),
         page_section(method(record, writer)),
         repeat_section(&record.repeat),
@@ -39,14 +40,18 @@ pub fn sweep_page(record: &SweepRecord) -> String {
         subtitle: html! {
             (record.path) " from " (value_words(record, 0, writer)) " to "
             (value_words(record, record.points.len() - 1, writer))
-            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+            (changes(&record.overrides))
         },
         answer: sentences(&headline_sentences(record, writer)),
         is_answer_short: true,
         beside: html! {},
-        below: html! {},
-        more: Markup::default(),
-        is_folded: false,
+        below: if record.outputs.is_empty() {
+            html! {}
+        } else {
+            figure(0)
+        },
+        more: kinds,
+        is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: "sweep".to_owned(),
         version: record.version.clone(),
@@ -66,11 +71,11 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Section {
         "p turns, if every journal is back within {} of its clearance after every p turns; p is at most half of the turns examined",
         writer.with_tag(&Tag::Given("share of a clearance")).percent(REPEAT_SHARE, Rounding::Nearest)
     );
-    let tolerance = writer.with_tag(&Tag::Given("tolerance")).as_written(&format!("{:e}", record.tolerance_m));
+    let tolerance = writer.with_tag(&Tag::Given("tolerance")).value_shortest(record.tolerance_m, &SiUnit::LENGTH);
     let facts = [
         Fact::new("Runs", [runs]),
         Fact::new("Period", [period]),
-        Fact::new("Tolerance of a step", [format!("{tolerance} m; contacts located as events")]),
+        Fact::new("Tolerance of a step", [format!("{tolerance}; contacts located as events")]),
         Fact::new("Version", [format!("loosepin {}", record.version)]),
     ];
     Section::of_facts("method", "How this was computed", facts)

@@ -1,5 +1,6 @@
 //! Notes on contact forces: the law, the restitution that it delivers, its limits, and the meaning of deep penetrations.
 
+use crate::medium::short_answer::Said;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{capitalised, count, listed};
@@ -235,9 +236,12 @@ fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter
 }
 
 /// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
-pub(crate) fn run_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+pub(crate) fn run_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
     let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run);
-    joints.flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
+    let of_joint = |of: JointForces| {
+        [of.sentence(writer).map(Said::detail), of.warning(writer).map(Said::caveat), of.slow(writer).map(Said::caveat)]
+    };
+    joints.flat_map(of_joint).flatten().collect()
 }
 
 /// The sentences on the joints whose contact force a study is asked about.

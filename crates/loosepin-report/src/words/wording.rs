@@ -255,12 +255,21 @@ const ROUND_OFF: f64 = 1e-13;
 
 /// A value of an extreme as it is shown: 0 where it is round-off beside the largest value of its unit, and of lengths beside the bodies.
 pub(crate) fn without_round_off(record: &SimulationRecord, value_si: f64, unit: &SiUnit) -> f64 {
+    if value_si.abs() < round_off_si(record, unit) { 0.0 } else { value_si }
+}
+
+/// The same of the values of a history.
+pub(crate) fn all_without_round_off(record: &SimulationRecord, values_si: &[f64], unit: &SiUnit) -> Vec<f64> {
+    let least_si = round_off_si(record, unit);
+    values_si.iter().map(|value_si| if value_si.abs() < least_si { 0.0 } else { *value_si }).collect()
+}
+
+fn round_off_si(record: &SimulationRecord, unit: &SiUnit) -> f64 {
     let of_unit = record.extremes.iter().filter(|extreme| extreme.unit == *unit);
     let ends = of_unit.flat_map(|extreme| [extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs()]);
     let points = record.drawing.bodies.iter().flat_map(|body| &body.points);
     let lengths = points.filter(|_| *unit == SiUnit::LENGTH).map(|point| point.x_m.hypot(point.y_m));
-    let scale_si = ends.chain(lengths).filter(|size| size.is_finite()).fold(0.0, f64::max);
-    if value_si.abs() < ROUND_OFF * scale_si { 0.0 } else { value_si }
+    ROUND_OFF * ends.chain(lengths).filter(|size| size.is_finite()).fold(0.0, f64::max)
 }
 
 /// `1 run`, `2 runs`.

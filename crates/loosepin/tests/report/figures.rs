@@ -128,7 +128,7 @@ fn identity_a_frame_is_the_first_screen_of_its_page() {
     assert_eq!(opening(&frame, "<section id=\"bounds\""), opening(&page, "<div class=\"folds\""));
     let run = report_fixture::simulation::worn_pin();
     let (page, frame) = (simulation_page(&run), simulation_frame(&run).document);
-    assert_eq!(opening(&frame, "<section id=\"extremes\""), opening(&page, "<nav"));
+    assert_eq!(opening(&frame, "</main>"), opening(&page, "<div class=\"folds\""));
     assert_eq!(frame.matches("<section ").count(), 2, "the answer and the extremes");
     // Every script of the page, and one more.
     assert_eq!(frame.matches("<script>").count(), page.matches("<script>").count() + 1);

@@ -3,7 +3,9 @@
 use super::report_fixture;
 use std::collections::BTreeSet;
 
-use loosepin::report::{motion_page, motion_text, simulation_page, simulation_text, study_page, study_text};
+use loosepin::report::{
+    motion_page, motion_text, simulation_page, simulation_text, study_page, study_text, sweep_page,
+};
 use loosepin::units::SiUnit;
 use scraper::{ElementRef, Html, Selector};
 
@@ -125,7 +127,7 @@ fn a_study_speaks_of_its_numerical_error_once() {
 }
 
 #[test]
-fn sections_of_a_study_are_written_open_and_can_be_closed() {
+fn sections_are_written_open_and_can_be_closed() {
     let page = parsed("study", &study_page(&report_fixture::study::worn_pin()));
     let sections = select(&page, ".folds > section");
     assert!(sections.len() >= 8);
@@ -134,11 +136,25 @@ fn sections_of_a_study_are_written_open_and_can_be_closed() {
     let shown = |selector: &str| select(&page, &format!(".opening {selector}")).len();
     assert_eq!((shown(".verdict"), shown("figure.mechanism"), shown("[data-chart]")), (1, 1, 1));
     assert_eq!(shown("#contributors-overview tbody tr"), 4, "an input a row");
-    // A motion has the same form, a run has a list of links.
-    let motion = parsed("motion", &motion_page(&report_fixture::motion::worn_pin()));
-    assert!(select(&motion, ".folds > section > details.fold[open]").len() >= 4 && select(&motion, "nav").is_empty());
-    let run = parsed("simulation", &simulation_page(&report_fixture::simulation::worn_pin()));
-    assert!(select(&run, ".fold").is_empty() && !select(&run, "nav").is_empty());
+    // Motions, runs and sweeps have the same form: the answer, one chart and one table.
+    for (name, text, charts) in [
+        ("motion", motion_page(&report_fixture::motion::worn_pin()), "[data-chart]"),
+        ("simulation", simulation_page(&report_fixture::simulation::worn_pin()), "[data-chart]"),
+        ("sweep", sweep_page(&report_fixture::sweep::windows()), "figure.section"),
+    ] {
+        let page = parsed(name, &text);
+        assert!(select(&page, ".folds > section > details.fold[open]").len() >= 3, "{name}");
+        assert!(select(&page, "nav").is_empty(), "{name}");
+        let shown = |selector: &str| select(&page, &format!(".opening {selector}")).len();
+        // Numbers behind a chart are a table, too.
+        assert_eq!((shown(charts), shown(".more table")), (1, 1), "{name}");
+        let rows = shown(".more tbody tr");
+        assert!((1..=8).contains(&rows), "{name}: {rows}");
+    }
+    // A table that has more rows opens.
+    let page = parsed("sweep", &sweep_page(&report_fixture::sweep::windows()));
+    assert!(select(&page, ".folds #sections tbody tr").len() > 8);
+    assert_eq!(select(&page, ".opening a[href='#sections']").len(), 1);
 }
 
 #[test]
@@ -273,7 +289,7 @@ fn analytic_names_lie_within_the_picture_in_every_pose_and_do_not_hide_one_anoth
 fn an_orbit_says_its_run_in_words_and_where_the_journal_touches() {
     let page = parsed("study", &study_page(&report_fixture::study::worn_pin()));
     let titles: Vec<String> = select(&page, "figure.orbit strong").iter().map(|title| title.text().collect()).collect();
-    assert_eq!(titles, ["gudgeon, at the upper bound", "gudgeon, gudgeon radial clearance 0.1 mm"]);
+    assert_eq!(titles, ["gudgeon, at the upper bound", "gudgeon, gudgeon radial clearance 0.1\u{a0}mm"]);
     for figure in select(&page, "figure.orbit") {
         let inside = |selector: &str| {
             let selector = Selector::parse(selector).expect("the selector is valid");

@@ -1,6 +1,6 @@
 //! Charts of a motion in space over its turn: worst cases of play; ideal values.
 
-use super::numbers::{shown, shown_deviation, unit_of_size};
+use super::numbers::{shown, shown_deviation, span_words, unit_of_size};
 use super::tables::place;
 use crate::charts::chart::{Chart, Entry, EntryValues, Mark, Role};
 use crate::charts::figure::name_of;
@@ -33,10 +33,14 @@ pub(super) fn worst_case_chart(record: &SpatialMotionRecord, output: &SpatialOut
     let largest = shown_deviation(output.worst_case_si(), output, Medium::Page);
     let words = format!("at most {largest} to either side, at {}", place(record, output, Medium::Page));
     chart.caption = html! {
-        strong { "Worst case of play on " (output.name) " (" (output.words) ") over the turn." } " To first order " (words) "."
+        strong { "Worst case of play on " (output.name) " (" (output.words) ") over the " (span_words(record)) "." } " To first order " (words) "."
     };
-    chart.alternative =
-        format!("Chart of the worst case of play on {} ({}) over the turn: {words}.", output.name, output.words);
+    chart.alternative = format!(
+        "Chart of the worst case of play on {} ({}) over the {}: {words}.",
+        output.name,
+        output.words,
+        span_words(record)
+    );
     chart.figure()
 }
 
@@ -53,7 +57,8 @@ pub(super) fn ideal_chart(record: &SpatialMotionRecord, output: &SpatialOutputRe
     let [least, most] = [least, most].map(|own| shown(own, &output.unit, own, Medium::Page));
     let range = format!("between {least} and {most}");
     chart.caption = html! { strong { "Ideal " (output.words) " (" (output.name) ")" } ": " (range) "." };
-    chart.alternative = format!("Chart of the ideal value of {} over the turn: {range}.", output.name);
+    chart.alternative =
+        format!("Chart of the ideal value of {} over the {}: {range}.", output.name, span_words(record));
     Some(chart.figure())
 }
 

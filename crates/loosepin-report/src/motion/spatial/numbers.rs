@@ -1,6 +1,7 @@
 //! Numbers of a motion in space in the unit that fits their size.
 
 use crate::numbers::number::within_turn_rad;
+use crate::spatial::turn::is_whole_turn;
 use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
 use loosepin_text::article::Medium;
 use loosepin_text::units::{Dimension, DisplayUnit, SiUnit, format_number, format_value};
@@ -47,10 +48,15 @@ pub(super) fn shown_end(value_si: f64, side: f64, output: &SpatialOutputRecord, 
     with_symbol(side * ((steps + 4.0 * f64::EPSILON * steps.abs()).ceil() * step), &unit, medium)
 }
 
-/// The input at a position. On a page an angle counts from 0° to 360°, as in charts.
+/// What the record is over, in words.
+pub(super) fn span_words(record: &SpatialMotionRecord) -> &'static str {
+    if is_whole_turn(record) { "turn" } else { "cycle" }
+}
+
+/// The input at a position. On a page an angle of a whole turn counts from 0° to 360°, as in charts.
 pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: Medium) -> String {
     let own = record.inputs_si.get(sample).copied().unwrap_or_default();
-    let is_within = medium == Medium::Page && record.input_unit == SiUnit::ANGLE;
+    let is_within = medium == Medium::Page && is_whole_turn(record);
     let input = if is_within { within_turn_rad(own) } else { own };
     shown(input, &record.input_unit, input, medium)
 }
@@ -58,7 +64,8 @@ pub(super) fn shown_input(record: &SpatialMotionRecord, sample: usize, medium: M
 /// A number with the unit that fits a number of the size of `scale_si`.
 pub(super) fn shown(value_si: f64, unit: &SiUnit, scale_si: f64, medium: Medium) -> String {
     if *unit == SiUnit::TIME {
-        return format_value(rounded(value_si), Dimension::TIME);
+        let text = format_value(rounded(value_si), Dimension::TIME);
+        return if medium == Medium::Page { text.replace(' ', "\u{a0}") } else { text };
     }
     let unit = unit_of_size(unit, scale_si, medium);
     let value_si = if value_si.abs() < ROUND_OFF * scale_si.abs() { 0.0 } else { value_si };

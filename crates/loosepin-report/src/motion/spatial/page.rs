@@ -1,13 +1,14 @@
-//! The page of a motion in space: the answer, the mechanism to be turned, worst cases over the turn, three views, who contributes.
+//! The page of a motion in space: the answer, the mechanism to be turned, worst cases over the turn and by output; then sections that open.
 
-use super::answer::answer_sentences;
+use super::answer::all_said;
 use super::charts::{ideal_chart, worst_case_chart};
-use super::numbers::shown_input;
+use super::numbers::{shown_input, span_words};
 use super::scatter::scatter_section;
-use super::tables::{contributors_on_page, outputs_section};
+use super::tables::{contributors_on_page, outputs_overview, outputs_section};
 use crate::charts::figure::figures;
-use crate::medium::article_page::page_section;
-use crate::medium::page::{Page, Section, sentences};
+use crate::medium::article_page::{overview, page_section};
+use crate::medium::page::{Page, Section};
+use crate::medium::short_answer::{ShortAnswer, words};
 use crate::spatial::figure::{SpaceDrawing, space_drawing, spatial_figure};
 use crate::spatial::views::views_figure;
 use crate::study::repeat_section::repeat_section;
@@ -35,11 +36,16 @@ pub fn spatial_motion_page(record: &SpatialMotionRecord) -> String {
         false => ideal_chart(record, output),
     };
     let others_body = html! { @for output in &others { (worst_case_chart(record, output)) } };
+    let short = ShortAnswer::of(&all_said(record));
+    let answer = short.markup();
+    let views = views_figure(record, sample, &at);
     let sections = [
+        page_section(short.further()),
         page_section(contributors_on_page(record)),
         page_section(scatter_section(record, Medium::Page)),
         (!others.is_empty()).then(|| Section::new("worst-cases", "Worst cases of the other outputs", others_body)),
         page_section(outputs_section(record, Medium::Page)),
+        (!views.0.is_empty()).then(|| Section::new("three-views", "Front, side and top", views)),
         ideal_section(record),
         page_section(method(record)),
         repeat_section(&record.repeat),
@@ -50,14 +56,14 @@ pub fn spatial_motion_page(record: &SpatialMotionRecord) -> String {
         title: record.model.clone(),
         kicker: "Motion in space and worst cases of play",
         subtitle: html! {
-            (counted(record.inputs_si.len(), "position")) " over a turn · " (joints)
+            (counted(record.inputs_si.len(), "position")) " over a " (span_words(record)) " · " (joints)
             @if play > 0 { ", " (play) " with play" }
         },
-        answer: sentences(&answer_sentences(record)),
+        answer,
         is_answer_short: true,
         beside: spatial_figure(record, sample),
         below: main.and_then(chart).unwrap_or_default(),
-        more: views_figure(record, sample, &at),
+        more: overview(outputs_overview(record)).0,
         is_folded: true,
         sections: sections.into_iter().flatten().collect(),
         identity: "motion".to_owned(),
@@ -82,9 +88,9 @@ pub fn spatial_motion_drawing(record: &SpatialMotionRecord) -> Option<SpaceDrawi
     space_drawing(record, first_sample(record))
 }
 
-/// The sentences that the page begins with.
+/// The answer in sentences. The page begins with some of them.
 pub fn spatial_motion_sentences(record: &SpatialMotionRecord) -> Vec<String> {
-    answer_sentences(record)
+    words(all_said(record))
 }
 
 /// The position that pictures show first: that of the largest worst case of the main output, where there is play.
@@ -106,8 +112,9 @@ fn method(record: &SpatialMotionRecord) -> article::Section {
     let mut facts = vec![Fact::new(
         "Positions",
         [format!(
-            "loops closed at {} over the turn; between them nothing is looked at",
-            counted(record.inputs_si.len(), "position")
+            "loops closed at {} over the {}; between them nothing is looked at",
+            counted(record.inputs_si.len(), "position"),
+            span_words(record)
         )],
     )];
     if record.has_play {

@@ -10,6 +10,9 @@ use loosepin_result::study::OutputDescription;
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table};
 use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
 
+/// Outputs on the first screen of a page, at most.
+const MAX_FIRST_OUTPUTS: usize = 8;
+
 /// All outputs, and what their numbers are.
 pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> Section {
     let mut section = Section::headed_on_page("outputs", "Outputs");
@@ -68,6 +71,25 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
         ]));
     }
     section
+}
+
+/// What the first screen of a page says of each output: how far play takes it, or between what it moves where there is none. The table with all
+/// numbers opens.
+pub(super) fn outputs_overview(record: &SpatialMotionRecord) -> Option<Section> {
+    let (title, heads): (_, &[&str]) = match record.has_play {
+        true => ("Worst cases by output", &["worst case, first order", "at", "found, up", "found, down"]),
+        false => ("Ranges of the outputs", &["smallest", "largest"]),
+    };
+    let numbers = heads.iter().map(|words| Column::numbers(head(words)));
+    let columns = std::iter::once(Column::words(head("output"))).chain(numbers).collect();
+    let places: &[usize] = if record.has_play { &[0, 3, 4, 5, 6] } else { &[0, 1, 2] };
+    let rows = record.outputs.iter().map(|output| {
+        let all = row(record, output, Medium::Page);
+        places.iter().map(|place| all[*place].clone()).collect::<Vec<Cell>>()
+    });
+    let mut section = Section::headed_on_page("outputs-overview", title);
+    section.push(Content::Table(Table::new(columns, rows.take(MAX_FIRST_OUTPUTS))));
+    (!record.outputs.is_empty()).then_some(section)
 }
 
 /// Ends that no deviation passes at the place shown, and the outputs that have none.

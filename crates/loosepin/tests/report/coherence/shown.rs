@@ -46,7 +46,8 @@ impl Names {
     }
 
     fn without(&self, text: &str) -> String {
-        self.0.iter().fold(text.to_owned(), |text, name| text.replace(name, "…"))
+        // A page keeps a number of theirs with its unit.
+        self.0.iter().fold(text.replace('\u{a0}', " "), |text, name| text.replace(name, "…"))
     }
 }
 

@@ -9,3 +9,4 @@ mod kinematics;
 pub mod motion;
 pub mod simulation;
 pub mod study;
+pub mod sweep;
