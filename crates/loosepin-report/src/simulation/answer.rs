@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
-use crate::words::force::run_sentences;
+use crate::words::force::{law_sentences, run_sentences, run_warnings};
 use crate::words::trust::TrustedRun;
 use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
@@ -17,6 +17,55 @@ use super::life::life_sentence;
 
 /// All sentences of the answer.
 pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    let mut sentences = main_sentences(record, writer);
+    sentences.extend(run_sentences(record, writer));
+    sentences.extend(motion_sentences(record, writer));
+    sentences.push(energy_sentence(record, writer));
+    sentences.extend(trusted_run(record).sentences(writer));
+    sentences.extend(bending_sentences(&record.bending, writer));
+    let checks = checks(record);
+    sentences.extend(quasi_static_sentence(record, &checks, writer));
+    sentences
+}
+
+/// What a terminal says of a run.
+pub(super) struct RunSentences {
+    /// How far it deviates, what the joints carry, how long its positions can be trusted.
+    pub answers: Vec<String>,
+    /// What puts these in doubt, each with its consequence.
+    pub warnings: Vec<String>,
+    /// The laws behind the forces, and checks that hold.
+    pub details: Vec<String>,
+}
+
+/// The sentences of [`headline_sentences`] in the order of a terminal: answers, warnings, details.
+pub(super) fn run_answer(record: &SimulationRecord, writer: &NumberWriter) -> RunSentences {
+    /// Error of the energy balance from which on a run is in doubt.
+    const LARGE_RESIDUAL: f64 = 1e-3;
+    let mut answers = main_sentences(record, writer);
+    answers.extend(motion_sentences(record, writer));
+    answers.extend(bending_sentences(&record.bending, writer));
+    answers.extend(trusted_run(record).sentences(writer));
+    let (mut warnings, mut details) = (run_warnings(record, writer), law_sentences(record, writer));
+    let energy = energy_sentence(record, writer);
+    let is_large = record.energy.relative_residual > LARGE_RESIDUAL;
+    if is_large {
+        warnings.insert(0, energy)
+    } else {
+        details.push(energy)
+    }
+    let checks = checks(record);
+    let check = quasi_static_sentence(record, &checks, writer);
+    if checks.iter().any(|check| check.is_exceeded) {
+        warnings.splice(0..0, check);
+    } else {
+        details.extend(check);
+    }
+    RunSentences { answers, warnings, details }
+}
+
+/// How far the motion deviates, the wear of a life, and what the joints carry.
+fn main_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences = Vec::new();
     let deviation = record.extremes.iter().find(|extreme| !extreme.of.is_value());
     let play: Vec<String> = record
@@ -77,29 +126,30 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.with_tag(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
-    sentences.extend(run_sentences(record, writer));
-    for control in &record.controls {
-        sentences.extend(control_sentences(control, writer));
-    }
-    sentences.extend(kind_sentences(record, writer));
-    sentences.push(format!(
-        "The energy balance has an error of {} of the largest energy exchanged.",
-        writer.with_tag(&Tag::whole("energy residual", "relative")).rounded(
-            record.energy.relative_residual,
-            &SiUnit::NONE,
-            2,
-            Rounding::Up
-        )
-    ));
-    sentences.extend(trusted_run(record).sentences(writer));
-    sentences.extend(bending_sentences(&record.bending, writer));
-    // Where neither play nor the motion moves an output, round-off is divided by round-off.
+    sentences
+}
+
+/// What the controls do, and of which kind the motion is.
+fn motion_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    let controls = record.controls.iter().flat_map(|control| control_sentences(control, writer));
+    controls.chain(kind_sentences(record, writer)).collect()
+}
+
+fn energy_sentence(record: &SimulationRecord, writer: &NumberWriter) -> String {
+    let tag = Tag::whole("energy residual", "relative");
+    let residual = writer.with_tag(&tag);
+    format!(
+        "The energy balance closes to {} of the largest energy exchanged.",
+        residual.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
+    )
+}
+
+/// The quasi-static checks that mean something: where neither play nor the motion moves an output, round-off is divided by round-off.
+fn checks(record: &SimulationRecord) -> Vec<&QuasiStaticShare> {
     let moves = |check: &&QuasiStaticShare| {
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
     };
-    let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
-    sentences.extend(quasi_static_sentence(record, &checks, writer));
-    sentences
+    record.quasi_static_check.iter().filter(moves).collect()
 }
 
 /// The trust in the positions of the run.

@@ -32,6 +32,8 @@ pub(crate) struct JointForces<'a> {
     has_impacts: bool,
     /// The fastest of them, where it is known, m/s.
     fastest_m_s: Option<f64>,
+    /// Whether they are those of a single run, not of a study.
+    is_of_run: bool,
     /// What distinguishes the ends of a range in tags; a single run has none.
     ends: [&'static str; 2],
 }
@@ -50,6 +52,7 @@ impl<'a> JointForces<'a> {
             contacts: joint.contacts,
             has_impacts: joint.impacts > 0,
             fastest_m_s: Some(joint.largest_speed_m_s),
+            is_of_run: true,
             ends: [""; 2],
         }
     }
@@ -66,6 +69,7 @@ impl<'a> JointForces<'a> {
             contacts: joint.floored_contacts,
             has_impacts: joint.impacts_per_turn[2] > 0.0,
             fastest_m_s: None,
+            is_of_run: false,
             ends: [" least", " most"],
         }
     }
@@ -148,6 +152,22 @@ impl<'a> JointForces<'a> {
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
     }
 
+    /// That impacts are faster than the law is valid for, and what to do; `None` if none is.
+    pub fn beyond_validity(&self, writer: &NumberWriter) -> Option<String> {
+        let share = self.share_outside_validity.filter(|share| *share > 0.0)?;
+        // A law that takes a restitution can take a smaller one.
+        let (reason, instead) = match self.restitution {
+            Some(_) => ("; real parts rebound less", "a lower restitution"),
+            None => ("", "another contact law"),
+        };
+        Some(format!(
+            "{} of the impacts in {} are faster than the contact law is valid for{reason}. Use the answer only if a {} with {instead} gives nearly the same.",
+            self.percent("impacts", "outside validity", share, writer),
+            self.joint,
+            if self.is_of_run { "run" } else { "study" }
+        ))
+    }
+
     /// Says where all contacts began below a least impact speed that the model has raised; `None` if it is the usual one.
     pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
         let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
@@ -168,6 +188,11 @@ impl<'a> JointForces<'a> {
         ))
     }
 
+    /// Whether a contact is so soft that the parts pass through each other: none that its law describes.
+    pub fn is_law_broken(&self) -> bool {
+        self.penetration_share > 1.0
+    }
+
     /// Meaning of a penetration beyond a tenth of the clearance; `None` below.
     pub fn warning(&self, writer: &NumberWriter) -> Option<String> {
         let share = Some(self.penetration_share).filter(|share| share.is_finite() && *share > DEEPEST_SHARE)?;
@@ -176,8 +201,7 @@ impl<'a> JointForces<'a> {
             self.joint,
             self.percent("penetration", "largest share", share, writer)
         );
-        // A contact so soft that the parts pass through each other is none that its law describes.
-        if share > 1.0 {
+        if self.is_law_broken() {
             return Some(format!("{reached}: the contact law does not hold. Check Young's modulus and the masses."));
         }
         let is_given = self.laws.iter().all(|(_, basis)| basis.shape == ContactShape::Given) && !self.laws.is_empty();
@@ -185,7 +209,7 @@ impl<'a> JointForces<'a> {
             format!("{reached}, more than a tenth: force and deviation depend on the given stiffness.")
         } else {
             format!(
-                "{reached}, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law."
+                "{reached}; contact laws hold up to about a tenth. Force and deviation depend on the law: compare with another one."
             )
         })
     }
@@ -234,10 +258,29 @@ fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter
     }
 }
 
+/// The joints of a run that carried a force.
+fn forces_of_run(record: &SimulationRecord) -> impl Iterator<Item = JointForces<'_>> {
+    record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run)
+}
+
 /// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
 pub(crate) fn run_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
-    let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run);
-    joints.flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
+    forces_of_run(record).flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
+}
+
+/// The law behind the forces of each joint of a run.
+pub(crate) fn law_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    forces_of_run(record).filter_map(|of| of.sentence(writer)).collect()
+}
+
+/// What puts the contact forces of a run in doubt: impacts beyond the validity of the law, deep penetrations, slow contacts.
+pub(crate) fn run_warnings(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    // A contact whose law does not hold is worse than one beyond its validity.
+    let (broken, sound): (Vec<_>, Vec<_>) = forces_of_run(record).partition(JointForces::is_law_broken);
+    let broken = broken.iter().flat_map(|of| [of.warning(writer), of.beyond_validity(writer), of.slow(writer)]);
+    let beyond = sound.iter().map(|of| of.beyond_validity(writer));
+    let soft = sound.iter().flat_map(|of| [of.warning(writer), of.slow(writer)]);
+    broken.chain(beyond).chain(soft).flatten().collect()
 }
 
 /// The sentences on the joints whose contact force a study is asked about.
