@@ -17,7 +17,7 @@ pub(super) fn worst_case_chart(record: &SpatialMotionRecord, output: &SpatialOut
     (chart.y_label, chart.y_symbol) = (format!("deviation of {}", output.name), unit.symbol.clone());
     chart.height = 320;
     for (label, role, is_line, values_si) in [
-        ("worst case, linear estimate", Role::Mixed, false, &output.first_order_si),
+        ("worst case, first order", Role::Mixed, false, &output.first_order_si),
         ("± standard deviation, journals anywhere in their play", Role::Random, false, &output.standard_deviation_si),
     ] {
         if values_si.is_empty() {

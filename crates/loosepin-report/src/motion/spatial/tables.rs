@@ -19,15 +19,14 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
     };
     section.push(Content::sentences([format!("{} over a turn, {play}.", counted(record.inputs_si.len(), "position"))]));
     let heads =
-        ["smallest", "largest", "linear estimate", "at", "largest found, +", "largest found, -", "standard deviation"];
+        ["smallest", "largest", "worst case, first order", "at", "found, up", "found, down", "standard deviation"];
     let columns =
         std::iter::once(Column::words(head("output"))).chain(heads.map(|words| Column::numbers(head(words)))).collect();
     section.push(Content::Table(Table::new(columns, record.outputs.iter().map(|output| row(record, output, medium)))));
     if record.has_play {
         section.push(Content::sentences([
-            "The linear estimate of the worst case is largest at the place shown, the same to both sides. There, a search with the loops closed \
-             exactly found the largest deviations to the positive and the negative side. The standard deviation is for journals anywhere in their \
-             play, all places equally likely.",
+            "The worst case of first order is largest at the place shown, to both sides alike. There a search closes the loops exactly: up and \
+             down are the largest deviations it found. The standard deviation is for journals anywhere in their play, all places alike.",
         ]));
     }
     // A page begins with it.
@@ -54,8 +53,8 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
     }
     if record.has_play && record.outputs.iter().any(|output| output.ideal_si.is_empty()) {
         section.push(Content::sentences([
-            "Of a displacement, the worst case is the longest one that a search over directions found; + and - are along that direction. Its \
-             standard deviation is the root of the sum of the variances along x, y and z.",
+            "Of a displacement, the worst case is the longest one that a search over directions found, up and down are along that direction, and \
+             the standard deviation is the root of the sum of the variances along x, y and z.",
         ]));
     }
     section
