@@ -132,6 +132,8 @@ pub struct MotionArguments {
     #[arg(long = "path", value_name = "BODY.POINT")]
     pub path: Vec<String>,
     #[command(flatten)]
+    pub shown: ShownArguments,
+    #[command(flatten)]
     pub output: OutputArguments,
 }
 
@@ -182,6 +184,8 @@ pub struct SimulateArguments {
     /// Measured curves to compare with the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
     #[arg(long, value_name = "CSV")]
     pub measured: Vec<PathBuf>,
+    #[command(flatten)]
+    pub shown: ShownArguments,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -271,6 +275,8 @@ pub struct StudyArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
     #[command(flatten)]
+    pub shown: ShownArguments,
+    #[command(flatten)]
     pub output: OutputArguments,
 }
 
@@ -299,6 +305,8 @@ pub struct MergeArguments {
     /// Number of threads, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
+    #[command(flatten)]
+    pub shown: ShownArguments,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -340,6 +348,14 @@ pub struct SweepArguments {
     pub threads: Option<u32>,
     #[command(flatten)]
     pub output: OutputArguments,
+}
+
+/// How much of a result is printed.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub struct ShownArguments {
+    /// Print all of the result; otherwise the answer, warnings and main tables
+    #[arg(long)]
+    pub all: bool,
 }
 
 /// Where results go.
@@ -411,11 +427,13 @@ pub struct ReportArguments {
     /// Folder of results
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    #[command(flatten)]
+    pub shown: ShownArguments,
     /// List the figures
-    #[arg(long, conflicts_with_all = ["figure", "svg", "csv", "width"])]
+    #[arg(long, conflicts_with_all = ["figure", "svg", "csv", "width", "all"])]
     pub list: bool,
     /// Name of the figure to save, as shown by --list
-    #[arg(long, value_name = "NAME", requires = "saved")]
+    #[arg(long, value_name = "NAME", requires = "saved", conflicts_with = "all")]
     pub figure: Option<String>,
     /// Save the picture in this file
     #[arg(long, value_name = "FILE", requires = "figure", group = "saved")]

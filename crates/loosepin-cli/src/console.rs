@@ -53,11 +53,15 @@ fn colour() -> Colour {
 
 /// A paragraph, wrapped to the width of a terminal.
 pub fn wrapped(paragraph: &str) -> String {
-    textwrap::fill(paragraph, usize::from(TERMINAL_COLUMNS))
+    textwrap::fill(paragraph, options())
 }
 
 /// A paragraph, wrapped to the width of a terminal and indented by two columns.
 pub fn indented(paragraph: &str) -> String {
-    let options = textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent("  ").subsequent_indent("  ");
-    textwrap::fill(paragraph, options)
+    textwrap::fill(paragraph, options().initial_indent("  ").subsequent_indent("  "))
+}
+
+/// Lines of a terminal. No word is cut at a hyphen: `1e-9` is a number.
+fn options() -> textwrap::Options<'static> {
+    textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).word_splitter(textwrap::WordSplitter::NoHyphenation)
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::Diagnostics;
-use loosepin::report::{Frame, study_excerpt, study_frame, study_page, study_text};
+use loosepin::report::{Frame, short_study_text, study_excerpt, study_frame, study_page, study_text};
 use loosepin::results::{FinishedResult, write_whole};
 use loosepin::study::files::{bounds_csv, surrogates_json};
 use loosepin::study::{self, SavedSurrogates, StudyRun, read_study};
@@ -91,9 +91,9 @@ impl StudyResult {
         text.map_err(|error| raise_problem(&error))
     }
 
-    /// The answer and the tables of the terminal.
-    fn text(&self) -> String {
-        study_text(&self.result)
+    /// The first screen of the terminal, or all of its text.
+    fn text(&self, all: bool) -> String {
+        if all { study_text(&self.result) } else { short_study_text(&self.result) }
     }
 
     /// The text of `report.html`.

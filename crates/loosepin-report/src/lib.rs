@@ -58,14 +58,17 @@ pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{
     CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_page, motion_text,
-    spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
+    short_motion_text, spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences,
+    spatial_motion_text,
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
-pub use simulation::{simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
+pub use simulation::{
+    short_simulation_text, simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text,
+};
 pub use spatial::figure::SpaceDrawing;
 pub use study::page::{KnownValue, known_values, study_excerpt, study_frame, study_page};
 pub use study::short_answer::{motion_sentences, study_sentences};
-pub use study::text::study_text;
+pub use study::text::{short_study_text, study_text};
 pub use sweep::{sweep_page, sweep_text};
 pub use words::witness::{WitnessWords, witness_words};
 pub use words::wording::verdict_words;

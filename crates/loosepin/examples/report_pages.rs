@@ -45,7 +45,11 @@ fn write_pages(folder: &Path) -> io::Result<()> {
     write_page(folder, "sweep", &report::sweep_page(&report_fixture::sweep::windows()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
-    fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))
+    fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))?;
+    fs::write(folder.join("study_short.txt"), report::short_study_text(&report_fixture::study::worn_pin()))?;
+    let simulation = report::short_simulation_text(&report_fixture::simulation::worn_pin());
+    fs::write(folder.join("simulation_short.txt"), simulation)?;
+    fs::write(folder.join("motion_short.txt"), report::short_motion_text(&report_fixture::motion::worn_pin()))
 }
 
 /// The motion of a four-bar with the paths of two points of its coupler, as the library computes it.

@@ -16,7 +16,7 @@ use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, run_and_write, show_found, write_and_print};
 use super::threads::threads;
-use crate::arguments::IdentifyArguments;
+use crate::arguments::{IdentifyArguments, ShownArguments};
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
@@ -52,7 +52,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
     let folder = claim.take()?;
     if folder.is_finished() {
         let answer = Identification::read(&folder)?;
-        show_found::<Identification>(folder)?;
+        show_found::<Identification>(folder, ShownArguments::default())?;
         return write_asked(&study, &answer, arguments);
     }
     run_and_write(folder, |folder| {
@@ -63,7 +63,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
             answer.plan = Some(plan);
         }
         answer.repeat = Repeat::new("identify", &stated(arguments), study.input_files());
-        write_and_print(&answer, folder)?;
+        write_and_print(&answer, folder, ShownArguments::default())?;
         write_asked(&study, &answer, arguments)
     })
 }

@@ -64,7 +64,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     };
     let (folder, store) = match begin_in_folder(&claim, open)? {
         ClaimOutcome::Open(folder, store) => (folder, store),
-        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder),
+        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder, arguments.shown),
     };
     console::message(&format!("{} new runs of {}", added.get(), units::counted_or_no(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);
@@ -80,7 +80,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         return Ok(Done::RoundOpen);
     }
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    show_outcome(concluded, "continue with the same command")
+    show_outcome(concluded, "continue with the same command", arguments.shown)
 }
 
 /// The folder of the results, the same as for a study on one machine.

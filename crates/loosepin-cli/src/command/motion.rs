@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use loosepin::accuracy::record::{MotionRecord, MotionVerdict};
 use loosepin::check::warnings;
-use loosepin::report::{motion_page, motion_text};
+use loosepin::report::{motion_page, motion_text, short_motion_text};
 use loosepin::results::{MOTION_FILE, ResultKind};
 use loosepin::simulate::motion_csv;
 use loosepin::study::InputFile;
@@ -28,17 +28,19 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let claim = claim(ResultKind::Motion, file.model().name(), inputs, &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {
-        return show_found::<MotionRecord>(folder);
+        return show_found::<MotionRecord>(folder, arguments.shown);
     }
     run_and_write(folder, |folder| {
         folder.write(MOTION_FILE, motion_csv(&record).as_bytes())?;
-        write_and_print(&record, folder)
+        write_and_print(&record, folder, arguments.shown)
     })
 }
 
 impl StoredResult for MotionRecord {
     const PAGE: fn(&Self) -> String = motion_page;
     const TEXT: fn(&Self) -> String = motion_text;
+    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+        Some((short_motion_text, "the efforts of the drives and all rows of the tables"));
 
     fn done(&self) -> Done {
         let is_met = self.requirements.iter().all(|requirement| requirement.verdict == MotionVerdict::Met);

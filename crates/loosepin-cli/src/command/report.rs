@@ -51,11 +51,11 @@ pub fn run(arguments: &ReportArguments) -> Ending {
     }
     let mut folder = ResultsFolder::reopen(&arguments.folder)?;
     match folder.kind() {
-        ResultKind::Simulation => show_stored::<SimulationRecord>(&mut folder),
-        ResultKind::Study => show_stored::<StudyResult>(&mut folder),
-        ResultKind::Sweep => show_stored::<SweepRecord>(&mut folder),
-        ResultKind::Motion => show_stored::<MotionRecord>(&mut folder),
-        ResultKind::Identification => show_stored::<Identification>(&mut folder),
+        ResultKind::Simulation => show_stored::<SimulationRecord>(&mut folder, arguments.shown),
+        ResultKind::Study => show_stored::<StudyResult>(&mut folder, arguments.shown),
+        ResultKind::Sweep => show_stored::<SweepRecord>(&mut folder, arguments.shown),
+        ResultKind::Motion => show_stored::<MotionRecord>(&mut folder, arguments.shown),
+        ResultKind::Identification => show_stored::<Identification>(&mut folder, arguments.shown),
         ResultKind::Networks => Err(ResultsError::NoPage { folder: folder.path().to_owned() }.into()),
     }
 }

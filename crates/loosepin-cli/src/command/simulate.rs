@@ -6,7 +6,7 @@ use loosepin::check::never_moving;
 use loosepin::measured::MeasuredTable;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, measured_argument};
-use loosepin::report::{simulation_page, simulation_text};
+use loosepin::report::{short_simulation_text, simulation_page, simulation_text};
 use loosepin::results::ResultKind;
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
 use loosepin::simulate::{Integrator, Plan, Settings, SmallestClearance};
@@ -43,12 +43,12 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
     check_measured(&mechanism, &measured)?;
     let folder = claim.take()?;
     if folder.is_finished() {
-        return show_found::<R>(folder);
+        return show_found::<R>(folder, arguments.shown);
     }
     run_and_write(folder, |folder| {
         let never = AtomicBool::new(false);
         let finished = run_into(folder, (&mechanism, &set), &plan, &measured, &simulation_page, &never)?;
-        let done = print_result(&R::from(finished.record), folder)?;
+        let done = print_result(&R::from(finished.record), folder, arguments.shown)?;
         // The files are kept to show the cause.
         finished.failure.map_or(Ok(done), |failure| Err(failure.into()))
     })
@@ -57,6 +57,8 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
 impl StoredResult for SimulationRecord {
     const PAGE: fn(&Self) -> String = simulation_page;
     const TEXT: fn(&Self) -> String = simulation_text;
+    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+        Some((short_simulation_text, "contact laws, oscillations, impacts per turn, wear and the energy balance"));
 
     fn done(&self) -> Done {
         match self.stop {

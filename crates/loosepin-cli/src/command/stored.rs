@@ -7,7 +7,7 @@ use loosepin::results::{Claim, Destination, InputsHash, REPORT_FILE, ResultKind,
 use loosepin::store::RunStore;
 use loosepin::units::counted_or_no;
 
-use crate::arguments::OutputArguments;
+use crate::arguments::{OutputArguments, ShownArguments};
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
@@ -46,8 +46,11 @@ pub trait StoredResult: Stored {
     /// The page of the result.
     const PAGE: fn(&Self) -> String;
 
-    /// The tables of the result for a terminal.
+    /// All of the result for a terminal.
     const TEXT: fn(&Self) -> String;
+
+    /// The first screen of [`Self::TEXT`], and what is left out of it; `None` where all is shown at once.
+    const SHORT: Option<(fn(&Self) -> String, &'static str)> = None;
 
     /// Reads the result.
     ///
@@ -68,34 +71,43 @@ pub trait StoredResult: Stored {
 ///
 /// # Errors
 /// A value that JSON cannot represent, or an error of the file system.
-pub fn write_and_print<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
+pub fn write_and_print<R: StoredResult>(record: &R, folder: &mut ResultsFolder, shown: ShownArguments) -> Ending {
     let text = record.to_json().map_err(|error| folder.foreign_file(SUMMARY_FILE, error))?;
     folder.write(SUMMARY_FILE, text.as_bytes())?;
     folder.write(REPORT_FILE, R::PAGE(record).as_bytes())?;
     folder.finish()?;
-    print_result(record, folder)
+    print_result(record, folder, shown)
 }
 
 /// Reports that the result already exists, and shows it.
-pub fn show_found<R: StoredResult>(mut folder: ResultsFolder) -> Ending {
+pub fn show_found<R: StoredResult>(mut folder: ResultsFolder, shown: ShownArguments) -> Ending {
     console::message(&format!(
         "{} already holds this {}: the report is written again (--force runs it again)",
         folder.path().display(),
         folder.kind().words()
     ));
-    show_stored::<R>(&mut folder)
+    show_stored::<R>(&mut folder, shown)
 }
 
-/// Writes the page again from the stored result, and prints the tables.
-pub fn show_stored<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
+/// Writes the page again from the stored result, and prints its text.
+pub fn show_stored<R: StoredResult>(folder: &mut ResultsFolder, shown: ShownArguments) -> Ending {
     let result = R::read(folder)?;
     folder.write(REPORT_FILE, R::PAGE(&result).as_bytes())?;
-    print_result(&result, folder)
+    print_result(&result, folder, shown)
 }
 
-/// Prints the tables and the path of the page.
-pub fn print_result<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
-    console::print(&R::TEXT(result))?;
+/// Prints the first screen of a result, or all of it, and the path of the page.
+pub fn print_result<R: StoredResult>(result: &R, folder: &ResultsFolder, shown: ShownArguments) -> Ending {
+    match R::SHORT.filter(|_| !shown.all) {
+        Some((short, left_out)) => {
+            let short = short(result);
+            console::print(&short)?;
+            if short != R::TEXT(result) {
+                console::message(&format!("--all adds {left_out}"));
+            }
+        }
+        None => console::print(&R::TEXT(result))?,
+    }
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(result.done())
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::SystemTime;
 
-use loosepin::report::{study_page, study_text};
+use loosepin::report::{short_study_text, study_page, study_text};
 use loosepin::results::{InputsHash, ResultKind, ResultsFolder};
 use loosepin::store::{ExistingRuns, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
@@ -17,7 +17,7 @@ use super::shard;
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, claim, print_result, show_found, show_reused_runs};
 use super::threads::threads;
-use crate::arguments::StudyArguments;
+use crate::arguments::{ShownArguments, StudyArguments};
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
@@ -43,7 +43,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         ClaimOutcome::Open(folder, store) => (folder, store),
-        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder),
+        ClaimOutcome::Finished(folder) => return show_found::<StudyResult>(folder, arguments.shown),
     };
     show_reused_runs(&store);
     let threads = threads(arguments.threads);
@@ -53,7 +53,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    show_outcome(concluded, "continue with the same command and --resume")
+    show_outcome(concluded, "continue with the same command and --resume", arguments.shown)
 }
 
 /// Reads a study file and the options of the command line that change it, its settings, accuracies and paths; also returns the hash of all inputs.
@@ -81,9 +81,9 @@ pub fn read_study_with_options(
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub fn show_outcome(concluded: StudyOutcome, hint: &str) -> Ending {
+pub fn show_outcome(concluded: StudyOutcome, hint: &str, shown: ShownArguments) -> Ending {
     match concluded {
-        StudyOutcome::Finished { run, folder } => print_result(&run.result, &folder),
+        StudyOutcome::Finished { run, folder } => print_result(&run.result, &folder, shown),
         StudyOutcome::Interrupted { finished, most_runs, folder } => {
             let count = finished.columns.first().map_or(0, |column| column.data.len());
             console::message(&format!(
@@ -98,6 +98,8 @@ pub fn show_outcome(concluded: StudyOutcome, hint: &str) -> Ending {
 impl StoredResult for StudyResult {
     const PAGE: fn(&Self) -> String = study_page;
     const TEXT: fn(&Self) -> String = study_text;
+    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+        Some((short_study_text, "every bound and where it is attained, the three treatments, runs and assumptions"));
 
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
         read_summary(&folder.finished()).map_err(|error| Failure::of(&error))

@@ -15,7 +15,7 @@ use super::inputs::{add_planar_model, check_tolerance, read_model, warn};
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
 use super::threads::threads;
-use crate::arguments::SweepArguments;
+use crate::arguments::{ShownArguments, SweepArguments};
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
@@ -34,7 +34,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     warn(&never_moving(&mechanism, &set.values));
     let folder = claim.take()?;
     if folder.is_finished() {
-        return show_found::<SweepRecord>(folder);
+        return show_found::<SweepRecord>(folder, ShownArguments::default());
     }
     let stop = stop_on_signals("Ctrl-C ends the sweep at once");
     let bar = Bar::new();
@@ -52,7 +52,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         record.repeat = request.repeat(&model);
         folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
         folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
-        write_and_print(&record, folder)
+        write_and_print(&record, folder, ShownArguments::default())
     })
 }
 

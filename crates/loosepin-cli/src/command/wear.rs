@@ -7,7 +7,7 @@ use loosepin::simulate::record::SimulationRecord;
 use super::inputs::read_model;
 use super::simulate::simulate_and_show;
 use super::stored::StoredResult;
-use crate::arguments::{IntegratorKind, SimulateArguments, WearArguments};
+use crate::arguments::{IntegratorKind, ShownArguments, SimulateArguments, WearArguments};
 use crate::ending::{Done, Ending};
 
 /// Simulates a cycle or reads the stored simulation, and shows the wear of its joints.
@@ -21,6 +21,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
         transient,
         tolerance,
         output,
+        shown: ShownArguments::default(),
         path: Vec::new(),
         states: false,
         samples: None,

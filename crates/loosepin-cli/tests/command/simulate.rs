@@ -275,7 +275,7 @@ fn identity_a_clearance_of_zero_is_the_ideal_mechanism() {
 #[test]
 fn a_finished_run_is_told_and_its_report_written_again() {
     let desk = Desk::with_model("slider_crank_5000");
-    let arguments = ["simulate", "model.toml", "--turns", "0.5"];
+    let arguments = ["simulate", "model.toml", "--turns", "0.5", "--all"];
     let Said { output, messages, .. } = desk.succeed(&arguments);
     let report = messages.trim_end().strip_prefix("report: ").expect("the place of the report").to_owned();
     let folder = report.strip_suffix("/report.html").expect("in the folder").to_owned();
@@ -294,13 +294,13 @@ fn a_finished_run_is_told_and_its_report_written_again() {
     );
     assert_eq!(desk.read(&report), first_page);
     desk.write(&report, "spoilt");
-    assert_eq!(desk.succeed(&["report", &folder]).output, output);
+    assert_eq!(desk.succeed(&["report", &folder, "--all"]).output, output);
     assert_eq!(desk.read(&report), first_page);
     // Made anew, it is the same.
     desk.succeed(&["simulate", "model.toml", "--turns", "0.5", "--force"]);
     assert_eq!(desk.read(&format!("{folder}/history.csv")), history);
     // Other inputs, another folder.
-    let other = desk.succeed(&["simulate", "model.toml", "--turns", "0.4"]).messages;
+    let other = desk.succeed(&["simulate", "model.toml", "--turns", "0.4", "--all"]).messages;
     assert_ne!(other.trim_end(), format!("report: {report}"));
 }
 

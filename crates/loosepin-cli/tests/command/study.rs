@@ -101,7 +101,8 @@ fn identity_one_and_two_threads_write_the_same_bytes() {
     let two = desk.succeed(&["study", "study.toml", "--threads", "2", "--out", "two"]);
     assert_eq!(one.output, two.output);
     assert!(one.output.starts_with("a tenth of a turn\n"));
-    assert_eq!(one.messages, "report: one/report.html\n", "no progress where there is no terminal");
+    let rest = "--all adds every bound and where it is attained, the three treatments, runs and assumptions\n";
+    assert_eq!(one.messages, format!("{rest}report: one/report.html\n"), "no progress where there is no terminal");
     for file in ["summary.json", "bounds.csv", "runs.parquet", "report.html", "loosepin.json"] {
         let bytes = |folder: &str| fs::read(desk.path(folder).join(file)).expect("written");
         assert!(bytes("one") == bytes("two"), "{file} differs");
@@ -121,7 +122,8 @@ fn a_requirement_that_is_not_met_is_exit_status_1() {
     assert_eq!((again.status, &again.output), (1, &said.output));
     assert_eq!(
         again.messages,
-        "bounds already holds this study: the report is written again (--force runs it again)\nreport: bounds/report.html\n"
+        "bounds already holds this study: the report is written again (--force runs it again)\n\
+         --all adds every bound and where it is attained, the three treatments, runs and assumptions\nreport: bounds/report.html\n"
     );
     let report = desk.run(&["report", "bounds"]);
     assert_eq!((report.status, &report.output), (1, &said.output));
@@ -197,7 +199,7 @@ fn check_tells_what_is_one_of_a_list() {
 #[test]
 fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
     let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
-    let reached = desk.succeed(&["study", "study.toml", "--accuracy", "slider.mean=20um", "--out", "near"]);
+    let reached = desk.succeed(&["study", "study.toml", "--accuracy", "slider.mean=20um", "--out", "near", "--all"]);
     assert!(
         reached.output.contains("\nAccuracy of the bounds\n\n- All bounds reach the required accuracy after "),
         "{}",

@@ -252,7 +252,7 @@ fn the_ideal_motion_of_a_mechanism_that_forces_move_is_that_of_a_run_without_pla
         "model.toml:45:2: error[E0701]: the drives alone do not determine the motion: it follows from the forces, which this command does not compute\n\
          hint: use `loosepin simulate` or a study: their ideal motion is that under the same forces without play",
     );
-    let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]);
+    let said = desk.succeed(&["simulate", "model.toml", "--out", "run", "--all"]);
     assert!(said.output.contains("energy balance"), "{}", said.output);
     let history = std::fs::read_to_string(desk.path("run/history.csv")).expect("the history is there");
     // Without drives the ideal values are those of the same run without play.

@@ -588,7 +588,11 @@ class Simulation(NotebookDisplay, NoArray, Mapping[str, Array]):
         return hash((self._native.model, len(self.time_s), tuple(self)))
 
     def __str__(self) -> str:
-        return self._native.text()
+        return self.text()
+
+    def text(self, *, all: bool = False) -> str:
+        """What `print` shows: the answer, warnings and main tables; with `all`, every table and how it was computed."""
+        return self._native.text(all)
 
     def __repr__(self) -> str:
         return f"<loosepin.Simulation of {self._native.model!r}, {len(self.time_s)} rows, outputs {', '.join(self)}>"

@@ -227,7 +227,11 @@ class StudyResult(NotebookDisplay, NoArray):
         return self._native.summary_json(), samples, self._native.surrogates_json()
 
     def __str__(self) -> str:
-        return self._native.text()
+        return self.text()
+
+    def text(self, *, all: bool = False) -> str:
+        """What `print` shows: the answer, warnings and main tables; with `all`, every table and how it was computed."""
+        return self._native.text(all)
 
     def __repr__(self) -> str:
         runs = self.summary["counts"]["runs"]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::accuracy::record::MotionRecord;
-use loosepin::report::{mechanism_picture, motion_page, motion_text};
+use loosepin::report::{mechanism_picture, motion_page, motion_text, short_motion_text};
 use loosepin::results::{MOTION_FILE, ResultKind, write_whole};
 use loosepin::simulate::motion_csv;
 use loosepin::study::{InputFile, RecordFiles, read_record};
@@ -57,9 +57,9 @@ impl Motion {
         to_json(&self.0)
     }
 
-    /// The tables of the terminal.
-    fn text(&self) -> String {
-        motion_text(&self.0)
+    /// The first screen of the terminal, or all of its text.
+    fn text(&self, all: bool) -> String {
+        if all { motion_text(&self.0) } else { short_motion_text(&self.0) }
     }
 
     /// Writes `report.html`, whole or not at all.

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::{self, Diagnostics};
-use loosepin::report::{Frame, simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text};
+use loosepin::report::{
+    Frame, short_simulation_text, simulation_excerpt, simulation_frame, simulation_page, simulation_text, wear_text,
+};
 use loosepin::results::ResultKind;
 use loosepin::simulate::record::{EndState, OutputHistory, SimulationRecord};
 use loosepin::simulate::{
@@ -185,9 +187,9 @@ impl Simulation {
         impacts_csv(&self.0.record)
     }
 
-    /// The tables of the terminal.
-    fn text(&self) -> String {
-        simulation_text(&self.0.record)
+    /// The first screen of the terminal, or all of its text.
+    fn text(&self, all: bool) -> String {
+        if all { simulation_text(&self.0.record) } else { short_simulation_text(&self.0.record) }
     }
 
     /// The tables of the terminal on the wear of its joints.

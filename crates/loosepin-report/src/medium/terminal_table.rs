@@ -47,10 +47,30 @@ pub(crate) fn trimmed(table: &Table) -> String {
     lines.join("\n")
 }
 
-/// A sentence on lines of `columns`, or on one line where there are none; further lines stand below the text of a bullet.
+/// A sentence on lines of `columns`, or on one line where there are none; further lines stand below the text of a bullet. No word is cut at
+/// a hyphen: `1.6e-6` is a number.
 pub(crate) fn wrapped(sentence: &str, bullet: &str, columns: Option<u16>) -> String {
     let Some(columns) = columns else { return format!("{bullet}{sentence}") };
     let indent = " ".repeat(bullet.len());
-    let options = textwrap::Options::new(usize::from(columns)).initial_indent(bullet).subsequent_indent(&indent);
+    let options = textwrap::Options::new(usize::from(columns))
+        .initial_indent(bullet)
+        .subsequent_indent(&indent)
+        .word_splitter(textwrap::WordSplitter::NoHyphenation);
     textwrap::fill(sentence, options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn numbers_with_exponents_and_their_units_stay_together() {
+        let sentence = "exceeded by 1.6e-6\u{a0}mm at most, 2e-12\u{a0}m/s^2 and -3.5e-10\u{a0}N";
+        let numbers = ["1.6e-6\u{a0}mm", "2e-12\u{a0}m/s^2", "-3.5e-10\u{a0}N"];
+        for columns in 14..60 {
+            let lines = wrapped(sentence, "- ", Some(columns));
+            let is_whole = |number: &&str| lines.lines().any(|line| line.contains(**number));
+            assert!(numbers.iter().all(|number| is_whole(&number)), "{columns} columns:\n{lines}");
+        }
+    }
 }

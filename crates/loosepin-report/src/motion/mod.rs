@@ -38,4 +38,4 @@ pub use page::motion_page;
 pub use spatial::{
     spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
 };
-pub use text::motion_text;
+pub use text::{motion_text, short_motion_text};

@@ -1,8 +1,10 @@
 //! Between what the outputs move, and how far play moves them.
 
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS};
+use crate::words::round_off::size_m;
 use crate::words::wording::{head, named_words};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::round_off::round_off_si;
 use loosepin_text::article::{Cell, Column, Content, Section, Table};
 
 use super::charts::range;
@@ -24,7 +26,10 @@ pub(super) fn ranges_section(record: &MotionRecord, writer: &NumberWriter) -> Op
 fn row(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Vec<Cell> {
     let effect = play_effect(record, output);
     // The ideal motion has no error.
-    let ends = range(output, "position", &output.value_si, &output.unit, writer);
+    let threshold_si = round_off_si(&output.unit, size_m(&record.drawing));
+    let without_round_off = |value_si: &f64| if value_si.abs() < threshold_si { 0.0 } else { *value_si };
+    let values_si: Vec<f64> = output.value_si.iter().map(without_round_off).collect();
+    let ends = range(output, "position", &values_si, &output.unit, writer);
     let [smallest, largest] = ends.map_or([None, None], |ends| ends.map(Some));
     let play = effect.largest_si.is_finite().then(|| {
         [

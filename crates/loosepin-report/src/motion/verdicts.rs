@@ -32,7 +32,7 @@ pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) ->
         .requirements
         .iter()
         .any(|requirement| requirement.verdict == MotionVerdict::Met)
-        .then(|| "Elastic contacts and bending bodies add to this; only runs show how much.".to_owned());
+        .then(|| "Elastic contacts and bending bodies add to this: `loosepin study` shows how much.".to_owned());
     requirements.chain(allowances).map(Said::answer).chain(rests_on.map(Said::detail)).collect()
 }
 
@@ -57,9 +57,9 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
         format!("{low} to {high}")
     };
     let share = match requirement.share_within_limits {
-        1.0 => "All parts lie within the limits that are stated for them.".to_owned(),
+        1.0 => "This holds for all parts within their stated limits.".to_owned(),
         share => format!(
-            "At least {} of the mechanisms have all parts within the limits stated for them, or within ±{} standard deviations.",
+            "This holds while all parts lie within their stated limits, or ±{1} standard deviations: at least {0} of the mechanisms.",
             writer.with_tag(&tag("share within limits")).percent(share, Rounding::Down),
             writer.with_tag(&Tag::Given("standard deviations")).count(3)
         ),
@@ -68,7 +68,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
     let end = match verdict {
         MotionVerdict::Met => {
             format!(
-                "Proven: with such parts, and with any position within the play, it stays within {}. {share}",
+                "Proven: it stays within {}, at any position within the play. {share}",
                 between("proven", *proven_si)
             )
         }

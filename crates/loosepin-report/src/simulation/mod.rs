@@ -30,4 +30,4 @@ mod wear_picture;
 mod wear_words;
 
 pub use page::{simulation_excerpt, simulation_frame, simulation_page};
-pub use text::{simulation_text, wear_text};
+pub use text::{short_simulation_text, simulation_text, wear_text};

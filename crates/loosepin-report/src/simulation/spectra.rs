@@ -100,10 +100,13 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
         Column::words(head("largest orders (amplitude)")),
     ];
     let row = |own: &Oscillation| {
+        let value = |part: &str, value_si: f64| {
+            writer.with_tag(&own.tag(part)).value(without_round_off(record, value_si, &own.unit), &own.unit)
+        };
         vec![
             own.name.clone(),
-            writer.with_tag(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
-            writer.with_tag(&own.tag("peak")).value(own.peak_si, &own.unit),
+            value("root mean square", own.spectrum.rms_si),
+            value("peak", own.peak_si),
             dominant_words(record, own, writer),
         ]
     };

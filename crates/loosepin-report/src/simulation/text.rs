@@ -3,9 +3,9 @@
 use crate::medium::article_text::terminal_text;
 use crate::numbers::number::NumberWriter;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
-use loosepin_text::article::Section;
+use loosepin_text::article::{Block, Content, Section};
 
-use super::answer::headline_sentences;
+use super::answer::{RunSentences, run_answer};
 use super::contact::contact_section;
 use super::extremes::extremes_section;
 use super::measured::measured_section;
@@ -13,16 +13,14 @@ use super::method::method_section;
 use super::spectra::spectrum_section;
 use super::wear::wear_section;
 
-/// One run as text for a terminal: the answer, extremes, joints, counters.
+/// One run as text for a terminal: all that [`short_simulation_text`] has, then contact laws, oscillations, wear, work.
 pub fn simulation_text(record: &SimulationRecord) -> String {
     let writer = &NumberWriter::for_terminal(&record.display_units);
-    let failed = match &record.stop {
-        StopReason::Failed { words, .. } => Some(format!("the run failed: {words}")),
-        StopReason::Finished => None,
-    };
-    let answer = failed.into_iter().chain(headline_sentences(record, writer));
+    let RunSentences { answers, warnings, details } = run_answer(record, writer);
     let sections = [
-        Some(Section::of_sentences("answer", answer)),
+        Some(answer_section(record, answers)),
+        warnings_section(warnings),
+        Some(Section::of_sentences("details", details)),
         extremes_section(record, writer),
         spectrum_section(record, writer),
         contact_section(record, writer),
@@ -31,6 +29,52 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         Some(method_section(record, writer)),
     ];
     terminal_text(&record.model, sections.into_iter().flatten())
+}
+
+/// The first screen of [`simulation_text`]: the answer, warnings, extremes and joints.
+pub fn short_simulation_text(record: &SimulationRecord) -> String {
+    let writer = &NumberWriter::for_terminal(&record.display_units);
+    let RunSentences { answers, warnings, .. } = run_answer(record, writer);
+    let sections = [
+        Some(answer_section(record, answers)),
+        warnings_section(warnings),
+        extremes_section(record, writer).map(short),
+        contact_section(record, writer).map(short),
+        measured_section(record, writer),
+    ];
+    terminal_text(&record.model, sections.into_iter().flatten())
+}
+
+fn answer_section(record: &SimulationRecord, answers: Vec<String>) -> Section {
+    let failed = match &record.stop {
+        StopReason::Failed { words, .. } => Some(format!("the run failed: {words}")),
+        StopReason::Finished => None,
+    };
+    Section::of_sentences("answer", failed.into_iter().chain(answers))
+}
+
+/// What puts the answer in doubt; `None` if nothing does.
+fn warnings_section(warnings: Vec<String>) -> Option<Section> {
+    let mut section = Section::new("warnings", "Warnings");
+    let has_any = !warnings.is_empty();
+    section.push_close(Content::points(warnings));
+    has_any.then_some(section)
+}
+
+/// The first table of a section with its note and its first rows: the others stand in the whole text.
+fn short(mut section: Section) -> Section {
+    const ROWS: usize = 10;
+    let is_table = |block: &Block| matches!(block.content, Content::Table(_));
+    let tables = section.blocks.iter().enumerate().filter(|(_, block)| is_table(block)).map(|(place, _)| place);
+    if let Some(second) = tables.skip(1).next() {
+        section.blocks.truncate(second);
+    }
+    for block in &mut section.blocks {
+        if let Content::Table(table) = &mut block.content {
+            table.groups.iter_mut().for_each(|group| group.rows.truncate(ROWS));
+        }
+    }
+    section
 }
 
 /// The wear of the joints of a run as text for a terminal.

@@ -4,16 +4,16 @@ use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::output_summary::{OutputSummary, between, largest, output_summaries, smallest};
 use crate::study::way_to_decide::way_to_decide;
-use crate::words::error::error_sentence;
+use crate::words::error::{ErrorWords, error_words};
 use crate::words::failed::failed_sentence;
 use crate::words::force::{JointForces, study_sentences};
-use crate::words::turn::turns_sentence;
+use crate::words::turn::{is_broken_later, turns_sentence};
 use crate::words::wording::{
     capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, path_part, place_words, verdict_words,
 };
 use loosepin_result::study::{
-    Deviation, DeviationCurve, FurtherOutput, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
-    Verdict,
+    Deviation, DeviationCurve, FurtherOutput, InputKind, JointImpacts, PathError, PromiseRecord, RequirementOutcome,
+    StudyResult, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -25,6 +25,8 @@ pub(crate) struct StudyAnswer {
     pub requirements: Vec<String>,
     /// Caveats that may overturn the verdict, or else the numbers of the answer.
     pub caveats: Vec<String>,
+    /// The caveat that overturns the verdict: runs that leave a limit in later turns.
+    pub overturns: Option<String>,
     /// The sentence on the output that matters most.
     pub headline: String,
     /// A sentence on every other output; empty where there is one output.
@@ -32,8 +34,10 @@ pub(crate) struct StudyAnswer {
     /// For which values all of these sentences hold; where there is one output, its own sentence says so.
     pub conditions: Option<String>,
     /// The numerical error, and what would reduce a large one.
-    pub error: String,
-    /// Scatter alone, runs and assumptions.
+    pub error: ErrorWords,
+    /// How narrow a peak between the unknown values that were tried may be.
+    pub gaps: Option<String>,
+    /// Scatter alone, gaps, runs and assumptions.
     pub details: Vec<String>,
     /// Whether a stated requirement is not met.
     pub verdict: Option<Verdict>,
@@ -63,42 +67,48 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     };
     let verdict = result.verdict();
     let mut caveats = caveats(result, writer);
+    let overturns = is_broken_later(result).then(|| turns_sentence(result, writer)).flatten();
     let mut details = Vec::new();
     let of_turns = if do_later_turns_matter(result, &answers) { &mut caveats } else { &mut details };
     of_turns.extend(turns_sentence(result, writer));
     let first = answers.first().copied();
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, first, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
-    details.extend(gaps_sentence(result, writer));
+    let gaps = gaps_words(result, writer);
+    details.extend(gaps.as_ref().map(|(peaks, runs)| format!("{peaks}.{runs}")));
+    let gaps = gaps.map(|(peaks, _)| format!("{peaks}."));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    let error = error_sentence(result, &answers, writer);
+    let error = error_words(result, &answers, writer);
     let failed = failed_sentence(result, writer);
-    StudyAnswer { failed, requirements, caveats, headline, further, conditions, error, details, verdict }
+    StudyAnswer {
+        failed,
+        requirements,
+        caveats,
+        overturns,
+        headline,
+        further,
+        conditions,
+        error,
+        gaps,
+        details,
+        verdict,
+    }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
 /// penetrations, and contacts below the least impact speed.
 fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
-    let beyond = result.impacts.iter().filter_map(|joint| {
-        let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
-        // A law that takes a restitution can take a smaller one.
-        let (reason, instead) = match joint.nominal_restitution {
-            Some(_) => (" Real parts rebound less at such speeds.", "a lower restitution"),
-            None => ("", "another contact law"),
-        };
-        Some(format!(
-            "{} of the impacts in {} are faster than the contact law is valid for.{reason} You may use the answer if a second study, with {instead}, gives nearly the same.",
-            writer.with_tag(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
-            joint.joint
-        ))
-    });
+    let beyond = result.impacts.iter().filter_map(|joint| JointForces::study(joint).beyond_validity(writer));
     let of_forces = |joint| {
         let of = JointForces::study(joint);
         [of.warning(writer), of.slow(writer)].into_iter().flatten()
     };
-    let soft = result.impacts.iter().flat_map(of_forces);
-    beyond.chain(soft).collect()
+    // A contact whose law does not hold is worse than one beyond its validity.
+    let (broken, sound): (Vec<&JointImpacts>, Vec<&JointImpacts>) =
+        result.impacts.iter().partition(|joint| JointForces::study(joint).is_law_broken());
+    let broken = broken.into_iter().flat_map(of_forces);
+    broken.chain(beyond).chain(sound.into_iter().flat_map(of_forces)).collect()
 }
 
 /// Whether later turns may change an answer: they break a limit, go further by more than its numerical error, or are not known.
@@ -303,17 +313,18 @@ pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
     }
 }
 
-/// How finely the box of the unknown values was seen. Where surrogates answer, direct runs stand at their bounds alone.
-fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
+/// How finely the box of the unknown values was seen, and by single runs. Where surrogates answer, direct runs stand at their bounds alone.
+fn gaps_words(result: &StudyResult, writer: &NumberWriter) -> Option<(String, String)> {
     let gaps = result.gaps.filter(|_| !is_by_surrogate(result))?;
     let tried = counted(result.counts.outer, "value", &writer.with_tag(&Tag::Count("values of the unknown inputs")));
     let Some([point_side, run_side]) =
         gaps.side(gaps.between_points).zip(gaps.side(gaps.between_runs)).map(<[f64; 2]>::from)
     else {
         let share = writer.with_tag(&Tag::Count("gap between points")).percent(gaps.between_points, Rounding::Up);
-        return Some(format!(
-            "Peaks that fill less than {share} of the box of the unknown inputs could be missed ({tried} tried)."
-        ));
+        let peaks = format!(
+            "Peaks that fill less than {share} of the box of the unknown inputs could be missed ({tried} tried)"
+        );
+        return Some((peaks, String::new()));
     };
     let whole = |side: f64, what| {
         // To whole percents: a gap is sought, not known.
@@ -324,10 +335,10 @@ fn gaps_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> 
     let single = if same_wording(&runs, &points) {
         String::new()
     } else {
-        format!("; single runs show those down to {runs} that stand out of their scatter")
+        format!(" Single runs resolve {runs}, for peaks above the scatter.")
     };
     let each = if gaps.axes == 1 { "the range of the unknown input" } else { "the range of each unknown input" };
-    Some(format!("Peaks narrower than {points} of {each} could be missed ({tried} tried){single}."))
+    Some((format!("Peaks narrower than {points} of {each} could be missed ({tried} tried)"), single))
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {

@@ -16,7 +16,29 @@ const LARGE_SHARE: f64 = 0.1;
 /// Largest multiple of the random samples that is advised: beyond it nobody would wait.
 const MAX_TIMES: f64 = 100.0;
 
-pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> String {
+/// The numerical error of an answer in sentences.
+pub(crate) struct ErrorWords {
+    /// How large it is.
+    pub size: String,
+    /// What would reduce a large one, and the errors of other numbers; empty, or with a blank before it.
+    pub further: String,
+    /// Bounds that are not confirmed or have no end; empty, or with a blank before it.
+    pub doubts: String,
+}
+
+impl ErrorWords {
+    /// All of it.
+    pub fn all(&self) -> String {
+        format!("{}{}{}", self.size, self.further, self.doubts)
+    }
+
+    /// Its size, and what puts the answer in doubt.
+    pub fn short(&self) -> String {
+        format!("{}{}", self.size, self.doubts)
+    }
+}
+
+pub(crate) fn error_words(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> ErrorWords {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
@@ -44,22 +66,23 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
         };
         let (of, them) = of_several.unwrap_or((of, them));
         let of_band = of_band.map_or_else(String::new, |of_band| {
-            format!(" The band at single angles includes its own, up to {of_band}.")
+            format!(" The band at single angles has its own error, up to {of_band}, included in it.")
         });
-        Some(format!("Numerical error of {of}: at most {error}, included in {them}.{reduced}{of_band}"))
+        Some((format!("Numerical error of {of}: at most {error}, included in {them}."), reduced + &of_band))
     });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let endless = |bound: &&BoundRecord| [&bound.lower, &bound.upper].iter().any(|end| end.widened_si.is_infinite());
-    let mut sentence = match error_text {
-        Some(error) if answers.len() > 1 => {
-            format!("{error} The table of bounds shows those of the other answers, which are included as well.")
+    let (size, further) = match error_text {
+        Some((size, further)) if answers.len() > 1 => {
+            (size, further + " The table of bounds shows those of the other answers, which are included as well.")
         }
         Some(error) => error,
         None if headline.is_some() && mixed().count() > 0 && mixed().all(|bound| endless(&bound)) => {
-            "A bound without an end has no numerical error.".to_owned()
+            ("A bound without an end has no numerical error.".to_owned(), String::new())
         }
-        None => "The table of bounds shows the numerical error of each of them.".to_owned(),
+        None => ("The table of bounds shows the numerical error of each of them.".to_owned(), String::new()),
     };
+    let mut doubts = String::new();
     if inner > 0 {
         let is_answer = headline.is_some_and(|summary| summary.is_unconfirmed());
         let some = count(inner as u64, &writer.with_tag(&Tag::Count("unconfirmed bounds")));
@@ -76,7 +99,7 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
         } else {
             "increase 'inner'".to_owned()
         };
-        sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
+        doubts.push_str(&format!(" {subject} may be too narrow: {reason}."));
     }
     let quantiles = mixed().filter(endless).filter_map(|bound| bound.statistic.probability_of_quantile());
     let quantiles: Vec<f64> = quantiles.collect();
@@ -90,9 +113,9 @@ pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>]
                 format!("{some_words} of {all} bounds {}", if some == 1 { "has" } else { "have" })
             }
         };
-        sentence.push_str(&format!(" {subject} no end: {reason}."));
+        doubts.push_str(&format!(" {subject} no end: {reason}."));
     }
-    sentence
+    ErrorWords { size, further, doubts }
 }
 
 /// The bounds that the sentence on the number of `first` has, but for those whose error is not known.
@@ -228,13 +251,13 @@ fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &Numb
         writer.with_tag(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
     };
     let mut words = format!(
-        " Of this, {} comes from the search over the unknown values and decreases slowly with more of them (outer)",
+        " Of this, {} comes from the search over the unknown values (a larger outer reduces it slowly)",
         part("search", search_si)
     );
     if sampling_si > LARGE_SHARE * total_si {
         let (runs, setting) = more(4.0);
         words.push_str(&format!(
-            ", and {} from random samples: {runs} halve this part ({setting})",
+            ", and {} from the random samples ({runs} halve this part: {setting})",
             part("sampling", sampling_si)
         ));
     }

@@ -33,6 +33,8 @@ pub(crate) struct JointForces<'a> {
     has_impacts: bool,
     /// The fastest of them, where it is known, m/s.
     fastest_m_s: Option<f64>,
+    /// Whether they are those of a single run, not of a study.
+    is_of_run: bool,
     /// What distinguishes the ends of a range in tags; a single run has none.
     ends: [&'static str; 2],
 }
@@ -51,6 +53,7 @@ impl<'a> JointForces<'a> {
             contacts: joint.contacts,
             has_impacts: joint.impacts > 0,
             fastest_m_s: Some(joint.largest_speed_m_s),
+            is_of_run: true,
             ends: [""; 2],
         }
     }
@@ -67,6 +70,7 @@ impl<'a> JointForces<'a> {
             contacts: joint.floored_contacts,
             has_impacts: joint.impacts_per_turn[2] > 0.0,
             fastest_m_s: None,
+            is_of_run: false,
             ends: [" least", " most"],
         }
     }
@@ -149,6 +153,22 @@ impl<'a> JointForces<'a> {
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
     }
 
+    /// That impacts are faster than the law is valid for, and what to do; `None` if none is.
+    pub fn beyond_validity(&self, writer: &NumberWriter) -> Option<String> {
+        let share = self.share_outside_validity.filter(|share| *share > 0.0)?;
+        // A law that takes a restitution can take a smaller one.
+        let (reason, instead) = match self.restitution {
+            Some(_) => ("; real parts rebound less", "a lower restitution"),
+            None => ("", "another contact law"),
+        };
+        Some(format!(
+            "{} of the impacts in {} are faster than the contact law is valid for{reason}. Use the answer only if a {} with {instead} gives nearly the same.",
+            self.percent("impacts", "outside validity", share, writer),
+            self.joint,
+            if self.is_of_run { "run" } else { "study" }
+        ))
+    }
+
     /// Says where all contacts began below a least impact speed that the model has raised; `None` if it is the usual one.
     pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
         let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
@@ -169,6 +189,11 @@ impl<'a> JointForces<'a> {
         ))
     }
 
+    /// Whether a contact is so soft that the parts pass through each other: none that its law describes.
+    pub fn is_law_broken(&self) -> bool {
+        self.penetration_share > 1.0
+    }
+
     /// Meaning of a penetration beyond a tenth of the clearance; `None` below.
     pub fn warning(&self, writer: &NumberWriter) -> Option<String> {
         let share = Some(self.penetration_share).filter(|share| share.is_finite() && *share > DEEPEST_SHARE)?;
@@ -177,8 +202,7 @@ impl<'a> JointForces<'a> {
             self.joint,
             self.percent("penetration", "largest share", share, writer)
         );
-        // A contact so soft that the parts pass through each other is none that its law describes.
-        if share > 1.0 {
+        if self.is_law_broken() {
             return Some(format!("{reached}: the contact law does not hold. Check Young's modulus and the masses."));
         }
         let is_given = self.laws.iter().all(|(_, basis)| basis.shape == ContactShape::Given) && !self.laws.is_empty();
@@ -186,7 +210,7 @@ impl<'a> JointForces<'a> {
             format!("{reached}, more than a tenth: force and deviation depend on the given stiffness.")
         } else {
             format!(
-                "{reached}, more than a tenth. Contact laws assume a contact patch that is small compared with the pin, so force and deviation depend on the law: compare with another law."
+                "{reached}; contact laws hold up to about a tenth. Force and deviation depend on the law: compare with another one."
             )
         })
     }
@@ -235,13 +259,21 @@ fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter
     }
 }
 
-/// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
+/// The joints of a run that carried a force.
+fn forces_of_run(record: &SimulationRecord) -> impl Iterator<Item = JointForces<'_>> {
+    record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run)
+}
+
+/// The law behind the force of each joint of a run that carried one, and what puts these forces in doubt: impacts beyond the validity of the law,
+/// deep penetrations, slow contacts.
 pub(crate) fn run_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
-    let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run);
-    let of_joint = |of: JointForces| {
-        [of.sentence(writer).map(Said::detail), of.warning(writer).map(Said::caveat), of.slow(writer).map(Said::caveat)]
-    };
-    joints.flat_map(of_joint).flatten().collect()
+    let laws = forces_of_run(record).filter_map(|of| of.sentence(writer)).map(Said::detail);
+    // A contact whose law does not hold is worse than one beyond its validity.
+    let (broken, sound): (Vec<_>, Vec<_>) = forces_of_run(record).partition(JointForces::is_law_broken);
+    let broken = broken.iter().flat_map(|of| [of.warning(writer), of.beyond_validity(writer), of.slow(writer)]);
+    let beyond = sound.iter().map(|of| of.beyond_validity(writer));
+    let soft = sound.iter().flat_map(|of| [of.warning(writer), of.slow(writer)]);
+    laws.chain(broken.chain(beyond).chain(soft).flatten().map(Said::caveat)).collect()
 }
 
 /// The sentences on the joints whose contact force a study is asked about.

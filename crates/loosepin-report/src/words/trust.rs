@@ -54,7 +54,7 @@ impl TrustedRun<'_> {
         // A length to which it is right to its end is larger than that to which all of it is.
         let is_shown = |horizon: &&TrustHorizon| !horizon.is_end || whole.is_none();
         let horizons = measured.horizons.iter().filter(is_shown).filter_map(until);
-        let mut parts: Vec<String> = whole.iter().cloned().chain(horizons).collect();
+        let parts: Vec<String> = whole.iter().cloned().chain(horizons).collect();
         // Of lengths to which nothing is right the largest one says it of all.
         let never = measured.horizons.iter().filter(|horizon| horizon.until_s.is_none());
         let coarsest = never.max_by(|a, b| a.length_m.total_cmp(&b.length_m));
@@ -66,8 +66,11 @@ impl TrustedRun<'_> {
                 coarsest.map(given).unwrap_or_default()
             )];
         }
-        parts.extend(coarsest.map(|horizon| format!("to {} or less not even at the start", given(horizon))));
-        let mut sentences = vec![format!("{} can be trusted {}.", self.subject, listed(&parts))];
+        let mut sentences = vec![match (parts.is_empty(), coarsest.map(given)) {
+            (true, Some(never)) => format!("{} cannot be trusted to {never}.", self.subject),
+            (_, Some(never)) => format!("{} can be trusted {}; never to {never}.", self.subject, listed(&parts)),
+            (_, None) => format!("{} can be trusted {}.", self.subject, listed(&parts)),
+        }];
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
                 "Nothing is known about positions after {}: the second run that measures this did not finish ({failure}).",
@@ -77,8 +80,7 @@ impl TrustedRun<'_> {
                 "Nothing is known about positions: the second run that measures this did not start ({failure})."
             )),
             (None, _) if measured.whole_m.is_none() => sentences.push(
-                "After that the errors of the steps have grown: the run shows one of many possible histories. Statistics over many turns do not \
-                 need exact positions."
+                "After that the run shows one of many possible histories. Statistics over many turns do not need exact positions."
                     .to_owned(),
             ),
             (None, _) => {}

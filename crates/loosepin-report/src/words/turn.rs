@@ -15,10 +15,10 @@ pub(crate) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Opt
     let share = result.settled_share.filter(|share| *share < 1.0)?;
     let finished = result.counts.runs - result.counts.failed;
     let runs = share_of_runs(1.0 - share, finished, &writer.with_tag(&Tag::whole("settled", "not")));
-    let first = format!("In {runs} the motion does not repeat itself from turn to turn");
+    let first = format!("In {runs} the motion does not repeat from turn to turn");
     Some(match &result.further_turns {
         None => format!(
-            "{first}: other turns than the recorded ones may deviate more. Record more turns (recorded_turns) to see how much."
+            "{first}: later turns may deviate more than the recorded ones. Record more turns (recorded_turns) to see how much."
         ),
         Some(further) => {
             format!("{first}. {}{}", excess_words(result, further, writer), broken_words(result, further, writer))
@@ -26,10 +26,10 @@ pub(crate) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Opt
     })
 }
 
-/// "64 of these runs were continued for 5 turns. They exceed the largest deviation of slider by 0.03 mm on average and 0.1 mm at most."
+/// "In 5 further turns (64 runs), the largest deviation of slider grew by at most 0.1 mm (mean 0.03 mm)."
 fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
-    let turns = counted(u64::from(further.turns), "turn", &writer.with_tag(&Tag::Given("further turns")));
-    let runs = count(further.runs, &writer.with_tag(&Tag::Count("continued runs")));
+    let turns = counted(u64::from(further.turns), "further turn", &writer.with_tag(&Tag::Given("further turns")));
+    let runs = counted(further.runs, "run", &writer.with_tag(&Tag::Count("continued runs")));
     let mut told: Vec<&FurtherOutput> = Vec::new();
     // Parts of a deviation are in the files.
     let (whole, parts): (Vec<_>, Vec<_>) =
@@ -39,27 +39,27 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
             told.push(one);
         }
     }
-    let [were, they, exceed, do_not] = match further.runs {
-        1 => ["was", "It", "exceeds", "does not"],
-        _ => ["were", "They", "exceed", "do not"],
-    };
-    let exceeds = |one: &&FurtherOutput| {
+    let excess = |one: &&FurtherOutput| {
         let unit = output_unit(result, &one.output);
         let what = extreme_words(one, result);
+        let [went, did_not] = match one.reduction {
+            Reduction::Minimum => ["fell", "did not fall"],
+            _ => ["grew", "did not grow"],
+        };
         if !(one.largest_excess_si > 0.0) {
-            return format!("{do_not} exceed {what}");
+            return format!("{what} {did_not}");
         }
         let of = |part: &str, value_si: f64, rounding| {
             writer.with_tag(&Tag::further_turns(one, part)).rounded(value_si, &unit, DIGITS, rounding)
         };
         format!(
-            "{exceed} {what} by {} on average and {} at most",
-            of("mean excess", one.mean_excess_si, Rounding::Nearest),
-            of("largest excess", one.largest_excess_si, Rounding::Up)
+            "{what} {went} by at most {} (mean {})",
+            of("largest excess", one.largest_excess_si, Rounding::Up),
+            of("mean excess", one.mean_excess_si, Rounding::Nearest)
         )
     };
-    let told: Vec<String> = told.iter().map(exceeds).collect();
-    format!("{runs} of these runs {were} continued for {turns}. {they} {}.", listed(&told))
+    let told: Vec<String> = told.iter().map(excess).collect();
+    format!("In {turns} ({runs}), {}.", listed(&told))
 }
 
 /// `the largest deviation of slider`; `the smallest value of force`.
@@ -76,18 +76,26 @@ fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
     }
 }
 
-/// " None of them leaves the limit of slider only then."
+/// " No further run left the limit of slider."
 fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
     let of_one = |(requirement, broken): (&RequirementOutcome, &Option<u64>)| {
+        let output = &requirement.output;
         let tag = Tag::requirement(requirement, "broken later");
-        let (who, leaves) = match (*broken)? {
-            0 => ("None".to_owned(), "leaves"),
-            1 => (writer.with_tag(&tag).count(1), "leaves"),
-            more => (writer.with_tag(&tag).count(more), "leave"),
-        };
-        Some(format!(" {who} of them {leaves} the limit of {} only in these turns.", requirement.output))
+        Some(match (*broken)? {
+            0 => format!(" No further run left the limit of {output}."),
+            more => format!(
+                " {} of them left the limit of {output} only then: over more turns, fewer mechanisms keep it than stated.",
+                writer.with_tag(&tag).count(more)
+            ),
+        })
     };
     result.requirements.iter().zip(&further.broken_later).filter_map(of_one).collect()
+}
+
+/// Whether runs that kept a limit left it in later turns: the shares of the requirements are too large then.
+pub(crate) fn is_broken_later(result: &StudyResult) -> bool {
+    let broken = result.further_turns.iter().flat_map(|further| &further.broken_later);
+    broken.flatten().any(|runs| *runs > 0)
 }
 
 /// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.

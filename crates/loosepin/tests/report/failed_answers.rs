@@ -69,9 +69,12 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     assert_says(&result, "1 of 3 bounds may be too narrow: increase 'inner'.");
     let mut answer = result.clone();
     answer.bounds[0].guarantee = Guarantee::Inner;
-    assert_says(&answer, "up to 0.005 mm. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.");
+    assert_says(
+        &answer,
+        "up to 0.005 mm, included in it. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.",
+    );
     answer.bounds[1].guarantee = answer.bounds[2].guarantee;
-    assert_says(&answer, "up to 0.005 mm. This answer may be too narrow: increase 'inner'.");
+    assert_says(&answer, "up to 0.005 mm, included in it. This answer may be too narrow: increase 'inner'.");
     assert_says(
         &result,
         "17536 runs, 3 failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \

@@ -180,12 +180,9 @@ fn impacts_beyond_the_law_say_when_the_answer_may_be_used() {
     let mut result = worn_pin();
     assert_says(
         &result,
-        "- 98.1 % of the impacts in gudgeon are faster than the contact law is valid for. Real parts rebound less at such speeds. You may use \
-         the answer if a second study, with a lower restitution, gives nearly the same. -",
+        "- 98.1 % of the impacts in gudgeon are faster than the contact law is valid for; real parts rebound less. Use the answer \
+         only if a study with a lower restitution gives nearly the same. -",
     );
     result.impacts[0].nominal_restitution = None;
-    assert_says(
-        &result,
-        "valid for. You may use the answer if a second study, with another contact law, gives nearly the same.",
-    );
+    assert_says(&result, "valid for. Use the answer only if a study with another contact law gives nearly the same.");
 }

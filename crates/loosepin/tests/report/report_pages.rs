@@ -4,7 +4,8 @@ use super::report_fixture;
 use std::collections::BTreeSet;
 
 use loosepin::report::{
-    motion_page, motion_text, simulation_page, simulation_text, study_page, study_text, sweep_page,
+    motion_page, motion_text, short_motion_text, short_simulation_text, short_study_text, simulation_page,
+    simulation_text, study_page, study_text, sweep_page,
 };
 use loosepin::units::SiUnit;
 use scraper::{ElementRef, Html, Selector};
@@ -511,12 +512,58 @@ fn pinned_terminal_text() {
             include_str!("../expected/simulation.txt"),
         ),
         ("motion", motion_text(&report_fixture::motion::worn_pin()), include_str!("../expected/motion.txt")),
+        (
+            "short study",
+            short_study_text(&report_fixture::study::worn_pin()),
+            include_str!("../expected/study_short.txt"),
+        ),
+        (
+            "short simulation",
+            short_simulation_text(&report_fixture::simulation::worn_pin()),
+            include_str!("../expected/simulation_short.txt"),
+        ),
+        (
+            "short motion",
+            short_motion_text(&report_fixture::motion::worn_pin()),
+            include_str!("../expected/motion_short.txt"),
+        ),
     ];
     for (name, text, expected) in expected {
         assert_eq!(text, expected, "{name}: cargo run --example report_pages writes the text of today");
         for line in text.lines().filter(|line| !line.contains("loosepin simulate")) {
             assert!(line.chars().count() <= TERMINAL_CHARACTERS, "{name}: {line}");
             assert_eq!(line, line.trim_end(), "{name}: blanks at the end of a line");
+        }
+    }
+}
+
+#[test]
+fn a_first_screen_has_at_most_40_lines_and_nothing_that_the_whole_text_lacks() {
+    /// With the two lines of the command on its report.
+    const LINES: usize = 38;
+    let (mut study, outputs) = (report_fixture::study::worn_pin(), report_fixture::study::with_outputs(8));
+    // The study of the README has one requirement, asks for nothing else, and no run fails.
+    study.requirements.truncate(1);
+    study.allowances.clear();
+    (study.together, study.allocation) = (None, None);
+    study.answers.clear();
+    study.failures.clear();
+    let run = report_fixture::simulation::worn_pin();
+    let [motion, four_bar] = [report_fixture::motion::worn_pin(), report_fixture::motion::four_bar()];
+    let texts = [
+        ("study", short_study_text(&study), study_text(&study), LINES),
+        // A sentence on each of eight outputs.
+        ("outputs", short_study_text(&outputs), study_text(&outputs), 2 * LINES),
+        ("simulation", short_simulation_text(&run), simulation_text(&run), LINES),
+        ("motion", short_motion_text(&motion), motion_text(&motion), LINES),
+        ("four-bar", short_motion_text(&four_bar), motion_text(&four_bar), LINES),
+    ];
+    for (name, short, whole, most) in texts {
+        assert!(short.lines().count() <= most, "{name}: {} lines\n{short}", short.lines().count());
+        let whole = whole.split_whitespace().collect::<Vec<_>>().join(" ");
+        for line in short.lines() {
+            let words = line.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(words.starts_with("---") || whole.contains(&words), "{name}: only on the first screen: {line}");
         }
     }
 }

@@ -228,7 +228,11 @@ class Motion(NoArray, Mapping[str, OutputMotion]):
         return hash((Motion, self.summary["model"], tuple(self)))
 
     def __str__(self) -> str:
-        return self._native.text()
+        return self.text()
+
+    def text(self, *, all: bool = False) -> str:
+        """What `print` shows: the answer, warnings and main tables; with `all`, every table and how it was computed."""
+        return self._native.text(all)
 
     def __repr__(self) -> str:
         return f"<loosepin.Motion of {self.summary['model']!r}, {len(self.drive_angle_rad)} angles, outputs {', '.join(self)}>"

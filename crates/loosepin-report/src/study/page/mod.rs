@@ -163,7 +163,7 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         p.headline { (answer.headline) }
         (further_markup(answer))
         @if answer.verdict.is_none() { (caveats) }
-        p.error { (answer.error) }
+        p.error { (answer.error.all()) }
         details.fold open {
             summary { "Runs and assumptions" }
             ul.details { @for detail in &answer.details { li { (detail) } } }

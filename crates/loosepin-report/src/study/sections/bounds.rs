@@ -2,7 +2,9 @@
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
-use crate::words::bound::{NO_ERROR, bound_error, bound_value, error_parts};
+use crate::study::output_summary::{OutputSummary, output_summaries};
+use crate::study::place_sentence::asked_of_same;
+use crate::words::bound::{NO_ERROR, bound_error, bound_value, error_parts, has_no_end};
 use crate::words::failed::{finished_words, why_no_end};
 use crate::words::wording::{
     MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
@@ -19,6 +21,20 @@ fn most_rows(medium: Medium) -> usize {
     }
 }
 
+/// Rows of an excerpt, at most.
+const EXCERPT_ROWS: usize = 8;
+/// The column of the table that tells where the upper bound is attained.
+const WITNESS_COLUMN: usize = 5;
+
+/// " for all values of the unknown inputs", where there are any.
+fn over_words(result: &StudyResult) -> String {
+    if has_unknown(&result.inputs) { format!(" for all values of the {UNKNOWN_INPUTS}") } else { String::new() }
+}
+
+fn terminal_heading(result: &StudyResult) -> String {
+    format!("Bounds{}, numerical error included", over_words(result))
+}
+
 /// `None` if no bound was asked for.
 pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     if result.bounds.is_empty() {
@@ -30,11 +46,8 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         section.push(Content::sentences(only_curves(result.bounds.len(), writer)));
         return Some(section);
     }
-    let over = match has_unknown(&result.inputs) {
-        true => format!(" for all values of the {}", UNKNOWN_INPUTS),
-        false => String::new(),
-    };
-    let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));
+    let over = over_words(result);
+    let heading = Text::by_medium("Bounds", terminal_heading(result));
     let mut section = Section::new("bounds", heading);
     let what = format!(
         "Each statistic lies between its two bounds{over}. The bounds include their error and are rounded outwards."
@@ -53,6 +66,35 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         let more = count(left_of_table as u64, &writer.with_tag(&Tag::Count("bounds that the terminal leaves out")));
         section.push_on(Medium::Terminal, Content::Note(format!("{more} more in bounds.csv").into()));
     }
+    Some(section)
+}
+
+/// The bound that the first answer is of, or else the first of the key table; `None` if it has none.
+pub(super) fn answer_bound(result: &StudyResult) -> Option<&BoundRecord> {
+    let single = single_bounds(result);
+    let answers = output_summaries(result);
+    let is_answer = |bound: &&&BoundRecord| match answers.first() {
+        Some(OutputSummary::Largest(first, _) | OutputSummary::Bound(first)) => std::ptr::eq(*first, **bound),
+        Some(OutputSummary::Curve(curve)) => (&bound.output, bound.of) == (&curve.output, curve.of),
+        None => false,
+    };
+    single.iter().find(is_answer).or(single.first()).copied()
+}
+
+/// The bounds of the number of a run that the first answer is of, or else the first of the key table, for a terminal; `None` if it has none. Where
+/// they are attained is left out, unless a bound has no end: then its reason stands there.
+pub(crate) fn bounds_excerpt(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let first = answer_bound(result)?;
+    let own: Vec<&BoundRecord> = asked_of_same(result, first).into_iter().take(EXCERPT_ROWS).collect();
+    let mut table = table(result, &own, writer);
+    if !own.iter().any(|bound| has_no_end(bound)) {
+        table.columns.iter_mut().skip(WITNESS_COLUMN).for_each(|column| column.only = Some(Medium::Page));
+    }
+    // The heading of the only group stands close to that of the section.
+    let subjects: Vec<Text> = table.groups.iter_mut().map(|group| std::mem::take(&mut group.heading)).collect();
+    let mut section = Section::new("bounds", terminal_heading(result));
+    section.push_close(Content::Sentences(subjects));
+    section.push_close(Content::Table(table));
     Some(section)
 }
 

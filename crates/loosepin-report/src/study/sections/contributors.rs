@@ -7,20 +7,21 @@ use crate::medium::article_page::push_figure;
 use crate::numbers::number::{NumberWriter, Rounding, plain_name};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::study::output_summary::output_summaries;
+use crate::study::sections::bounds::answer_bound;
 use crate::words::wording::{capitalised, counted, listed, response_words};
 use loosepin_result::study::{
     Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange, StudyResult,
 };
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
-/// Inputs that [`contributors_overview`] shows.
+/// Inputs that [`contributors_overview`] and [`contributors_excerpt`] show.
 const MAX_SHOWN: usize = 6;
+/// Inputs that make the band less narrow than this are left out of the excerpt.
+const LEAST_SHOWN: f64 = 0.015;
 
 /// The inputs that make the band of the first answer wide, the widest first: one line each. `None` if none is known.
 pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter) -> Option<Markup> {
-    let first = output_summaries(result);
-    let of_first = |one: &&Contributors| first.first().is_some_and(|summary| summary.output() == one.output);
-    let one = result.contributors.iter().find(of_first).or(result.contributors.first())?;
+    let one = of_first_answer(result)?;
     let name = |path: &String| plain_name(path, &result.inputs);
     let random = one.random.iter().map(|input| {
         let name = listed(&input.paths.iter().map(name).collect::<Vec<String>>());
@@ -67,6 +68,74 @@ pub(crate) fn contributors_overview(result: &StudyResult, writer: &NumberWriter)
     })
 }
 
+/// The contributors to the band of the first answer.
+fn of_first_answer(result: &StudyResult) -> Option<&Contributors> {
+    let first = output_summaries(result);
+    let of_first = |one: &&Contributors| first.first().is_some_and(|summary| summary.output() == one.output);
+    result.contributors.iter().find(of_first).or(result.contributors.first())
+}
+
+/// "To narrow the band: measure gudgeon radial clearance (by 81 % to 84 %); tighten rod length (11 %)." The measurement and the tolerance
+/// that do most, for a terminal; `None` where neither does anything.
+pub(crate) fn what_narrows(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    /// Less is nothing in whole percents.
+    const LEAST_SHARE: f64 = 0.005;
+    let one = of_first_answer(result)?;
+    let name = |path: &String| plain_name(path, &result.inputs);
+    let random = one.random.iter().map(|input| {
+        let names = listed(&input.paths.iter().map(name).collect::<Vec<String>>());
+        (format!("tighten {names}"), [input.band_share; 2], Tag::contributors(one, "band", &input.paths.join(" ")))
+    });
+    let measurable = one.epistemic.iter().filter(|input| input.can_be_measured).map(|input| {
+        (format!("measure {}", name(&input.path)), input.band_share, Tag::contributors(one, "band", &input.path))
+    });
+    let largest = |means: &mut dyn Iterator<Item = (String, [f64; 2], Tag)>| {
+        let known = means.filter(|(_, share, _)| share[0].is_finite() && share[1] >= LEAST_SHARE);
+        known.max_by(|a, b| a.1[1].total_cmp(&b.1[1]))
+    };
+    let mut means: Vec<_> = [largest(&mut { measurable }), largest(&mut { random })].into_iter().flatten().collect();
+    means.sort_by(|a, b| b.1[1].total_cmp(&a.1[1]));
+    let told = means.into_iter().enumerate().filter_map(|(place, (what, share, tag))| {
+        let share = band_share(share, &writer.with_tag(&tag))?;
+        Some(format!("{what} ({}{share})", if place == 0 { "by " } else { "" }))
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty())
+        .then(|| Section::of_sentences("what-to-do", [format!("To narrow the band: {}.", told.join("; "))]))
+}
+
+/// The contributors to the band of the first answer, for a terminal; `None` if none is known.
+pub(crate) fn contributors_excerpt(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let one = of_first_answer(result).filter(|one| one.band_width_si.is_finite())?;
+    let mut section = Section::new("contributors", sensitivity_heading(one, writer));
+    let mut table = table(result, one, writer);
+    let random = one.random.iter().map(|input| input.band_share);
+    let shares: Vec<f64> = random.chain(one.epistemic.iter().map(|input| input.band_share[1])).collect();
+    let mut order: Vec<usize> = (0..shares.len()).filter(|place| shares[*place] >= LEAST_SHOWN).collect();
+    order.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
+    order.truncate(MAX_SHOWN);
+    for group in &mut table.groups {
+        group.rows = order.iter().filter_map(|place| group.rows.get(*place).cloned()).collect();
+    }
+    let title = std::mem::take(&mut table.title);
+    let is_of_answer =
+        answer_bound(result).is_some_and(|first| (&first.output, first.of, first.at) == (&one.output, one.of, one.at));
+    // The bounds above it have the same subject.
+    if !is_of_answer {
+        section.push_close(Content::Sentences(vec![title]));
+    }
+    section.push_close(Content::Table(table));
+    (!order.is_empty()).then_some(section)
+}
+
+fn sensitivity_heading(one: &Contributors, writer: &NumberWriter) -> String {
+    let band = band_probability(writer);
+    match one.band_width_si.is_finite() {
+        true => format!("Sensitivity: how much narrower the {band} band becomes without one input"),
+        false => format!("Sensitivity: the {band} band has no known width, so no share of it is known"),
+    }
+}
+
 /// `None` if no question has contributors.
 pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     if result.contributors.is_empty() {
@@ -75,12 +144,7 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
     let mut section = Section::headed_on_page("contributors", "Sensitivity");
     push_figure(&mut section, writer, || legend(writer));
     for one in &result.contributors {
-        let band = band_probability(writer);
-        let heading = match one.band_width_si.is_finite() {
-            true => format!("Sensitivity: how much narrower the {band} band becomes without one input"),
-            false => format!("Sensitivity: the {band} band has no known width, so no share of it is known"),
-        };
-        section.push_on(Medium::Terminal, Content::Heading(heading.into()));
+        section.push_on(Medium::Terminal, Content::Heading(sensitivity_heading(one, writer).into()));
         section.push(Content::Table(table(result, one, writer)));
     }
     Some(section)

@@ -19,19 +19,33 @@ pub(crate) fn runs_section(result: &StudyResult, writer: &NumberWriter) -> Secti
     let columns = vec![Column::words("Reason"), Column::numbers("Runs"), Column::words("Example")];
     let rows = result.failures.iter().map(|failure| failure_row(failure, writer));
     section.push_on(Medium::Page, Content::Table(Table::new(columns, rows)));
-    for failure in &result.failures {
-        let runs = counted(failure.count, "run", &writer.with_tag(&Tag::whole("failed runs", &failure.code)));
-        section.push_on(Medium::Terminal, Content::sentences([format!("{runs} failed: {}", failure.words)]));
-        // A command is one line, so that it can be copied.
-        let again = Content::Facts(vec![Fact::nameless(format!("again: {}", failure.example.command))]);
-        section.push_close_on(Medium::Terminal, again);
-    }
+    push_failures(&mut section, &result.failures, writer);
     for joint in &result.impacts {
         section.push_on(Medium::Page, Content::Heading(format!("Impacts in {}", joint.joint).into()));
         let facts = impact_facts(joint, turn_word(result.cycle.drive_speed_rad_s), writer);
         section.push_on(Medium::Page, Content::Facts(facts));
     }
     section
+}
+
+/// The most frequent failures, for a terminal; `None` if no run failed.
+pub(crate) fn failures_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    /// The others stand in the whole text.
+    const MOST: usize = 2;
+    let mut section = Section::headed_on_page("failures", "Failures");
+    push_failures(&mut section, &result.failures[..result.failures.len().min(MOST)], writer);
+    (!result.failures.is_empty()).then_some(section)
+}
+
+/// Each reason with how many runs failed for it, and one of them as a command.
+fn push_failures(section: &mut Section, failures: &[FailureGroup], writer: &NumberWriter) {
+    for failure in failures {
+        let runs = counted(failure.count, "run", &writer.with_tag(&Tag::whole("failed runs", &failure.code)));
+        section.push_on(Medium::Terminal, Content::sentences([format!("{runs} failed: {}", failure.words)]));
+        // A command is one line, so that it can be copied.
+        let again = Content::Facts(vec![Fact::nameless(format!("again: {}", failure.example.command))]);
+        section.push_close_on(Medium::Terminal, again);
+    }
 }
 
 /// All runs, those that failed, and those whose motion is periodic.
