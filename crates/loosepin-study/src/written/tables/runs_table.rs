@@ -107,7 +107,7 @@ mod tests {
         let number = |of: &dyn Fn(usize) -> f64| RunData::F64((0..rows).map(of).collect());
         let count = |of: &dyn Fn(usize) -> u64| RunData::U64((0..rows).map(of).collect());
         let text = |of: &dyn Fn(usize) -> String| RunData::Text((0..rows).map(|row| of(row).into()).collect());
-        let root = |row: usize| if row % 5 == 0 { f64::NAN } else { (row as f64).sqrt() };
+        let root = |row: usize| if row.is_multiple_of(5) { f64::NAN } else { (row as f64).sqrt() };
         let of_first = |row: usize| [String::new(), "Spiel in µm".to_owned(), "long ".repeat(row)][row % 3].clone();
         let columns = vec![
             column("index", SiUnit::NONE, count(&|row| row as u64)),

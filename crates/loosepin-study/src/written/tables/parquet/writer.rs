@@ -8,7 +8,7 @@ use super::page::{DELTA_BINARY_PACKED, PLAIN, Page, PageKind, RLE, RLE_DICTIONAR
 use super::plain::Stored;
 use super::thrift::Fields;
 use super::{ROWS_PER_GROUP, delta, dictionary, hybrid, page, plain, statistics};
-use crate::runs::table::{RunData, RunsTable};
+use crate::runs::table::{RunColumn, RunData, RunsTable};
 
 /// About the bytes that a dictionary costs beside its values and their places.
 const DICTIONARY_HEADER: usize = 20;
@@ -24,7 +24,7 @@ pub fn write(table: &RunsTable, entries: &[(&str, String)], created_by: &str) ->
     let mut groups = Vec::new();
     for first in (0..rows).step_by(ROWS_PER_GROUP) {
         let rows = first..rows.min(first + ROWS_PER_GROUP);
-        let chunk = |column: &crate::runs::table::RunColumn| {
+        let chunk = |column: &RunColumn| {
             write_chunk(&mut bytes, &column.data, rows.clone()).map_err(|error| error.in_column(&column.name))
         };
         let chunks = table.columns.iter().map(chunk).collect::<Result<_, _>>()?;
