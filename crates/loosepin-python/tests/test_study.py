@@ -8,6 +8,7 @@ import tomllib
 
 import loosepin as lp
 import numpy as np
+import pyarrow.compute
 import pyarrow.parquet
 import pytest
 from conftest import STUDY, command
@@ -48,6 +49,19 @@ def test_identity_samples_are_the_runs(desk, result):
     assert list(result.samples.inputs) == ["parameter.crank_length", "parameter.rod_length", "joint.gudgeon.radial_clearance"]
     assert list(result.samples.outputs) == ["slider total maximum_absolute"]
     assert list(result.samples.to_pandas().columns) == table.column_names
+
+
+def test_identity_statistics_in_the_file_are_those_of_the_values(desk, result):
+    file = pyarrow.parquet.ParquetFile(desk / "command/runs.parquet")
+    table = file.read()
+    assert file.metadata.num_row_groups == 1
+    for place, name in enumerate(table.column_names):
+        chunk = file.metadata.row_group(0).column(place)
+        assert (chunk.compression, chunk.path_in_schema, chunk.num_values) == ("UNCOMPRESSED", name, table.num_rows)
+        ends = tuple(pyarrow.compute.min_max(table[name]).as_py().values())
+        # pyarrow 26 does not know the total order of IEEE 754, in which those of doubles stand, and shows none of them.
+        assert (chunk.statistics.min, chunk.statistics.max) in ([ends, (None, None)] if chunk.physical_type == "DOUBLE" else [ends])
+        assert chunk.statistics.null_count == table[name].null_count
 
 
 def test_identity_a_finished_folder_is_read_again(desk, result):

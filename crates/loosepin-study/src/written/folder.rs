@@ -92,7 +92,7 @@ pub fn begin_in_folder(
 pub fn read_study(folder: &FinishedResult) -> Result<StudyRun, Diagnostics> {
     folder.demand(ResultKind::Study).map_err(report)?;
     let result = read_summary(folder).map_err(report)?;
-    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(report)?).map_err(report)?;
+    let runs = read_runs_parquet(&folder.read(RUNS_FILE).map_err(report)?).map_err(report)?;
     let surrogates = if folder.has(SURROGATES_FILE) {
         let text = folder.read_text(SURROGATES_FILE).map_err(report)?;
         Some(SavedSurrogates::from_json(&text).map_err(report)?)

@@ -166,7 +166,7 @@ fn identity_runs_read_back_to_the_same_table() {
     let table = runs_table();
     let bytes = runs_parquet(&table).expect("the runs have a form in Parquet");
     assert!(runs_parquet(&table).expect("again") == bytes, "writing repeats byte for byte");
-    let read = read_runs_parquet(bytes).expect("what was written can be read");
+    let read = read_runs_parquet(&bytes).expect("what was written can be read");
     assert_eq!(read.columns.len(), table.columns.len());
     for (read, written) in read.columns.iter().zip(&table.columns) {
         assert_eq!((&read.name, &read.unit), (&written.name, &written.unit));
@@ -191,7 +191,7 @@ fn identity_a_table_without_runs_reads_back() {
         },
     ] {
         let bytes = runs_parquet(&table).expect("an empty table has a form in Parquet");
-        assert_eq!(read_runs_parquet(bytes).expect("it can be read"), table);
+        assert_eq!(read_runs_parquet(&bytes).expect("it can be read"), table);
     }
 }
 

@@ -3,12 +3,14 @@
 
 mod arrow_schema;
 mod bounds_table;
+mod parquet;
 mod runs_table;
 mod timing;
 
 use std::path::PathBuf;
 
 pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
+pub use parquet::ParquetError;
 pub use runs_table::{read_runs_parquet, runs_parquet};
 use serde::Deserialize;
 pub use timing::Timing;
@@ -58,8 +60,8 @@ problems! {
         ForeignColumn { name: String, stored: String } => Code::NoResults,
             says("column '{name}' of the runs has the type {stored}; must be Float64, UInt64 or Utf8"),
             hint("run the study again, or use the version that wrote it");
-        /// The Parquet library refused.
-        Parquet { source: parquet::errors::ParquetError } => Code::ResultNotStorable,
+        /// The runs have no form in Parquet, or the file is none of runs.
+        Parquet { source: ParquetError } => Code::ResultNotStorable,
             says("the runs cannot be stored as Parquet: {source}");
         /// The runs are compressed, as earlier versions wrote them.
         CompressedRuns { codec: String } => Code::NoResults,

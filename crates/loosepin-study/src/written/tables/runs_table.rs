@@ -1,56 +1,40 @@
 //! `runs.parquet`: one run a row.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
-
-use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Stored};
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
-use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterVersion};
-use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
-use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
-use parquet::schema::types::{ColumnPath, Type};
 
 use super::FilesError;
 use super::arrow_schema::{ARROW_SCHEMA_KEY, arrow_schema};
+use super::parquet::{self, Kind, ParquetError, ParquetFile};
 use crate::runs::table::{RunColumn, RunData, RunsTable};
 use loosepin_text::units::SiUnit;
 
 /// Key of the file metadata that holds the unit of each column, as a JSON object.
 const UNITS_KEY: &str = "units";
-/// Rows per row group: fixed, because it shapes the bytes.
-const ROWS_PER_GROUP: usize = 1 << 16;
 
 /// The runs as a Parquet file whose bytes depend on the table alone: no time stamp, fixed writer settings, no compression.
 /// Units stand under the key `units` and in the field metadata of the Arrow schema; not-a-number is written as null.
 ///
 /// # Errors
-/// Columns of unequal length or of equal name, and what the library refuses.
+/// Columns of unequal length or of equal name, and texts that are too long for the format.
 pub fn runs_parquet(table: &RunsTable) -> Result<Vec<u8>, FilesError> {
     check_columns(table)?;
     written(table).map_err(|source| FilesError::Parquet { source })
 }
 
-/// Reads what [`runs_parquet`] wrote; a null in a column of numbers becomes not-a-number.
+/// Reads what [`runs_parquet`] wrote, in this version or an earlier one; a null in a column of numbers becomes not-a-number.
 ///
 /// # Errors
-/// A compressed file, as older versions wrote it, other column types, and what the library refuses.
-pub fn read_runs_parquet(bytes: Vec<u8>) -> Result<RunsTable, FilesError> {
+/// A compressed file, as older versions wrote it, other column types, and bytes that are not as they were written.
+pub fn read_runs_parquet(bytes: &[u8]) -> Result<RunsTable, FilesError> {
     let refused = |source| FilesError::Parquet { source };
-    let file = SerializedFileReader::new(bytes::Bytes::from(bytes)).map_err(refused)?;
+    let mut file = ParquetFile::open(bytes).map_err(refused)?;
     let mut columns = empty_columns(&file)?;
-    for group in 0..file.num_row_groups() {
-        let group = file.get_row_group(group).map_err(refused)?;
+    for group in 0..file.groups() {
         for (index, column) in columns.iter_mut().enumerate() {
-            let compression = group.metadata().column(index).compression();
-            if compression != Compression::UNCOMPRESSED {
-                // "ZSTD(ZstdLevel(1))": the level is of no interest.
-                let codec = compression.to_string().chars().take_while(|letter| *letter != '(').collect();
-                return Err(FilesError::CompressedRuns { codec });
+            if let Some(codec) = file.codec(group, index) {
+                return Err(FilesError::CompressedRuns { codec: codec.to_owned() });
             }
-            read_column(&*group, index, &mut column.data).map_err(refused)?;
+            file.read(group, index, &mut column.data).map_err(refused)?;
         }
     }
     let table = RunsTable { columns };
@@ -78,104 +62,27 @@ fn check_columns(table: &RunsTable) -> Result<(), FilesError> {
 }
 
 fn written(table: &RunsTable) -> Result<Vec<u8>, ParquetError> {
-    let fields = table.columns.iter().map(|column| parquet_type(column).map(Arc::new));
-    let schema = Type::group_type_builder("runs").with_fields(fields.collect::<Result<_, _>>()?).build()?;
-    let mut bytes = Vec::new();
-    let mut writer = SerializedFileWriter::new(&mut bytes, Arc::new(schema), Arc::new(properties(table)))?;
-    let rows = table.columns.first().map_or(0, |column| column.data.len());
-    for first in (0..rows).step_by(ROWS_PER_GROUP) {
-        let rows = first..rows.min(first + ROWS_PER_GROUP);
-        let mut group = writer.next_row_group()?;
-        for column in &table.columns {
-            // The schema has a column for each of the table.
-            let Some(mut chunk) = group.next_column()? else { break };
-            write_chunk(&mut chunk, &column.data, rows.clone())?;
-            chunk.close()?;
-        }
-        group.close()?;
-    }
-    writer.close()?;
-    Ok(bytes)
-}
-
-fn parquet_type(column: &RunColumn) -> Result<Type, ParquetError> {
-    let (stored, meaning) = match column.data {
-        RunData::F64(_) => (Stored::DOUBLE, None),
-        RunData::U64(_) => (Stored::INT64, Some(LogicalType::integer(64, false))),
-        RunData::Text(_) => (Stored::BYTE_ARRAY, Some(LogicalType::String)),
-    };
-    let repetition = if column.data.is_nullable() { Repetition::OPTIONAL } else { Repetition::REQUIRED };
-    Type::primitive_type_builder(&column.name, stored).with_logical_type(meaning).with_repetition(repetition).build()
-}
-
-fn properties(table: &RunsTable) -> WriterProperties {
     let units: serde_json::Map<_, _> =
         table.columns.iter().map(|column| (column.name.clone(), column.unit.symbol().into())).collect();
-    let metadata = vec![
-        KeyValue::new(UNITS_KEY.to_owned(), serde_json::Value::from(units).to_string()),
-        KeyValue::new(ARROW_SCHEMA_KEY.to_owned(), arrow_schema(&table.columns)),
-    ];
-    let mut properties = WriterProperties::builder()
-        .set_created_by(format!("loosepin {}", loosepin_text::VERSION))
-        .set_writer_version(WriterVersion::PARQUET_1_0)
-        .set_compression(Compression::UNCOMPRESSED)
-        .set_statistics_enabled(EnabledStatistics::Chunk)
-        .set_offset_index_disabled(true)
-        .set_key_value_metadata(Some(metadata));
-    for column in &table.columns {
-        // Counts go up by little from run to run: differences are shorter than a dictionary of them.
-        if matches!(column.data, RunData::U64(_)) {
-            let path = ColumnPath::from(column.name.as_str());
-            properties = properties
-                .set_column_dictionary_enabled(path.clone(), false)
-                .set_column_encoding(path, Encoding::DELTA_BINARY_PACKED);
-        }
-    }
-    properties.build()
-}
-
-fn write_chunk(
-    chunk: &mut SerializedColumnWriter<'_>,
-    data: &RunData,
-    rows: std::ops::Range<usize>,
-) -> Result<(), ParquetError> {
-    match data {
-        RunData::F64(values) => {
-            let values = &values[rows];
-            let is_there: Vec<i16> = values.iter().map(|value| i16::from(!value.is_nan())).collect();
-            let present: Vec<f64> = values.iter().copied().filter(|value| !value.is_nan()).collect();
-            chunk.typed::<DoubleType>().write_batch(&present, Some(&is_there), None)?;
-        }
-        RunData::U64(values) => {
-            // Parquet keeps the bits and says beside them that they have no sign.
-            let values: Vec<i64> = values[rows].iter().map(|value| value.cast_signed()).collect();
-            chunk.typed::<Int64Type>().write_batch(&values, None, None)?;
-        }
-        RunData::Text(values) => {
-            let values: Vec<ByteArray> = values[rows].iter().map(|value| value.as_bytes().into()).collect();
-            chunk.typed::<ByteArrayType>().write_batch(&values, None, None)?;
-        }
-    }
-    Ok(())
+    let entries =
+        [(UNITS_KEY, serde_json::Value::from(units).to_string()), (ARROW_SCHEMA_KEY, arrow_schema(&table.columns))];
+    parquet::write(table, &entries, &format!("loosepin {}", loosepin_text::VERSION))
 }
 
 /// The columns that `file` announces, without rows.
-fn empty_columns(file: &impl FileReader) -> Result<Vec<RunColumn>, FilesError> {
-    let metadata = file.metadata().file_metadata();
-    let entries = metadata.key_value_metadata().into_iter().flatten();
-    let units = entries.filter(|entry| entry.key == UNITS_KEY).find_map(|entry| entry.value.as_deref());
-    let mut units: BTreeMap<String, String> = match units {
+fn empty_columns(file: &ParquetFile<'_>) -> Result<Vec<RunColumn>, FilesError> {
+    let mut units: BTreeMap<String, String> = match file.entry(UNITS_KEY) {
         Some(text) => serde_json::from_str(text)
             .map_err(|source| FilesError::Layout { what: format!("'{UNITS_KEY}' of the runs"), source })?,
         None => BTreeMap::new(),
     };
-    let columns = metadata.schema_descr().columns().iter().map(|column| {
-        let name = column.path().string();
-        let data = match (column.physical_type(), column.logical_type_ref()) {
-            (Stored::DOUBLE, None) => RunData::F64(Vec::new()),
-            (Stored::INT64, Some(meaning)) if *meaning == LogicalType::integer(64, false) => RunData::U64(Vec::new()),
-            (Stored::BYTE_ARRAY, Some(LogicalType::String)) => RunData::Text(Vec::new()),
-            (stored, _) => return Err(FilesError::ForeignColumn { name, stored: stored.to_string() }),
+    let columns = file.columns().iter().map(|column| {
+        let name = column.name.clone();
+        let data = match column.kind {
+            Some(Kind::Double) => RunData::F64(Vec::new()),
+            Some(Kind::Count) => RunData::U64(Vec::new()),
+            Some(Kind::Text) => RunData::Text(Vec::new()),
+            None => return Err(FilesError::ForeignColumn { name, stored: column.stored.clone() }),
         };
         let unit = units.remove(&name).map_or(SiUnit::NONE, SiUnit::from_symbol);
         Ok(RunColumn { name, unit, data })
@@ -183,32 +90,244 @@ fn empty_columns(file: &impl FileReader) -> Result<Vec<RunColumn>, FilesError> {
     columns.collect()
 }
 
-/// Appends the rows of one column of a row group.
-fn read_column(group: &dyn RowGroupReader, index: usize, data: &mut RunData) -> Result<(), ParquetError> {
-    match (group.get_column_reader(index)?, data) {
-        (ColumnReader::DoubleColumnReader(reader), RunData::F64(rows)) => {
-            let (values, levels) = read_values(reader)?;
-            let mut values = values.into_iter();
-            rows.extend(
-                levels.iter().map(|&level| if level == 1 { values.next().unwrap_or(f64::NAN) } else { f64::NAN }),
-            );
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Written by the version of 30 November 2026, through the crate `parquet`: [`table`] of 65,600 rows.
+    const EARLIER: &[u8] = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/runs/earlier.parquet"));
+    /// The same: the first 96 runs of a study.
+    const EARLIER_STUDY: &[u8] =
+        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/runs/earlier_study.parquet"));
+
+    /// A table with what is special in its first 40 rows.
+    fn table(rows: usize) -> RunsTable {
+        let special = [-0.0, f64::INFINITY, f64::NAN, f64::MIN_POSITIVE, f64::NEG_INFINITY, f64::MAX];
+        let column = |name: &str, unit: SiUnit, data: RunData| RunColumn { name: name.to_owned(), unit, data };
+        let number = |of: &dyn Fn(usize) -> f64| RunData::F64((0..rows).map(of).collect());
+        let count = |of: &dyn Fn(usize) -> u64| RunData::U64((0..rows).map(of).collect());
+        let text = |of: &dyn Fn(usize) -> String| RunData::Text((0..rows).map(|row| of(row).into()).collect());
+        let root = |row: usize| if row.is_multiple_of(5) { f64::NAN } else { (row as f64).sqrt() };
+        let of_first = |row: usize| [String::new(), "Spiel in µm".to_owned(), "long ".repeat(row)][row % 3].clone();
+        let columns = vec![
+            column("index", SiUnit::NONE, count(&|row| row as u64)),
+            column("counts B2", SiUnit::NONE, count(&|row| if row < 40 { u64::MAX >> (row * 13 % 64) } else { 5 })),
+            column("purpose", SiUnit::NONE, text(&|row| format!("mixed {}", row / 30_000))),
+            column("law", SiUnit::NONE, text(&|row| if row < 40 { of_first(row) } else { "flores".to_owned() })),
+            column("joint.B2.clearance", SiUnit::LENGTH, number(&|row| if row < 40 { root(row) } else { 0.25e-3 })),
+            column("peak_force B2", SiUnit::FORCE, number(&|row| if row < 40 { special[row % 6] } else { f64::NAN })),
+            column("missing", SiUnit::NONE, number(&|_| f64::NAN)),
+            column("steps of a run", SiUnit::NONE, number(&|row| (row / 6000) as f64)),
+        ];
+        RunsTable { columns }
+    }
+
+    /// Whether two tables are the same, bit for bit; one not-a-number is as good as another.
+    fn is_same(one: &RunsTable, other: &RunsTable) -> bool {
+        let column = |(one, other): (&RunColumn, &RunColumn)| match (&one.data, &other.data) {
+            (RunData::F64(own), RunData::F64(others)) => {
+                let number = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
+                (&one.name, &one.unit, own.len()) == (&other.name, &other.unit, others.len())
+                    && own.iter().zip(others).all(number)
+            }
+            _ => one == other,
+        };
+        one.columns.len() == other.columns.len() && one.columns.iter().zip(&other.columns).all(column)
+    }
+
+    #[test]
+    fn pinned_files_of_earlier_versions_are_read() {
+        let read = |bytes| read_runs_parquet(bytes).unwrap_or_else(|error| panic!("{error}"));
+        assert!(is_same(&read(EARLIER), &table(65_600)));
+        let study = read(EARLIER_STUDY);
+        assert_eq!(study.columns.len(), 22);
+        let again = runs_parquet(&study).unwrap_or_else(|error| panic!("{error}"));
+        assert!(again.len() < EARLIER_STUDY.len());
+        assert!(is_same(&read(&again), &study));
+    }
+
+    /// As pyarrow 26.0.1 reads the last row: `pq.read_table("earlier_study.parquet").to_pandas().iloc[95]`.
+    #[test]
+    fn peer_the_last_run_of_an_earlier_study() {
+        let study = read_runs_parquet(EARLIER_STUDY).unwrap_or_else(|error| panic!("{error}"));
+        let last = |name: &str| {
+            let column = study.columns.iter().find(|column| column.name == name).expect("it is a column");
+            let value = match &column.data {
+                RunData::F64(values) => format!("{:?}", values[95]),
+                RunData::U64(values) => values[95].to_string(),
+                RunData::Text(values) => values[95].to_string(),
+            };
+            format!("{value} {}", column.unit.symbol())
+        };
+        assert_eq!(last("index"), "95 1");
+        assert_eq!(last("purpose"), "probability_only 1");
+        assert_eq!(last("inner"), "55 1");
+        assert_eq!(last("parameter.upper_length"), "0.7999541201276005 m");
+        assert_eq!(last("tip_y total maximum_absolute"), "5.9449310130743616e-5 m");
+        assert_eq!(last("reason"), " 1");
+        assert_eq!(last("change_over_last_turn"), "NaN 1");
+        assert_eq!(last("evaluations"), "5883 1");
+        assert_eq!(last("peak_force elbow"), "11.742816154959215 N");
+    }
+
+    #[test]
+    fn identity_runs_are_read_back() {
+        for rows in [0, 1, 2, 7, 8, 9, 40, 300, 65_536, 65_537] {
+            let written = table(rows);
+            let bytes = runs_parquet(&written).unwrap_or_else(|error| panic!("{error}"));
+            let read = read_runs_parquet(&bytes).unwrap_or_else(|error| panic!("{error}"));
+            assert!(is_same(&read, &written), "{rows} rows");
         }
-        (ColumnReader::Int64ColumnReader(reader), RunData::U64(rows)) => {
-            rows.extend(read_values(reader)?.0.into_iter().map(i64::cast_unsigned));
+    }
+    /// Numbers without an order (Knuth, MMIX).
+    struct Random(u64);
+
+    impl Random {
+        fn below(&mut self, limit: u64) -> u64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 20) % limit
         }
-        (ColumnReader::ByteArrayColumnReader(reader), RunData::Text(rows)) => {
-            for value in read_values(reader)?.0 {
-                rows.push(value.as_utf8()?.to_owned().into());
+
+        /// A column of any kind: few or many values that differ, in long or short runs, few or many of them missing.
+        fn column(&mut self, name: &str, rows: usize) -> RunColumn {
+            let different = [1, 2, 3, 200, 1 << 40][self.below(5) as usize];
+            let run = [1, 3, 1000][self.below(3) as usize];
+            let missing = [1, 2, 10, 1 << 40][self.below(4) as usize];
+            let (longest, kind, shift) = ([1, 9, 200][self.below(3) as usize], self.below(3), self.below(64));
+            let mut value = 0;
+            let mut next = || {
+                value = if self.below(run) == 0 { self.below(different) } else { value };
+                (value, self.below(missing) == 0)
+            };
+            let data = match kind {
+                0 => RunData::F64(
+                    (0..rows).map(|_| next()).map(|(v, no)| if no { f64::NAN } else { v as f64 }).collect(),
+                ),
+                1 => RunData::U64(
+                    (0..rows).map(|_| next()).map(|(v, no)| if no { u64::MAX } else { v << shift }).collect(),
+                ),
+                _ => {
+                    let text =
+                        |(v, no): (u64, bool)| if no { String::new() } else { "ä".repeat((v % longest) as usize) };
+                    RunData::Text((0..rows).map(|_| text(next()).into()).collect())
+                }
+            };
+            RunColumn { name: name.to_owned(), unit: SiUnit::FORCE, data }
+        }
+    }
+
+    #[test]
+    fn identity_random_runs_are_read_back() {
+        let mut random = Random(1);
+        for rows in [0, 1, 2, 7, 8, 9, 63, 64, 65, 255, 256, 257, 1000, 65_535, 65_536, 65_537] {
+            for _ in 0..if rows > 1000 { 1 } else { 4 } {
+                let columns = ["a", "b", "c", "d", "e"].map(|name| random.column(name, rows)).to_vec();
+                let written = RunsTable { columns };
+                let bytes = runs_parquet(&written).unwrap_or_else(|error| panic!("{error}"));
+                let read = read_runs_parquet(&bytes).unwrap_or_else(|error| panic!("{error}"));
+                assert!(is_same(&read, &written), "{rows} rows");
+                assert!(runs_parquet(&read).unwrap_or_else(|error| panic!("{error}")) == bytes, "{rows} rows");
             }
         }
-        _ => return Err(ParquetError::General(format!("column {index} has another type than the schema says"))),
     }
-    Ok(())
-}
 
-/// All values of a column chunk, and for each of its rows 1 where it has a value.
-fn read_values<T: DataType>(mut reader: ColumnReaderImpl<T>) -> Result<(Vec<T::T>, Vec<i16>), ParquetError> {
-    let (mut values, mut is_there) = (Vec::new(), Vec::new());
-    reader.read_records(usize::MAX, Some(&mut is_there), None, &mut values)?;
-    Ok((values, is_there))
+    /// A dictionary where it is shorter: eight bytes a row where all values differ, two bits a row where there are four.
+    #[test]
+    fn analytic_sizes_with_and_without_a_dictionary() {
+        let size = |of: fn(u32) -> f64| {
+            let data = RunData::F64((0..8000).map(of).collect());
+            let table = RunsTable { columns: vec![RunColumn { name: "a".to_owned(), unit: SiUnit::NONE, data }] };
+            parquet::write(&table, &[], "").unwrap_or_else(|error| panic!("{error}")).len()
+        };
+        // Pages' headers, levels, statistics and footer, in bytes.
+        const BESIDE: usize = 250;
+        let (plain, few) = (size(|row| f64::from(row).sqrt()), size(|row| f64::from(row % 4)));
+        assert!((64_000..64_000 + BESIDE).contains(&plain), "{plain}");
+        assert!((2000..2000 + BESIDE).contains(&few), "{few}");
+    }
+
+    /// A table of all kinds of columns, by dictionary and without, in few bytes.
+    fn small() -> Vec<u8> {
+        let column = |name: &str, data: RunData| RunColumn { name: name.to_owned(), unit: SiUnit::LENGTH, data };
+        let numbers = (0..9).map(|row| if row % 3 == 0 { f64::NAN } else { f64::from(row).sqrt() }).collect();
+        let columns = vec![
+            column("a", RunData::F64(numbers)),
+            column("b", RunData::U64((0..9).map(|row| row * row).collect())),
+            column("c", RunData::Text((0..9).map(|row| ["flores", "johnson"][row % 2].into()).collect())),
+        ];
+        let entries = [(UNITS_KEY, "{\"a\":\"m\"}".to_owned())];
+        parquet::write(&RunsTable { columns }, &entries, "").unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// Whatever the bytes are, they are a table or refused: no panic, and no row beyond those of a row group, here 65,536.
+    #[test]
+    fn damaged_files_are_tables_or_refused() {
+        let whole = small();
+        let mut answers = [0, 0];
+        let mut read = |bytes: &[u8]| match read_runs_parquet(bytes) {
+            Ok(table) => {
+                assert!(table.columns.iter().all(|column| column.data.len() <= 1 << 16));
+                answers[0] += 1;
+            }
+            Err(error) => {
+                assert!(!error.to_string().is_empty());
+                answers[1] += 1;
+            }
+        };
+        for length in 0..whole.len() {
+            read(&whole[..length]);
+            read(&whole[length..]);
+        }
+        for at in 0..whole.len() {
+            let mut bytes = whole.clone();
+            for change in 1..=u8::MAX {
+                bytes[at] = whole[at] ^ change;
+                read(&bytes);
+            }
+            // One byte fewer, and one more.
+            bytes.remove(at);
+            read(&bytes);
+            bytes.insert(at, whole[at]);
+            bytes.insert(at, whole[at].wrapping_add(1));
+            read(&bytes);
+        }
+        for at in (0..EARLIER_STUDY.len()).step_by(3) {
+            let mut bytes = EARLIER_STUDY.to_vec();
+            bytes[at] ^= 0xff;
+            read(&bytes);
+        }
+        // Changed values are values: not all is refused.
+        assert!(answers.iter().all(|&count| count > 1000), "{answers:?}");
+    }
+
+    #[test]
+    fn foreign_files_are_refused_in_words() {
+        let told = |bytes: &[u8]| read_runs_parquet(bytes).expect_err("no runs").to_string();
+        let stored = "the runs cannot be stored as Parquet: ";
+        assert_eq!(told(b"PAR"), format!("{stored}the file does not begin and end with PAR1"));
+        assert_eq!(told(b"PAR1\0\0\0\0PARE"), format!("{stored}the file does not begin and end with PAR1"));
+        assert_eq!(told(b"PAR1\xff\0\0\0PAR1"), format!("{stored}the footer: 255 bytes are needed where 0 are left"));
+        // The codec of the first chunk, 0 behind the path ["a"], becomes 6; its type and repetition, 5 and 1, become 4.
+        let whole = small();
+        let changed = |from: &[u8], to: &[u8]| {
+            let at = whole.windows(from.len()).position(|window| window == from).expect("it is there");
+            [&whole[..at], to, &whole[at + from.len()..]].concat()
+        };
+        assert_eq!(
+            told(&changed(b"\x19\x18\x01a\x15\x00", b"\x19\x18\x01a\x15\x0c")),
+            "the runs are compressed with ZSTD; this version reads only uncompressed runs"
+        );
+        assert_eq!(
+            told(&changed(b"\x15\x0a\x25\x02\x18\x01a", b"\x15\x08\x25\x02\x18\x01a")),
+            "column 'a' of the runs has the type FLOAT; must be Float64, UInt64 or Utf8"
+        );
+        assert_eq!(
+            told(&changed(b"\x15\x0a\x25\x02\x18\x01a", b"\x15\x0a\x25\x04\x18\x01a")),
+            format!("{stored}column 'a': the repetition is 2; must be 0 (required) or 1 (optional)")
+        );
+        assert_eq!(
+            told(&changed(b"{\"a\":\"m\"}", b"{\"a\":\"m\"]")),
+            "'units' of the runs cannot be read: expected `,` or `}` at line 1 column 9"
+        );
+    }
 }
