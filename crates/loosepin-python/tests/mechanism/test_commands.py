@@ -57,7 +57,7 @@ def commands(tmp_path_factory: pytest.TempPathFactory) -> dict[str, set[str]]:
 
 def test_the_help_is_understood(commands):
     assert {"new", "simulate", "study", "cases run", "manual"} <= commands.keys()
-    assert commands["motion"] == {"FILE", "--set", "--path", "--out", "--force"}
+    assert commands["motion"] == {"FILE", "--all", "--set", "--path", "--out", "--force"}
     assert {"MODEL", "--no-second-run"} <= commands["simulate"] and commands["completions"] == {"SHELL"}
 
 

@@ -69,7 +69,7 @@ mod tests {
         let numbers = ["1.6e-6\u{a0}mm", "2e-12\u{a0}m/s^2", "-3.5e-10\u{a0}N"];
         for columns in 14..60 {
             let lines = wrapped(sentence, "- ", Some(columns));
-            let is_whole = |number: &&str| lines.lines().any(|line| line.contains(**number));
+            let is_whole = |number: &&str| lines.lines().any(|line| line.contains(*number));
             assert!(numbers.iter().all(|number| is_whole(&number)), "{columns} columns:\n{lines}");
         }
     }

@@ -93,7 +93,7 @@ fn text_of_the_check() {
 fn text_of_a_servo_that_keeps_swinging() {
     let model = model("../loosepin-simulate/tests/files/backlash.toml");
     let record = simulated(&model, model.cycle.clone());
-    let said = simulation_text(&record).replace('\n', " ");
+    let said = simulation_text(&record).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         said.contains(
             "Control servo: load does not come to rest although its reference does. It oscillates with amplitude 0.20"
