@@ -30,7 +30,7 @@ fn wear_of_the_first_turn_is_shown_and_written() {
     }
     assert_eq!(rows[72][..3], ["gudgeon", "journal", "0"]);
     // `simulate` finds the same run.
-    let said = desk.succeed(&["simulate", "model.toml", "--set", "wear.cycles=4000", "--out", "run"]);
+    let said = desk.succeed(&["simulate", "model.toml", "--set", "wear.cycles=4000", "--out", "run", "--all"]);
     assert!(said.messages.starts_with("run already holds this simulation"), "{}", said.messages);
     assert!(said.output.contains("Wear after 4000 cycles of 1 turn"), "{}", said.output);
     assert!(desk.read("run/report.html").contains("data-figure=\"wear.gudgeon\""));

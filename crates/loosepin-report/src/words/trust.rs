@@ -218,9 +218,8 @@ mod tests {
             [horizon(1e-5, Some(0.0151), false), horizon(1e-6, Some(0.0132), false), horizon(1e-7, None, false)];
         assert_eq!(
             words(&measured(&parted, None, None), true),
-            "Positions can be trusted to 0.01 mm until 15.10 ms (1.2 recorded turns), to 0.001 mm until 13.20 ms (1.1 recorded turns) and to \
-             0.0001 mm or less not even at the start. After that the errors of the steps have grown: the run shows one of many possible histories. \
-             Statistics over many turns do not need exact positions."
+            "Positions can be trusted to 0.01 mm until 15.10 ms (1.2 recorded turns) and to 0.001 mm until 13.20 ms (1.1 recorded turns); \
+             never to 0.0001 mm. After that the run shows one of many possible histories. Statistics over many turns do not need exact positions."
         );
     }
 
@@ -234,11 +233,11 @@ mod tests {
         let one = [horizon(1e-5, Some(0.0151), false), horizon(1e-6, None, false), horizon(1e-7, None, false)];
         let told = words(&measured(&one, None, None), false);
         assert!(
-            told.starts_with("Positions can be trusted to 0.01 mm until 15.10 ms (1.2 turns) and to 0.001 mm or less not even at the start."),
+            told.starts_with("Positions can be trusted to 0.01 mm until 15.10 ms (1.2 turns); never to 0.001 mm."),
             "{told}"
         );
         let stopped = words(&measured(&none, None, Some("no memory")), false);
-        assert!(stopped.starts_with("Positions can be trusted to 0.01 mm or less not even at the start."), "{stopped}");
+        assert!(stopped.starts_with("Positions cannot be trusted to 0.01 mm."), "{stopped}");
     }
 
     #[test]

@@ -155,8 +155,10 @@ fn analytic_study_shares_are_those_of_the_poses_that_are_required() {
 /// add as squares beside play, and quantiles of 256 samples, which at the end no polynomial smooths where a scatter is missing.
 const REFIT_TOLERANCES: [(f64, f64); 2] = [(0.0, 0.03), (47.3, 0.005)];
 
+/// Five studies: `just campaign refitted-shares`.
 #[test]
-fn identity_the_band_is_narrower_as_stated_in_a_study_without_one_scatter() {
+#[ignore = "four minutes"]
+fn identity_campaign_the_band_is_narrower_as_stated_in_a_study_without_one_scatter() {
     let text =
         at_poses("\"0 deg\", \"47.3 deg\"").replace("outer = 12", "outer = 3").replace("inner = 128", "inner = 256");
     let all = run(&study(&text)).result;
