@@ -11,7 +11,7 @@ use loosepin::study::InputFile;
 
 use super::inputs::warn;
 use super::space::move_in_space;
-use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_print};
+use super::stored::{FirstScreen, StoredResult, claim, run_and_write, show_found, write_and_print};
 use crate::arguments::MotionArguments;
 use crate::ending::{Done, Ending};
 
@@ -39,7 +39,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
 impl StoredResult for MotionRecord {
     const PAGE: fn(&Self) -> String = motion_page;
     const TEXT: fn(&Self) -> String = motion_text;
-    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+    const SHORT: Option<FirstScreen<Self>> =
         Some((short_motion_text, "the efforts of the drives and all rows of the tables"));
 
     fn done(&self) -> Done {

@@ -14,7 +14,7 @@ use loosepin::study::{check_measured, run_inputs, run_into};
 use loosepin::units::Dimension;
 
 use super::inputs::{check_tolerance, read_model, warn};
-use super::stored::{StoredResult, claim, print_result, run_and_write, show_found};
+use super::stored::{FirstScreen, StoredResult, claim, print_result, run_and_write, show_found};
 use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
 
@@ -57,7 +57,7 @@ pub fn simulate_and_show<R: StoredResult + From<SimulationRecord>>(arguments: &S
 impl StoredResult for SimulationRecord {
     const PAGE: fn(&Self) -> String = simulation_page;
     const TEXT: fn(&Self) -> String = simulation_text;
-    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+    const SHORT: Option<FirstScreen<Self>> =
         Some((short_simulation_text, "contact laws, oscillations, impacts per turn, wear and the energy balance"));
 
     fn done(&self) -> Done {

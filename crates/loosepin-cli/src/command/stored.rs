@@ -41,6 +41,9 @@ pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsF
     ending
 }
 
+/// The first screen of a result, and what is left out of it.
+pub type FirstScreen<R> = (fn(&R) -> String, &'static str);
+
 /// A result that is stored as `summary.json` and shown from it.
 pub trait StoredResult: Stored {
     /// The page of the result.
@@ -50,7 +53,7 @@ pub trait StoredResult: Stored {
     const TEXT: fn(&Self) -> String;
 
     /// The first screen of [`Self::TEXT`], and what is left out of it; `None` where all is shown at once.
-    const SHORT: Option<(fn(&Self) -> String, &'static str)> = None;
+    const SHORT: Option<FirstScreen<Self>> = None;
 
     /// Reads the result.
     ///

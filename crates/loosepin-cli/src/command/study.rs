@@ -15,7 +15,7 @@ use loosepin::study::{
 use super::inputs::read_study;
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, claim, print_result, show_found, show_reused_runs};
+use super::stored::{FirstScreen, StoredResult, claim, print_result, show_found, show_reused_runs};
 use super::threads::threads;
 use crate::arguments::{ShownArguments, StudyArguments};
 use crate::console;
@@ -98,7 +98,7 @@ pub fn show_outcome(concluded: StudyOutcome, hint: &str, shown: ShownArguments) 
 impl StoredResult for StudyResult {
     const PAGE: fn(&Self) -> String = study_page;
     const TEXT: fn(&Self) -> String = study_text;
-    const SHORT: Option<(fn(&Self) -> String, &'static str)> =
+    const SHORT: Option<FirstScreen<Self>> =
         Some((short_study_text, "every bound and where it is attained, the three treatments, runs and assumptions"));
 
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {

@@ -70,7 +70,7 @@ mod tests {
         for columns in 14..60 {
             let lines = wrapped(sentence, "- ", Some(columns));
             let is_whole = |number: &&str| lines.lines().any(|line| line.contains(*number));
-            assert!(numbers.iter().all(|number| is_whole(&number)), "{columns} columns:\n{lines}");
+            assert!(numbers.iter().all(is_whole), "{columns} columns:\n{lines}");
         }
     }
 }

@@ -65,8 +65,8 @@ fn warnings_section(warnings: Vec<String>) -> Option<Section> {
 fn short(mut section: Section) -> Section {
     const ROWS: usize = 10;
     let is_table = |block: &Block| matches!(block.content, Content::Table(_));
-    let tables = section.blocks.iter().enumerate().filter(|(_, block)| is_table(block)).map(|(place, _)| place);
-    if let Some(second) = tables.skip(1).next() {
+    let mut tables = section.blocks.iter().enumerate().filter(|(_, block)| is_table(block)).map(|(place, _)| place);
+    if let Some(second) = tables.nth(1) {
         section.blocks.truncate(second);
     }
     for block in &mut section.blocks {

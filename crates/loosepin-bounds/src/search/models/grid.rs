@@ -74,7 +74,7 @@ impl Grid {
         };
         let kernels: Vec<_> = grid.kernels(0).into_iter().enumerate().collect();
         let without_noise: Vec<Model> =
-            parallel::map(&kernels, |own| grid.model(own.clone(), 0)).into_iter().flatten().collect();
+            parallel::map(&kernels, |own| grid.model(*own, 0)).into_iter().flatten().collect();
         let is_empty = without_noise.is_empty();
         let _ = grid.levels[0].set(without_noise);
         (!is_empty).then_some(grid)
