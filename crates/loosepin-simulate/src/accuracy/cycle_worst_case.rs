@@ -4,7 +4,7 @@ use super::accuracy_output::AccuracyOutputKind;
 use super::cycle::SingularKind;
 use super::play_reach::PlayReach;
 use super::unproven::{Cause, UnprovenPositions};
-use super::worst_case::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
+use super::worst_case::{CycleOfPositions, CycleWorstCase, PathPart, WeightedOutput, worst_over_cycle};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Position, Values};
 use loosepin_result::motion::{ClearanceAnswer, OutputMotion, UnprovenSpan, WitnessJoint, WorstCaseWitness};
@@ -49,7 +49,8 @@ pub(super) fn add_worst_cases(
             weights: cycle.velocities.iter().map(|velocities| part.weights(velocities)).collect(),
             path: match *part {
                 AccuracyOutputKind::Position(_) => None,
-                AccuracyOutputKind::Along(coordinates) | AccuracyOutputKind::Normal(coordinates) => Some(coordinates),
+                AccuracyOutputKind::Along(coordinates) => Some(PathPart { coordinates, is_along: true }),
+                AccuracyOutputKind::Normal(coordinates) => Some(PathPart { coordinates, is_along: false }),
             },
         })
         .collect();

@@ -332,7 +332,7 @@ impl Asked<'_, '_> {
         // By play alone: the search of the whole cycle, whose number stands on the same page.
         if question.of == Deviation::Clearance && self.dimensions.is_empty() && !rows.clone().all(|row| is_proven(&row))
         {
-            return self.found_over_cycle(question, causes);
+            return self.found_over_cycle(question, ends_si, causes);
         }
         let mut found = [(0, 0.0); 2];
         for (side, found) in found.iter_mut().enumerate() {
@@ -347,7 +347,7 @@ impl Asked<'_, '_> {
                 }
                 let is_of_loops = matches!(causes[row], Some(Cause::Loops(_)));
                 let Some(deviation_si) = self.found_at(question, row, sign, is_of_loops) else { continue };
-                if best.is_none_or(|(_, best)| sign * (deviation_si - best) > 0.0) {
+                if deviation_si.is_finite() && best.is_none_or(|(_, best)| sign * (deviation_si - best) > 0.0) {
                     best = Some((row, deviation_si));
                 }
             }
@@ -360,6 +360,7 @@ impl Asked<'_, '_> {
     fn found_over_cycle(
         &self,
         question: &DeviationQuestion,
+        ends_si: &[[f64; 2]],
         causes: &[Option<Cause>],
     ) -> Result<[(usize, f64); 2], AccuracyError> {
         let cycle = CycleOfPositions {
@@ -372,7 +373,12 @@ impl Asked<'_, '_> {
         };
         let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; self.states.len()], path: None };
         let is_stopped = || self.stop.load(Ordering::Relaxed);
-        let mut not_proven: Vec<Option<NotProven>> = causes.iter().map(|cause| cause.as_ref()?.of_loops()).collect();
+        // Whatever keeps an end from being proven, play may reach a dead centre there; where joints repeat each other no measure shows it.
+        let is_open =
+            |row: usize| causes[row] != Some(Cause::Redundant) && !ends_si[row].iter().all(|end| end.is_finite());
+        let open = NotProven { coordinate: None, reaches_dead_centre: false };
+        let mut not_proven: Vec<Option<NotProven>> =
+            (0..ends_si.len()).map(|row| is_open(row).then_some(open)).collect();
         let found = found_in_both_assemblies(&cycle, output, &mut not_proven, &is_stopped);
         let found = found.ok_or(AccuracyError::Stopped)?;
         Ok([0, 1].map(|side| {

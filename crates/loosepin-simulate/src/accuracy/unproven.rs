@@ -38,14 +38,6 @@ impl Cause {
         overhanging.map(|joint| Self::Overhanging(joint.to_owned())).or(not_proven.map(Self::Loops))
     }
 
-    /// What is known of loops that were not shown to be regular.
-    pub fn of_loops(&self) -> Option<NotProven> {
-        match self {
-            Self::Loops(not_proven) => Some(*not_proven),
-            Self::Redundant | Self::Overhanging(_) => None,
-        }
-    }
-
     fn reaches_dead_centre(&self) -> bool {
         matches!(self, Self::Loops(NotProven { reaches_dead_centre: true, .. }))
     }
@@ -134,7 +126,7 @@ impl UnprovenPositions<'_> {
     fn body_of(&self, coordinate: Option<usize>) -> String {
         let mut links = self.mechanism.ideal.links.iter();
         let link = links.find(|link| link.dependences.last().is_some_and(|last| Some(last.coordinate) == coordinate));
-        link.map_or("a part".to_owned(), |link| format!("'{}'", self.mechanism.model.bodies[link.body.0].name))
+        link.map_or("the mechanism".to_owned(), |link| format!("'{}'", self.mechanism.model.bodies[link.body.0].name))
     }
 }
 

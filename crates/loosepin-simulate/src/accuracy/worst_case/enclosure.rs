@@ -39,8 +39,8 @@ pub(in super::super) struct Enclosed {
 /// The loops could not be shown to close in one way over all play.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct NotEnclosed {
-    /// The free coordinate that is known least.
-    pub coordinate: usize,
+    /// The free coordinate that is known least; `None` where none is known.
+    pub coordinate: Option<usize>,
 }
 
 /// The moving variables and their ranges.
@@ -141,10 +141,10 @@ impl<'a> Encloser<'a> {
         let (q0, driven) = coordinates.split_at(n);
         let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
         let Some(inverse) = inverse_of(&at_rest.of_residuals, n, n + nv) else {
-            return Err(NotEnclosed { coordinate: 0 });
+            return Err(NotEnclosed { coordinate: None });
         };
         let exact = self.exact(q0, driven, &inverse)?;
-        let (_, gradients) = self.ways(&exact.slopes, &inverse).ok_or(NotEnclosed { coordinate: 0 })?;
+        let (_, gradients) = self.ways(&exact.slopes, &inverse).ok_or(NotEnclosed { coordinate: None })?;
 
         let everywhere = vec![Interval::around_zero(1.0); nv];
         let moved = (0..n).map(|row| {
@@ -158,11 +158,11 @@ impl<'a> Encloser<'a> {
         let Closed { positions: box_, tried, .. } = self.closed(q0, driven, &everywhere, moved, &inverse)?;
         // The one position without play that lies in the box is the ideal one.
         if let Some(coordinate) = (0..n).find(|k| !exact.positions[*k].is_inside(tried[*k])) {
-            return Err(NotEnclosed { coordinate });
+            return Err(NotEnclosed { coordinate: Some(coordinate) });
         }
         // Once more, over the smaller box that is known by now.
         let at = slopes(&self.moving, &mut self.first, &self.readings, &box_, driven, &everywhere);
-        let failed = || NotEnclosed { coordinate: widest(&box_, q0) };
+        let failed = || NotEnclosed { coordinate: Some(widest(&box_, q0)) };
         let (ways, slopes) = self.ways(&at, &inverse).ok_or_else(failed)?;
         let hessians = self.hessians(&box_, driven, &everywhere, &at, &ways, &inverse).ok_or_else(failed)?;
         Ok(Enclosed { gradients, hessians, slopes })
@@ -209,7 +209,7 @@ impl<'a> Encloser<'a> {
                 *radius = radius.max(INFLATION * found.magnitude());
             }
         }
-        Err(NotEnclosed { coordinate: worst })
+        Err(NotEnclosed { coordinate: Some(worst) })
     }
 
     /// T, (q, v) by v, and dy/dv for each output.

@@ -11,6 +11,7 @@ mod enclosure;
 mod evaluate;
 mod first_order;
 mod over_cycle;
+mod path_part;
 mod positions;
 mod search;
 mod slices;
@@ -22,6 +23,7 @@ pub use first_order::{disc_standard_deviation_si, first_order_si, rim_standard_d
 pub(super) use over_cycle::{
     CycleOfPositions, CycleWorstCase, NotProven, WeightedOutput, found_in_both_assemblies, worst_over_cycle,
 };
+pub(super) use path_part::PathPart;
 pub(super) use positions::{Positions, ends_around};
 pub(super) use search::{Objective, best_across, best_of};
 pub use search::{WorstCaseExtremes, WorstPosition, starts_on_borders, worst_case_extremes};

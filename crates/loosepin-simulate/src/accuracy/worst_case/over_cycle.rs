@@ -4,6 +4,7 @@ use super::super::dead_centre::dead_centre;
 use super::super::loops::DisplacedLoops;
 use super::super::play_reach::PlayReach;
 use super::enclosure::{Encloser, Moving, NotEnclosed};
+use super::path_part::PathPart;
 use super::positions::{Positions, ends_around};
 use super::search::{Objective, WorstPosition, best_across, best_of, starts_on_borders};
 use super::upper_end::{Ends, Reference};
@@ -36,8 +37,8 @@ pub(in super::super) struct CycleOfPositions<'c> {
 pub(in super::super) struct WeightedOutput {
     /// Which positions count, and how much, at each position of the cycle.
     pub weights: Vec<Vec<(usize, f64)>>,
-    /// The coordinates of the path that it is an error of.
-    pub path: Option<[usize; 2]>,
+    /// The path that it is an error of.
+    pub path: Option<PathPart>,
 }
 
 /// The worst case of one output at one position of the cycle.
@@ -61,7 +62,7 @@ pub(in super::super) struct CycleWorstCase {
 /// A position at which nothing is proven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) struct NotProven {
-    /// The coordinate that moves most where the loops give way; `None` where they are regular and an end stays open all the same.
+    /// The coordinate that moves most where the loops give way; `None` where none is known, or they are regular and an end stays open all the same.
     pub coordinate: Option<usize>,
     /// Whether play was found to take the mechanism to a dead centre. The worst case that was found is then that of both assemblies.
     pub reaches_dead_centre: bool,
@@ -70,7 +71,7 @@ pub(in super::super) struct NotProven {
 impl NotProven {
     /// Of positions that were not enclosed.
     pub fn of(failed: NotEnclosed) -> Self {
-        Self { coordinate: Some(failed.coordinate), reaches_dead_centre: false }
+        Self { coordinate: failed.coordinate, reaches_dead_centre: false }
     }
 
     /// Of ends of which some stay open; `None` if none does.

@@ -267,9 +267,9 @@ impl Encloser<'_> {
         let nv = self.moving.count();
         let (q0, driven) = coordinates.split_at(n);
         let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
-        let nowhere = NotEnclosed { coordinate: 0 };
+        let nowhere = NotEnclosed { coordinate: None };
         let Some(bordered) = Bordered::new(&at_rest.of_residuals, q0, driven, nv) else { return Err(nowhere) };
-        let failed = || NotEnclosed { coordinate: bordered.weakest() };
+        let failed = || NotEnclosed { coordinate: Some(bordered.weakest()) };
         // What dimensions and the input do without play.
         let plays = self.moving.variables.count();
         let without: Vec<Interval> =

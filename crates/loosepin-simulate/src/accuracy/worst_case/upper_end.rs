@@ -12,6 +12,7 @@
 //! the position without play has too.
 
 use super::enclosure::Enclosed;
+use super::path_part::PathPart;
 use super::positions::Positions;
 use super::variables::balls_and_numbers;
 use loosepin_math::{Interval, QuadraticOverBalls, Real};
@@ -88,9 +89,10 @@ impl Ends {
         [0.0 - end(-1.0), end(1.0)]
     }
 
-    /// As [`Self::of`] for the error of a path at the places `coordinates`, of which `weights` gives x and y: they turn with the direction
-    /// of the path while the input moves.
-    pub fn of_path(&self, positions: &Positions, coordinates: [usize; 2], weights: [f64; 2]) -> [f64; 2] {
+    /// As [`Self::of`] for the error of a path, of which `weights` gives x and y: they turn with the direction of the path while the input
+    /// moves.
+    pub fn of_path(&self, positions: &Positions, path: PathPart, weights: [f64; 2]) -> [f64; 2] {
+        let coordinates = path.coordinates;
         let [low, high] = self.of(positions, &[(coordinates[0], weights[0]), (coordinates[1], weights[1])]);
         if !self.has_input {
             return [low, high];
@@ -102,20 +104,12 @@ impl Ends {
             };
             own.unwrap_or(Interval::WHOLE)
         };
-        let [x, y] = coordinates.map(slope);
-        let speed = (x.squared() + y.squared()).sqrt();
-        // A direction has no component beyond one.
-        let [along_x, along_y] = [x, y].map(|own| (own / speed).part(-1.0, 1.0).unwrap_or(Interval::WHOLE));
-        // The weights are (along_x, along_y) or (-along_y, along_x) of the middle, perhaps turned back.
-        let middle = [along_x.middle(), along_y.middle()];
-        let is_along = (weights[0] * middle[0] + weights[1] * middle[1]).abs() > 0.5;
-        let now = if is_along { [along_x, along_y] } else { [-along_y, along_x] };
-        let sign = if weights[0] * now[0].middle() + weights[1] * now[1].middle() < 0.0 { -1.0 } else { 1.0 };
+        let turned = path.turned_weights(coordinates.map(slope), weights);
         let mut more = Interval::ZERO;
         for k in 0..2 {
             let [low, high] = self.of(positions, &[(coordinates[k], 1.0)]);
             let reach = Interval::from_f64(f64::max(-low, high));
-            more += (now[k] * Interval::from_f64(sign) - Interval::from_f64(weights[k])).abs() * reach;
+            more += turned[k].abs() * reach;
         }
         [(Interval::from_f64(low) - more).low(), (Interval::from_f64(high) + more).high()]
     }
