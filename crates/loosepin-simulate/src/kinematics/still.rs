@@ -7,8 +7,8 @@ use loosepin_mechanics::model::Values;
 
 use crate::recording::history::input;
 
-/// Positions of a turn that are looked at.
-const POSITIONS: usize = 24;
+/// Positions of a turn that are looked at: a prime, so that hardly any body is turned by whole turns between them.
+const POSITIONS: usize = 23;
 /// Positions that must be reached.
 const MIN_POSITIONS: usize = 2;
 /// Free coordinates of the tree, at most: positions take the square of them.

@@ -18,6 +18,13 @@ pub struct Cycle {
     pub stopped: Option<ClosureError>,
 }
 
+impl Cycle {
+    /// All positions, if the loops close at every input.
+    pub(crate) fn whole(self) -> Result<Vec<Position>, ClosureError> {
+        self.stopped.map_or(Ok(self.positions), Err)
+    }
+}
+
 /// Closes the loops at each of `inputs` in their order, from the assembly of the start poses.
 ///
 /// Between two inputs the motion is followed: a step along the tangent, then Newton's method. A step is halved until what Newton's method adds

@@ -95,7 +95,7 @@ impl SpatialModel {
         let times_s = input.as_ref().map_or_else(|| vec![0.0], CycleInput::times_s);
         // Of another assembly it would say nothing.
         let positions_of =
-            |own: &SpatialMechanism| self.turn_positions(own, values, &times_s, Starts::AsGiven, is_stopped);
+            |own: &SpatialMechanism| self.turn(own, values, &times_s, Starts::AsGiven, is_stopped).whole();
         let positions = match positions_of(&aligned) {
             Ok(positions) => positions,
             Err(error @ (ClosureError::Stopped | ClosureError::TooLong { .. })) => {

@@ -54,7 +54,7 @@ impl SpatialModel {
         let go_on = || if is_stopped() { Err(self.not_closed(&ClosureError::Stopped)) } else { Ok(()) };
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.turn_positions(&mechanism, values, &input.times_s(), Starts::Nearby, is_stopped);
+        let positions = self.turn(&mechanism, values, &input.times_s(), Starts::Nearby, is_stopped).whole();
         let positions = positions.map_err(|error| self.not_with_ideal_joints(values, &error, is_stopped))?;
         let inputs_si: Vec<f64> = positions.iter().map(|position| input.at(position.input)).collect();
         let courses = (0..self.outputs.len()).map(|number| self.outputs_of(number, values).map(Course::new));
@@ -161,7 +161,7 @@ impl SpatialModel {
         is_stopped: IsStopped,
     ) -> Result<Vec<Position>, Diagnostics> {
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
-        let positions = self.turn_positions(mechanism, values, &input.times_s(), Starts::Nearby, is_stopped);
+        let positions = self.turn(mechanism, values, &input.times_s(), Starts::Nearby, is_stopped).whole();
         positions.map_err(|error| self.not_closed(&error))
     }
 
@@ -183,19 +183,7 @@ impl SpatialModel {
         }
     }
 
-    /// The positions at these times, if the loops close at all of them.
-    pub(super) fn turn_positions(
-        &self,
-        mechanism: &SpatialMechanism,
-        values: &Values,
-        times_s: &[f64],
-        starts: Starts,
-        is_stopped: IsStopped,
-    ) -> Result<Vec<Position>, ClosureError> {
-        let found = self.turn(mechanism, values, times_s, starts, is_stopped);
-        found.stopped.map_or(Ok(found.positions), Err)
-    }
-
+    /// The positions at these times, as far as the loops close.
     pub(super) fn turn(
         &self,
         mechanism: &SpatialMechanism,

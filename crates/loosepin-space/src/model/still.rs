@@ -9,8 +9,8 @@ use crate::mobility::mobility;
 use crate::stop::{IsStopped, stop_after};
 use loosepin_text::numbers::Values;
 
-/// Steps between positions of a turn that are looked at.
-const STEPS: usize = 24;
+/// Steps between positions of a turn that are looked at: a prime, so that hardly any body is turned by whole turns in each of them.
+const STEPS: usize = 23;
 /// Positions after the first that must be reached.
 const MIN_POSITIONS: usize = 2;
 /// Bodies, at most: what they are free to do takes the cube of them.
@@ -43,8 +43,9 @@ impl SpatialModel {
         let moves =
             |(body, before): (usize, &Pose)| others.iter().any(|now| is_moved(before, &now.poses[body], size_m));
         let mut moved: Vec<bool> = first.poses.iter().enumerate().map(moves).collect();
-        // What can move alone is not held still.
-        freedoms.idle.iter().flat_map(|idle| &idle.bodies).for_each(|body| moved[*body] = true);
+        // What can move alone is not held still, where anything else moves.
+        let is_any = moved.contains(&true);
+        freedoms.idle.iter().filter(|_| is_any).flat_map(|idle| &idle.bodies).for_each(|body| moved[*body] = true);
         Some(moved)
     }
 }
