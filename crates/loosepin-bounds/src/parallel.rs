@@ -2,16 +2,26 @@
 //! the iterators of rayon are compiled anew wherever they are used.
 
 use rayon::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// What `of` makes of each of `items`, in their order.
 pub(crate) fn map<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
     map_indices(items.len(), |index| of(&items[index]))
 }
 
-/// What `of` makes of each of some `items`, as many pieces as there are, one behind the other in the order of the items.
-pub(crate) fn flat_map<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
+/// All pieces of what `of` makes of each of `items`, in the order of the items.
+pub(crate) fn flat_map<T: Sync, I: IntoIterator + Send + Sync>(
+    items: &[T],
+    of: impl Fn(&T) -> I + Sync,
+) -> Vec<I::Item> {
     map(items, of).into_iter().flatten().collect()
+}
+
+/// Does `work` to each of `items`.
+pub(crate) fn for_each_mut<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Sync) {
+    // Each lock is taken once.
+    let items: Vec<Mutex<&mut T>> = items.iter_mut().map(Mutex::new).collect();
+    for_each_index(items.len(), &|index| work(&mut items[index].lock().unwrap_or_else(PoisonError::into_inner)));
 }
 
 /// What `of` makes of each index below `count`, in their order.
@@ -20,6 +30,8 @@ pub(crate) fn map_indices<R: Send + Sync>(count: usize, of: impl Fn(usize) -> R 
     for_each_index(count, &|index| {
         let _ = made[index].set(of(index));
     });
+    // Nothing is left out: a panic in a thread is one here.
+    debug_assert!(made.iter().all(|made| made.get().is_some()));
     made.into_iter().filter_map(OnceLock::into_inner).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Finished runs, sorted by the point of the plan that they belong to.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use super::gathered::{GatheredSamples, PointSamples};
 use super::polynomials::inner_basis::InnerBasis;
@@ -96,12 +96,7 @@ impl Pool {
                 column.push(sample);
             }
         }
-        // Each lock is taken once.
-        let columns: Vec<Mutex<_>> = columns.into_iter().map(Mutex::new).collect();
-        parallel::for_each_index(columns.len(), &|index| {
-            smooth(basis, &mut columns[index].lock().unwrap_or_else(PoisonError::into_inner), keeps);
-        });
-        drop(columns);
+        parallel::for_each_mut(&mut columns, |samples| smooth(basis, samples, keeps));
         self
     }
 

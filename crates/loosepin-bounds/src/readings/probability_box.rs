@@ -71,7 +71,7 @@ impl ProbabilityBox {
                 };
                 let chunks: Vec<&[Measure]> = measures.chunks(TARGETS_AT_ONCE).collect();
                 parallel::flat_map(&chunks, |own| {
-                    Modelled::of_column(&search, own, &samples).into_iter().map(of).collect()
+                    Modelled::of_column(&search, own, &samples).into_iter().map(of).collect::<Vec<_>>()
                 })
             }
         };

@@ -78,7 +78,7 @@ impl Experiment<'_> {
             let modelled = Modelled::all(search, measures, &samples);
             let pairs =
                 requests.iter().zip(&modelled).filter_map(|(request, own)| Some(pair((request, own.as_ref()?))));
-            pairs.collect()
+            pairs.collect::<Vec<BoundPair>>()
         })
     }
 }

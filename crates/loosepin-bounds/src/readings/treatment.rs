@@ -67,19 +67,19 @@ impl TreatmentComparison {
         let probability_only = probability_only_ends(experiment, &mixture, columns);
         let interval_only = interval_only_ends(experiment, &extremes, columns);
         let shares = setup.shares_of_mechanisms(experiment.pool);
-        let band = |treatment, pool: &Pool, column, [lower, upper]: [Bound; 2]| {
+        let band = |treatment, pool: &Pool, column, ends: &[Bound; 2]| {
+            let [lower, upper] = ends.clone();
             let coverage =
                 Coverage::of_band(experiment.pool, column, [lower.value, upper.value], &shares, &setup.confidence);
             let failed_runs = pool.samples(column).iter().map(|sample| sample.failed()).sum();
             Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, failed_runs, coverage }
         };
-        let ends: Vec<_> = columns.iter().zip(mixed).zip(probability_only).zip(interval_only).collect();
-        parallel::map(&ends, |&(((&column, ref mixed), ref probability_only), ref interval_only)| Self {
-            column,
+        parallel::map_indices(columns.len(), |index| Self {
+            column: columns[index],
             probability: setup.problem.band_probability,
-            probability_only: band(Treatment::ProbabilityOnly, &mixture, column, probability_only.clone()),
-            interval_only: band(Treatment::IntervalOnly, &extremes, column, interval_only.clone()),
-            mixed: band(Treatment::Mixed, experiment.pool, column, mixed.clone()),
+            probability_only: band(Treatment::ProbabilityOnly, &mixture, columns[index], &probability_only[index]),
+            interval_only: band(Treatment::IntervalOnly, &extremes, columns[index], &interval_only[index]),
+            mixed: band(Treatment::Mixed, experiment.pool, columns[index], &mixed[index]),
         })
     }
 }

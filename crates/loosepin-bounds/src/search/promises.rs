@@ -6,7 +6,7 @@ use super::search_box::{Axes, BoxPoint, Region};
 use super::target::Target;
 use crate::data::direction::{Direction, extreme_among};
 use crate::parallel;
-use crate::search::models::of_points::{Branch, MIN_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
+use crate::search::models::of_points::{Branch, MIN_DISTANCE_IN_ROUND, Modelled, Search};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
 
@@ -27,14 +27,12 @@ impl Search<'_> {
         allowance: Allowance,
     ) -> Vec<BoxPoint> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
-        let indices: Vec<usize> = (0..targets.len()).collect();
-        let chunks: Vec<&[usize]> = indices.chunks(TARGETS_AT_ONCE).collect();
-        let of_target = |&index: &usize| {
+        let of_target = |index: usize| {
             let ((target, directions), branches) = (&targets[index], &branches[index]);
             promises((index, target), directions, branches, (elements, &members), (allowance, self.is_of_curves()))
         };
         let mut promises: Vec<Promise> =
-            parallel::flat_map(&chunks, |indices| indices.iter().flat_map(of_target).collect());
+            parallel::map_indices(targets.len(), of_target).into_iter().flatten().collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
         let (expected, others): (Vec<Promise>, Vec<Promise>) =
@@ -46,7 +44,7 @@ impl Search<'_> {
             [expected, allowed, kinked].map(|own| distinct(self.axes, own, most).into_iter());
         // Where kinks are conceded most, half of the points go, and all where nothing else is expected: nothing else makes these concessions less.
         let turns = (0..most).flat_map(|_| [kinked.next(), kinked.next(), expected.next(), allowed.next()]).flatten();
-        let located = parallel::map(&turns.collect::<Vec<Promise>>(), |promise| {
+        let located = parallel::flat_map(&turns.collect::<Vec<Promise>>(), |promise| {
             let combination = promise.place.combination;
             let model = branches[promise.target][combination].model.as_ref()?;
             // A smooth model does not know where a kink leads.
@@ -58,7 +56,7 @@ impl Search<'_> {
             let at = locate(self.axes, model, promise.direction, promise.allowance, from, region);
             Some(BoxPoint { combination, at })
         });
-        self.new_places(located.into_iter().flatten(), count)
+        self.new_places(located, count)
     }
 }
 

@@ -28,8 +28,7 @@ impl Search<'_> {
     /// Each climb follows a model of its own, of the nearest points alone. A model of all points spans far larger differences, and with
     /// what it allows for round-off it cannot tell the least ones along a curved ridge, where no candidate lies nearer to the summit.
     pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
-        let mut summits: Vec<(f64, BoxPoint)> =
-            parallel::map(extremes, |extreme| self.summit(extreme)).into_iter().flatten().collect();
+        let mut summits: Vec<(f64, BoxPoint)> = parallel::flat_map(extremes, |extreme| self.summit(extreme));
         summits.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.new_places(summits.into_iter().map(|(_, place)| place), count)
     }

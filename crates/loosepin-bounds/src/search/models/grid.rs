@@ -73,8 +73,7 @@ impl Grid {
             with_kinks: OnceLock::new(),
         };
         let kernels: Vec<_> = grid.kernels(0).into_iter().enumerate().collect();
-        let without_noise: Vec<Model> =
-            parallel::map(&kernels, |own| grid.model(*own, 0)).into_iter().flatten().collect();
+        let without_noise: Vec<Model> = parallel::flat_map(&kernels, |own| grid.model(*own, 0));
         let is_empty = without_noise.is_empty();
         let _ = grid.levels[0].set(without_noise);
         (!is_empty).then_some(grid)
