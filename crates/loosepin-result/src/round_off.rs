@@ -6,7 +6,14 @@ use loosepin_text::units::SiUnit;
 /// derivatives lose of them is less than the rest.
 const SHARE: f64 = 1e-12;
 
-/// Size below which a number of an output of a mechanism of `size_m` is round-off, in the unit of the output.
+/// Size below which a number of an output of a mechanism of `size_m` is round-off, in the unit of the output; 0 of what is no length and no angle:
+/// how large that is otherwise is not known.
 pub fn round_off_si(unit: &SiUnit, size_m: f64) -> f64 {
-    if *unit == SiUnit::LENGTH { SHARE * size_m } else { SHARE }
+    if *unit == SiUnit::LENGTH {
+        SHARE * size_m
+    } else if *unit == SiUnit::ANGLE {
+        SHARE
+    } else {
+        0.0
+    }
 }

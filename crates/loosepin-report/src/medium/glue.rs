@@ -1,10 +1,6 @@
 //! Numbers that a line of a page must not part from their unit: in texts that files, runs and other crates have written.
 
-/// Units that stand behind numbers.
-const UNITS: [&str; 34] = [
-    "%", "deg", "g", "GPa", "Hz", "J", "K", "kg", "kHz", "kJ", "km", "kN", "kPa", "kW", "m", "mJ", "mm", "MPa", "mrad",
-    "ms", "mW", "N", "Nm", "ns", "Pa", "rad", "rpm", "s", "um", "us", "W", "°", "µm", "µs",
-];
+use loosepin_text::units::find_unit;
 
 /// The text with spaces between a number and its unit at which no line ends.
 pub(crate) fn glued(text: &str) -> String {
@@ -19,7 +15,8 @@ pub(crate) fn glued(text: &str) -> String {
 fn begins_with_unit(rest: &str) -> bool {
     let ends = |c: char| !(c.is_alphabetic() || c == '°' || c == '%' || c == '_');
     let word = &rest[..rest.find(ends).unwrap_or(rest.len())];
-    UNITS.contains(&word)
+    // `5 in all`.
+    word == "%" || word == "°" || (word != "in" && find_unit(word).is_some())
 }
 
 #[cfg(test)]

@@ -1,10 +1,14 @@
 //! The answer of a page in few sentences. What it has no room for opens in a section.
 
+use super::glue::glued;
 use loosepin_text::article::{Content, Section};
+use loosepin_text::units::counted;
 use maud::{Markup, html};
 
 /// Sentences that a page begins with, at most.
 const MAX_SENTENCES: usize = 5;
+/// Section of what they leave out.
+const FURTHER: &str = "further";
 /// Those of them that caveats have, where there are any.
 const OF_CAVEATS: usize = 2;
 
@@ -40,6 +44,11 @@ impl Said {
     }
 }
 
+/// The paragraphs that matter as much as this.
+pub(crate) fn of_weight(said: &[Said], weight: Weight) -> Vec<String> {
+    said.iter().filter(|said| said.weight == weight).map(|said| said.words.clone()).collect()
+}
+
 /// All paragraphs, for media that have room.
 pub(crate) fn words(said: Vec<Said>) -> Vec<String> {
     said.into_iter().map(|said| said.words).collect()
@@ -50,12 +59,14 @@ pub(crate) struct ShortAnswer {
     /// The first one is the headline.
     answers: Vec<String>,
     caveats: Vec<String>,
+    /// Caveats of which nothing is shown.
+    hidden_caveats: usize,
     /// Paragraphs that are not shown, or not to their end.
     further: Vec<String>,
 }
 
 impl ShortAnswer {
-    /// Caveats first, each with what follows from it; then the first sentence of each answer, and more of the first ones, while there is room.
+    /// Caveats first, each with what follows from it, while they have room; then the first sentence of each answer, and more of the first ones.
     pub fn of(said: &[Said]) -> ShortAnswer {
         let paragraphs: Vec<Vec<&str>> = said.iter().map(|said| sentences(&said.words)).collect();
         let places = |weight: Weight| (0..said.len()).filter(move |place| said[*place].weight == weight);
@@ -87,6 +98,7 @@ impl ShortAnswer {
         ShortAnswer {
             answers,
             caveats: of(Weight::Caveat),
+            hidden_caveats: places(Weight::Caveat).filter(|place| shown[*place] == 0).count(),
             further: (0..said.len()).filter(is_left).map(|place| said[place].words.clone()).collect(),
         }
     }
@@ -95,15 +107,24 @@ impl ShortAnswer {
     pub fn markup(&self) -> Markup {
         html! {
             @for (place, words) in self.answers.iter().enumerate() {
-                @if place == 0 { p.headline { (words) } } @else { p { (words) } }
+                @if place == 0 { p.headline { (glued(words)) } } @else { p { (glued(words)) } }
             }
-            @if !self.caveats.is_empty() { ul.caveats { @for caveat in &self.caveats { li { (caveat) } } } }
+            @if !self.caveats.is_empty() { ul.caveats { @for caveat in &self.caveats { li { (glued(caveat)) } } (self.more_caveats()) } }
+        }
+    }
+
+    /// Where the caveats are that the page has no room for.
+    fn more_caveats(&self) -> Markup {
+        html! {
+            @if self.hidden_caveats > 0 {
+                li { a href={ "#" (FURTHER) } { (counted(self.hidden_caveats, "more warning")) " under Further findings" } }
+            }
         }
     }
 
     /// The others; `None` if all are shown.
     pub fn further(self) -> Option<Section> {
-        let mut section = Section::headed_on_page("further", "Further findings");
+        let mut section = Section::headed_on_page(FURTHER, "Further findings");
         section.push(Content::sentences(self.further.clone()));
         (!self.further.is_empty()).then_some(section)
     }

@@ -33,7 +33,7 @@ pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) ->
         .iter()
         .any(|requirement| requirement.verdict == MotionVerdict::Met)
         .then(|| "Elastic contacts and bending bodies add to this: `loosepin study` shows how much.".to_owned());
-    requirements.chain(allowances).map(Said::answer).chain(rests_on.map(Said::detail)).collect()
+    requirements.chain(allowances).map(Said::answer).chain(rests_on.map(Said::caveat)).collect()
 }
 
 fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, writer: &NumberWriter<'_>) -> String {

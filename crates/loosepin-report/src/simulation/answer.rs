@@ -13,27 +13,10 @@ use loosepin_result::simulation::{
 use loosepin_text::units::SiUnit;
 
 use super::bending::bending_said;
-use super::kind::kind_sentences;
+use super::kind::kind_said;
 use super::life::life_sentence;
 
-/// What a terminal says of a run.
-pub(super) struct RunSentences {
-    /// How far it deviates, what the joints carry, how long its positions can be trusted.
-    pub answers: Vec<String>,
-    /// What puts these in doubt, each with its consequence.
-    pub warnings: Vec<String>,
-    /// The laws behind the forces, and checks that hold.
-    pub details: Vec<String>,
-}
-
-/// All paragraphs in the order of a terminal: answers, warnings, details.
-pub(super) fn run_answer(record: &SimulationRecord, writer: &NumberWriter) -> RunSentences {
-    let said = all_said(record, writer);
-    let of = |weight: Weight| said.iter().filter(|said| said.weight == weight).map(|said| said.words.clone()).collect();
-    RunSentences { answers: of(Weight::Answer), warnings: of(Weight::Caveat), details: of(Weight::Detail) }
-}
-
-/// All paragraphs of the answer, with what each matters to a page.
+/// All paragraphs of the answer, with what each matters to who reads a few of them.
 pub(super) fn all_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
     let mut said = Vec::new();
     let deviation = record.extremes.iter().find(|extreme| !extreme.of.is_value());
@@ -101,29 +84,27 @@ pub(super) fn all_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<
     for control in &record.controls {
         said.extend(control_said(control, writer));
     }
-    said.extend(kind_sentences(record, writer).into_iter().map(Said::answer));
-    said.push(energy_said(record, writer));
-    said.extend(trusted_run(record).sentences(writer).into_iter().map(Said::answer));
+    said.extend(kind_said(record, writer));
+    said.push(Said::detail(format!(
+        "The energy balance closes to {} of the largest energy exchanged.",
+        writer.with_tag(&Tag::whole("energy residual", "relative")).rounded(
+            record.energy.relative_residual,
+            &SiUnit::NONE,
+            2,
+            Rounding::Up
+        )
+    )));
+    said.extend(trusted_run(record).said(writer));
     said.extend(bending_said(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
     };
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
-    let weight = if checks.iter().any(|check| check.is_exceeded) { Weight::Caveat } else { Weight::Detail };
+    let is_in_doubt = |check: &&QuasiStaticShare| check.is_exceeded || check.samples_without_worst_case > 0;
+    let weight = if checks.iter().any(is_in_doubt) { Weight::Caveat } else { Weight::Detail };
     said.extend(quasi_static_sentence(record, &checks, writer).map(|words| Said { weight, words }));
     said
-}
-
-/// The error of the energy balance, and whether it puts the run in doubt.
-fn energy_said(record: &SimulationRecord, writer: &NumberWriter) -> Said {
-    /// From which on it does.
-    const LARGE_RESIDUAL: f64 = 1e-3;
-    let residual = record.energy.relative_residual;
-    let shown =
-        writer.with_tag(&Tag::whole("energy residual", "relative")).rounded(residual, &SiUnit::NONE, 2, Rounding::Up);
-    let weight = if residual > LARGE_RESIDUAL { Weight::Caveat } else { Weight::Detail };
-    Said { weight, words: format!("The energy balance closes to {shown} of the largest energy exchanged.") }
 }
 
 /// The trust in the positions of the run.

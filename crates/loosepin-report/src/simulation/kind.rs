@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use crate::charts::chart::{Chart, Entry, EntryValues, Role};
 use crate::charts::figure::name_of;
 use crate::charts::still_figures::journal_sections;
+use crate::medium::short_answer::Said;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::counted;
@@ -16,10 +17,12 @@ use loosepin_text::units::SiUnit;
 /// Confidence of the interval of a Lyapunov exponent.
 const CONFIDENCE: f64 = 0.95;
 
-/// Period and Lyapunov exponent in sentences; for pages and terminals alike.
-pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
-    let period = record.kind.as_ref().map(|kind| period_sentence(kind, writer));
-    period.into_iter().chain(record.lyapunov.as_ref().map(|found| exponent_sentence(found, writer))).collect()
+/// Period and Lyapunov exponent in sentences; for pages and terminals alike. What does not repeat itself is a caveat: one history is one of many.
+pub(super) fn kind_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
+    let said = |is_regular: bool, words: String| if is_regular { Said::answer(words) } else { Said::caveat(words) };
+    let period = record.kind.as_ref().map(|kind| said(kind.period_turns.is_some(), period_sentence(kind, writer)));
+    let exponent = |found: &LyapunovRecord| said(found.kind != NeighbourKind::Part, exponent_sentence(found, writer));
+    period.into_iter().chain(record.lyapunov.as_ref().map(exponent)).collect()
 }
 
 fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
@@ -77,7 +80,7 @@ pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> 
         return None;
     }
     Some(html! {
-        @for sentence in kind_sentences(record, writer) { p { (sentence) } }
+        @for said in kind_said(record, writer) { p { (said.words) } }
         @if let Some(kind) = &record.kind { (sections(kind, &record.settings.drive, writer)) }
         @if let Some(found) = &record.lyapunov { (growth_chart(found, writer)) }
     })

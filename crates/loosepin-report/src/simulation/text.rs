@@ -1,11 +1,12 @@
 //! A run on a terminal.
 
 use crate::medium::article_text::terminal_text;
+use crate::medium::short_answer::{Weight, of_weight};
 use crate::numbers::number::NumberWriter;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::article::{Block, Content, Section};
 
-use super::answer::{RunSentences, run_answer};
+use super::answer::all_said;
 use super::contact::contact_section;
 use super::extremes::extremes_section;
 use super::measured::measured_section;
@@ -16,11 +17,11 @@ use super::wear::wear_section;
 /// One run as text for a terminal: all that [`short_simulation_text`] has, then contact laws, oscillations, wear, work.
 pub fn simulation_text(record: &SimulationRecord) -> String {
     let writer = &NumberWriter::for_terminal(&record.display_units);
-    let RunSentences { answers, warnings, details } = run_answer(record, writer);
+    let said = all_said(record, writer);
     let sections = [
-        Some(answer_section(record, answers)),
-        warnings_section(warnings),
-        Some(Section::of_sentences("details", details)),
+        Some(answer_section(record, of_weight(&said, Weight::Answer))),
+        warnings_section(of_weight(&said, Weight::Caveat)),
+        Some(Section::of_sentences("details", of_weight(&said, Weight::Detail))),
         extremes_section(record, writer),
         spectrum_section(record, writer),
         contact_section(record, writer),
@@ -34,10 +35,10 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
 /// The first screen of [`simulation_text`]: the answer, warnings, extremes and joints.
 pub fn short_simulation_text(record: &SimulationRecord) -> String {
     let writer = &NumberWriter::for_terminal(&record.display_units);
-    let RunSentences { answers, warnings, .. } = run_answer(record, writer);
+    let said = all_said(record, writer);
     let sections = [
-        Some(answer_section(record, answers)),
-        warnings_section(warnings),
+        Some(answer_section(record, of_weight(&said, Weight::Answer))),
+        warnings_section(of_weight(&said, Weight::Caveat)),
         extremes_section(record, writer).map(short),
         contact_section(record, writer).map(short),
         measured_section(record, writer),

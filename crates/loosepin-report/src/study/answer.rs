@@ -6,14 +6,14 @@ use crate::study::output_summary::{OutputSummary, between, largest, output_summa
 use crate::study::way_to_decide::way_to_decide;
 use crate::words::error::{ErrorWords, error_words};
 use crate::words::failed::failed_sentence;
-use crate::words::force::{JointForces, study_sentences};
+use crate::words::force::{JointForces, force_warnings, study_sentences};
 use crate::words::turn::{is_broken_later, turns_sentence};
 use crate::words::wording::{
     capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, path_part, place_words, verdict_words,
 };
 use loosepin_result::study::{
-    Deviation, DeviationCurve, FurtherOutput, InputKind, JointImpacts, PathError, PromiseRecord, RequirementOutcome,
-    StudyResult, Verdict,
+    Deviation, DeviationCurve, FurtherOutput, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -66,11 +66,15 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
         false => (headline, Some(conditions.trim_start().to_owned())),
     };
     let verdict = result.verdict();
-    let mut caveats = caveats(result, writer);
-    let overturns = is_broken_later(result).then(|| turns_sentence(result, writer)).flatten();
-    let mut details = Vec::new();
-    let of_turns = if do_later_turns_matter(result, &answers) { &mut caveats } else { &mut details };
-    of_turns.extend(turns_sentence(result, writer));
+    // What the numbers take for granted and the runs contradict.
+    let forces: Vec<JointForces> = result.impacts.iter().map(JointForces::study).collect();
+    let mut caveats = force_warnings(&forces, writer);
+    let (mut overturns, mut details) = (None, Vec::new());
+    match turns_sentence(result, writer) {
+        of_turns if is_broken_later(result) => overturns = of_turns,
+        of_turns if do_later_turns_matter(result, &answers) => caveats.extend(of_turns),
+        of_turns => details.extend(of_turns),
+    }
     let first = answers.first().copied();
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, first, !further.is_empty(), writer)));
     details.extend(study_sentences(result, writer));
@@ -96,32 +100,17 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     }
 }
 
-/// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
-/// penetrations, and contacts below the least impact speed.
-fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
-    let beyond = result.impacts.iter().filter_map(|joint| JointForces::study(joint).beyond_validity(writer));
-    let of_forces = |joint| {
-        let of = JointForces::study(joint);
-        [of.warning(writer), of.slow(writer)].into_iter().flatten()
-    };
-    // A contact whose law does not hold is worse than one beyond its validity.
-    let (broken, sound): (Vec<&JointImpacts>, Vec<&JointImpacts>) =
-        result.impacts.iter().partition(|joint| JointForces::study(joint).is_law_broken());
-    let broken = broken.into_iter().flat_map(of_forces);
-    broken.chain(beyond).chain(sound.into_iter().flat_map(of_forces)).collect()
-}
-
-/// Whether later turns may change an answer: they break a limit, go further by more than its numerical error, or are not known.
+/// Whether later turns may change an answer: they go further by more than its numerical error, or are not known.
 fn do_later_turns_matter(result: &StudyResult, answers: &[OutputSummary]) -> bool {
     let Some(further) = &result.further_turns else { return true };
     let error_si = |output: &str| {
         let errors = answers.iter().filter(|answer| answer.output() == output);
-        errors.filter_map(|answer| answer.error_si()).map(|(error_si, _)| error_si).reduce(f64::min)
+        let errors_si = errors.filter_map(|answer| answer.error_si()).map(|(error_si, _)| error_si);
+        errors_si.filter(|error_si| error_si.is_finite()).reduce(f64::min)
     };
     // Not a number matters.
     let is_within = |one: &FurtherOutput| one.largest_excess_si <= error_si(&one.output).unwrap_or(0.0);
-    further.broken_later.iter().any(|broken| broken.is_some_and(|count| count > 0))
-        || !further.outputs.iter().all(is_within)
+    !further.outputs.iter().all(is_within)
 }
 
 /// The verdict over all requirements as a headline.

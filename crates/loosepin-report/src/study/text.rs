@@ -44,12 +44,10 @@ pub fn short_study_text(result: &StudyResult) -> String {
     let result = &*without_round_off(result);
     let writer = &NumberWriter::for_terminal(&result.display_units);
     let answer = answer(result, writer);
-    // What would make an error smaller matters where it is in the way.
+    // What would make an error smaller matters where it is in the way; peaks that could be missed do, unless a limit is broken without them.
     let is_decided = matches!(answer.verdict, Some(Verdict::Met | Verdict::NotMet | Verdict::Promised));
-    let (error, gaps) = match is_decided {
-        true => (answer.error.short(), None),
-        false => (answer.error.all(), answer.gaps.clone()),
-    };
+    let error = if is_decided { answer.error.short() } else { answer.error.all() };
+    let gaps = answer.gaps.clone().filter(|_| answer.verdict != Some(Verdict::NotMet));
     let is_accuracy_missed = result.accuracy.as_ref().is_some_and(|record| record.stop != AccuracyStop::Reached);
     let sections = [
         Some(answer_section(&answer, error, gaps.into_iter().collect())),
@@ -58,6 +56,8 @@ pub fn short_study_text(result: &StudyResult) -> String {
         answers_section(result, writer),
         what_narrows(result, writer),
         warnings_section(&answer),
+        // Bounds that a model has learned are no others' equals.
+        surrogate_section(result, writer),
         failures_section(result, writer),
         accuracy_section(result, writer).filter(|_| is_accuracy_missed),
         bounds_excerpt(result, writer),
@@ -85,8 +85,7 @@ fn answer_section(answer: &StudyAnswer, error: String, details: Vec<String>) -> 
 
 /// What the runs contradict of what the answer takes for granted, but for what stands with the verdict.
 fn warnings_section(answer: &StudyAnswer) -> Option<Section> {
-    let warnings = answer.caveats.iter().filter(|caveat| Some(*caveat) != answer.overturns.as_ref());
     let mut section = Section::new("warnings", "Warnings");
-    section.push_close(Content::points(warnings.cloned()));
+    section.push_close(Content::points(answer.caveats.iter().cloned()));
     section.blocks.iter().any(|block| !block.content.is_empty_on(Medium::Terminal)).then_some(section)
 }

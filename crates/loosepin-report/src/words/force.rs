@@ -259,21 +259,24 @@ fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter
     }
 }
 
-/// The joints of a run that carried a force.
-fn forces_of_run(record: &SimulationRecord) -> impl Iterator<Item = JointForces<'_>> {
-    record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run)
-}
-
 /// The law behind the force of each joint of a run that carried one, and what puts these forces in doubt: impacts beyond the validity of the law,
 /// deep penetrations, slow contacts.
 pub(crate) fn run_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<Said> {
-    let laws = forces_of_run(record).filter_map(|of| of.sentence(writer)).map(Said::detail);
+    let forces: Vec<JointForces> =
+        record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(JointForces::run).collect();
+    let laws = forces.iter().filter_map(|of| of.sentence(writer)).map(Said::detail);
+    laws.chain(force_warnings(&forces, writer).into_iter().map(Said::caveat)).collect()
+}
+
+/// What puts the forces of joints in doubt, the most serious first: laws that do not hold, impacts beyond the validity of a law, deep penetrations
+/// and slow contacts.
+pub(crate) fn force_warnings(forces: &[JointForces], writer: &NumberWriter) -> Vec<String> {
+    let soft = |of: &&JointForces| [of.warning(writer), of.slow(writer)];
     // A contact whose law does not hold is worse than one beyond its validity.
-    let (broken, sound): (Vec<_>, Vec<_>) = forces_of_run(record).partition(JointForces::is_law_broken);
-    let broken = broken.iter().flat_map(|of| [of.warning(writer), of.beyond_validity(writer), of.slow(writer)]);
-    let beyond = sound.iter().map(|of| of.beyond_validity(writer));
-    let soft = sound.iter().flat_map(|of| [of.warning(writer), of.slow(writer)]);
-    laws.chain(broken.chain(beyond).chain(soft).flatten().map(Said::caveat)).collect()
+    let (broken, sound): (Vec<&JointForces>, Vec<&JointForces>) = forces.iter().partition(|of| of.is_law_broken());
+    let beyond = forces.iter().map(|of| of.beyond_validity(writer));
+    let found = broken.iter().flat_map(soft).chain(beyond).chain(sound.iter().flat_map(soft));
+    found.flatten().collect()
 }
 
 /// The sentences on the joints whose contact force a study is asked about.

@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use crate::charts::chart::{Chart, Entry, EntryValues, Role};
+use crate::medium::short_answer::Said;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::turn_word;
@@ -37,6 +38,14 @@ impl TrustedRun<'_> {
             Trust::NotMeasured => vec!["It was not measured how long the positions can be trusted.".to_owned()],
             Trust::Measured(measured) => self.measured_sentences(measured, writer),
         }
+    }
+
+    /// The same with what they matter: a caveat where positions are right to no length until the end.
+    pub fn said(&self, writer: &NumberWriter) -> Vec<Said> {
+        let is_lost = matches!(self.trust, Trust::Measured(measured) if measured.whole_m.is_none());
+        let said = |words: String| if is_lost { Said::caveat(words) } else { Said::answer(words) };
+        // Each follows from the one before.
+        Some(self.sentences(writer).join(" ")).filter(|words| !words.is_empty()).map(said).into_iter().collect()
     }
 
     fn measured_sentences(&self, measured: &MeasuredTrust, writer: &NumberWriter) -> Vec<String> {

@@ -76,15 +76,15 @@ fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
     }
 }
 
-/// " No further run left the limit of slider."
+/// " None of these runs left the limit of slider later."
 fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
     let of_one = |(requirement, broken): (&RequirementOutcome, &Option<u64>)| {
         let output = &requirement.output;
         let tag = Tag::requirement(requirement, "broken later");
         Some(match (*broken)? {
-            0 => format!(" No further run left the limit of {output}."),
+            0 => format!(" None of these runs left the limit of {output} later."),
             more => format!(
-                " {} of them left the limit of {output} only then: over more turns, fewer mechanisms keep it than stated.",
+                " {} of these runs left the limit of {output} only in the further turns: over more turns, fewer mechanisms keep it than stated.",
                 writer.with_tag(&tag).count(more)
             ),
         })

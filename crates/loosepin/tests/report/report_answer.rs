@@ -390,7 +390,7 @@ fn warnings_stand_after_the_answer_on_a_terminal_and_with_the_verdict_on_a_page(
     assert_says(
         &result,
         "does not repeat from turn to turn. In 5 further turns (64 runs), the largest deviation of slider grew by at most 0.042 mm (mean \
-         0.0087 mm). No further run left the limit of slider. 3 of them left the limit of slider only then: over more turns, fewer mechanisms \
+         0.0087 mm). None of these runs left the limit of slider later. 3 of these runs left the limit of slider only in the further turns: over more turns, fewer mechanisms \
          keep it than stated.",
     );
     if let Some(further) = &mut result.further_turns {

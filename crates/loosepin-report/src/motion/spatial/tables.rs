@@ -1,7 +1,7 @@
 //! Outputs of a motion in space, and what each joint contributes, as tables.
 
 use super::dead_centre::{dead_centre_sentence, regular_sentences};
-use super::numbers::{shown, shown_deviation, shown_end, shown_input};
+use super::numbers::{shown, shown_deviation, shown_end, shown_input, span_words};
 use crate::motion::contributors::share_bar;
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::{capitalised, head};
@@ -20,7 +20,8 @@ pub(super) fn outputs_section(record: &SpatialMotionRecord, medium: Medium) -> S
         true => "worst cases of play in the ideal position of each",
         false => "no joint has play",
     };
-    section.push(Content::sentences([format!("{} over a turn, {play}.", counted(record.inputs_si.len(), "position"))]));
+    let positions = counted(record.inputs_si.len(), "position");
+    section.push(Content::sentences([format!("{positions} over a {}, {play}.", span_words(record))]));
     let heads =
         ["smallest", "largest", "worst case, first order", "at", "found, up", "found, down", "standard deviation"];
     let columns =
@@ -89,6 +90,10 @@ pub(super) fn outputs_overview(record: &SpatialMotionRecord) -> Option<Section> 
     });
     let mut section = Section::headed_on_page("outputs-overview", title);
     section.push(Content::Table(Table::new(columns, rows.take(MAX_FIRST_OUTPUTS))));
+    let left = record.outputs.len().saturating_sub(MAX_FIRST_OUTPUTS);
+    if left > 0 {
+        section.push(Content::sentences([format!("{} under Outputs.", counted(left, "more output"))]));
+    }
     (!record.outputs.is_empty()).then_some(section)
 }
 

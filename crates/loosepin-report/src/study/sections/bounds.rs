@@ -23,8 +23,6 @@ fn most_rows(medium: Medium) -> usize {
 
 /// Rows of an excerpt, at most.
 const EXCERPT_ROWS: usize = 8;
-/// The column of the table that tells where the upper bound is attained.
-const WITNESS_COLUMN: usize = 5;
 
 /// " for all values of the unknown inputs", where there are any.
 fn over_words(result: &StudyResult) -> String {
@@ -55,7 +53,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     let of_parts = has_parts(&result.inputs).then(|| MASSES_ADD.to_owned());
     section.push_on(Medium::Page, Content::sentences([what].into_iter().chain(of_parts)));
     let shown = &single[..single.len().min(most_rows(writer.medium))];
-    section.push(Content::Table(table(result, shown, writer)));
+    section.push(Content::Table(table(result, shown, true, writer)));
     let (left_of_table, left_of_all) = (single.len() - shown.len(), result.bounds.len() - shown.len());
     if left_of_all > 0 {
         let tag = Tag::Count("bounds that are not shown");
@@ -85,16 +83,21 @@ pub(super) fn answer_bound(result: &StudyResult) -> Option<&BoundRecord> {
 /// they are attained is left out, unless a bound has no end: then its reason stands there.
 pub(crate) fn bounds_excerpt(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let first = answer_bound(result)?;
-    let own: Vec<&BoundRecord> = asked_of_same(result, first).into_iter().take(EXCERPT_ROWS).collect();
-    let mut table = table(result, &own, writer);
-    if !own.iter().any(|bound| has_no_end(bound)) {
-        table.columns.iter_mut().skip(WITNESS_COLUMN).for_each(|column| column.only = Some(Medium::Page));
-    }
+    let all = asked_of_same(result, first);
+    let own = &all[..all.len().min(EXCERPT_ROWS)];
+    let mut table = table(result, own, own.iter().any(|bound| has_no_end(bound)), writer);
     // The heading of the only group stands close to that of the section.
     let subjects: Vec<Text> = table.groups.iter_mut().map(|group| std::mem::take(&mut group.heading)).collect();
     let mut section = Section::new("bounds", terminal_heading(result));
     section.push_close(Content::Sentences(subjects));
     section.push_close(Content::Table(table));
+    if all.len() > own.len() {
+        let more = count(
+            (all.len() - own.len()) as u64,
+            &writer.with_tag(&Tag::Count("bounds that the first screen leaves out")),
+        );
+        section.push_close(Content::Note(format!("{more} more with --all").into()));
+    }
     Some(section)
 }
 
@@ -113,14 +116,18 @@ fn single_bounds(result: &StudyResult) -> Vec<&BoundRecord> {
     result.bounds.iter().filter(is_single).collect()
 }
 
-fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
+/// The key table; of an excerpt, which is for a terminal, without the places where upper bounds are attained.
+fn table(result: &StudyResult, shown: &[&BoundRecord], has_places: bool, writer: &NumberWriter) -> Table {
     let columns = vec![
         Column::words(Text::by_medium("Statistic", "statistic")),
         Column { only: Some(Medium::Page), ..Column::numbers("Bounds") },
         Column { only: Some(Medium::Terminal), ..Column::numbers("lower") },
         Column { only: Some(Medium::Terminal), ..Column::numbers("upper") },
         Column::numbers("± error"),
-        Column { only: Some(Medium::Terminal), ..Column::words("upper attained at") },
+        Column {
+            only: Some(if has_places { Medium::Terminal } else { Medium::Page }),
+            ..Column::words("upper attained at")
+        },
     ];
     let groups = groups(result, shown, writer, &|bound| row(bound, result, writer));
     Table { columns, groups, ..Table::default() }
@@ -165,12 +172,14 @@ fn groups(
     groups.collect()
 }
 
-/// The lower end without its unit, where the upper end has the same: `0.18` of `0.18 mm` and `0.61 mm`.
+/// The lower end without its unit, where the upper end has the same: `0.18` of `0.18 mm` and `0.61 mm`, `5` of `5 N m` and `7 N m`.
 fn without_unit<'t>(lower: &'t str, upper: &str) -> &'t str {
-    match (lower.rsplit_once('\u{a0}'), upper.rsplit_once('\u{a0}')) {
-        (Some((number, unit)), Some((_, same))) if unit == same => number,
-        _ => lower,
-    }
+    let mut units = lower.match_indices('\u{a0}').map(|(at, _)| lower.split_at(at));
+    // Spaces stand inside of numbers and of units too: a unit begins with no digit.
+    let is_unit =
+        |word: &str| !word.trim_start_matches('\u{a0}').starts_with(|first: char| first.is_numeric() || first == '·');
+    let same = units.find(|(_, unit)| is_unit(unit) && upper.ends_with(unit));
+    same.map_or(lower, |(number, _)| number)
 }
 
 /// Why failed runs leave no end, and what the finished runs give: "no bound: a failed run may have had any value; finished runs: 0 to 1 mm".
@@ -205,4 +214,23 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<
         bound_error(bound, writer).into(),
         upper_witness.into(),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_unit;
+
+    #[test]
+    fn a_unit_that_both_ends_have_stands_behind_the_second_one_alone() {
+        let of = |lower: &str, upper: &str| {
+            let [lower, upper] = [lower, upper].map(|end| end.replace(' ', "\u{a0}"));
+            without_unit(&lower, &upper).replace('\u{a0}', " ")
+        };
+        assert_eq!(of("0.18 mm", "0.61 mm"), "0.18");
+        assert_eq!(of("5 N m", "7 N m"), "5");
+        assert_eq!(of("0 %", "2.3 %"), "0");
+        assert_eq!(of("5 · 10⁻⁶ mm", "7 · 10⁻⁶ mm"), "5 · 10⁻⁶");
+        assert_eq!(of("0.18 mm", "0.61 m"), "0.18 mm");
+        assert_eq!(of("5 N", "7 N m"), "5 N");
+    }
 }

@@ -33,7 +33,13 @@ pub(crate) fn failures_section(result: &StudyResult, writer: &NumberWriter) -> O
     /// The others stand in the whole text.
     const MOST: usize = 2;
     let mut section = Section::headed_on_page("failures", "Failures");
-    push_failures(&mut section, &result.failures[..result.failures.len().min(MOST)], writer);
+    let (shown, others) = result.failures.split_at(result.failures.len().min(MOST));
+    push_failures(&mut section, shown, writer);
+    let left: u64 = others.iter().map(|failure| failure.count).sum();
+    if left > 0 {
+        let runs = counted(left, "run", &writer.with_tag(&Tag::whole("failed runs", "for other reasons")));
+        section.push_on(Medium::Terminal, Content::sentences([format!("{runs} failed for other reasons: see --all")]));
+    }
     (!result.failures.is_empty()).then_some(section)
 }
 
