@@ -28,7 +28,7 @@ pub trait JudgedModel {
         }
         count_mounts_as_moving(&mut moved, &self.rigid_pairs());
         let outputs = self.bodies_of_outputs().into_iter();
-        let still = outputs.filter(|(_, body)| *body != 0 && moved.get(*body) == Some(&false));
+        let still = outputs.filter(|(_, body)| *body != 0 && !moved[*body]);
         let warning = |(output, _): (&str, usize)| {
             let path = format!("output.{output}");
             Diagnostic::warning(&ImplausibleNumber::NeverMoves { entry: describe_path(&path) }, self.place(&path))
