@@ -2,7 +2,6 @@
 
 use super::glue::glued;
 use loosepin_text::article::{Content, Section};
-use loosepin_text::units::counted;
 use maud::{Markup, html};
 
 /// Sentences that a page begins with, at most.
@@ -59,8 +58,8 @@ pub(crate) struct ShortAnswer {
     /// The first one is the headline.
     answers: Vec<String>,
     caveats: Vec<String>,
-    /// Caveats of which nothing is shown.
-    hidden_caveats: usize,
+    /// Whether there are caveats of which nothing is shown.
+    hides_caveats: bool,
     /// Paragraphs that are not shown, or not to their end.
     further: Vec<String>,
 }
@@ -98,7 +97,7 @@ impl ShortAnswer {
         ShortAnswer {
             answers,
             caveats: of(Weight::Caveat),
-            hidden_caveats: places(Weight::Caveat).filter(|place| shown[*place] == 0).count(),
+            hides_caveats: places(Weight::Caveat).any(|place| shown[place] == 0),
             further: (0..said.len()).filter(is_left).map(|place| said[place].words.clone()).collect(),
         }
     }
@@ -116,8 +115,8 @@ impl ShortAnswer {
     /// Where the caveats are that the page has no room for.
     fn more_caveats(&self) -> Markup {
         html! {
-            @if self.hidden_caveats > 0 {
-                li { a href={ "#" (FURTHER) } { (counted(self.hidden_caveats, "more warning")) " under Further findings" } }
+            @if self.hides_caveats {
+                li { a href={ "#" (FURTHER) } { "More warnings under Further findings" } }
             }
         }
     }
@@ -162,7 +161,7 @@ mod tests {
         let words = |own: &[&str]| own.iter().map(|own| (*own).to_owned()).collect::<Vec<String>>();
         assert_eq!(shown[0], words(&["Met.", "A is 0.5 mm.", "C is 0.5 mm."]));
         assert_eq!(shown[1], words(&["B is 0.5 mm. B is proven."]));
-        // What is cut is told in whole, so that it can be read.
+        // What is cut stands there in whole, so that it can be read.
         assert_eq!(further, vec!["No news.".to_owned(), paragraph("A"), paragraph("B"), paragraph("C")]);
         // Where there are too many answers, caveats have their room.
         let many: Vec<Said> = (0..9).map(|k| Said::answer(format!("{k}."))).chain(all).collect();
