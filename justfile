@@ -123,7 +123,7 @@ rust-tests:
 # Installs the package into .venv, with the module of the same build as the other tests, and runs the Python tests.
 python-tests: (tool "pytest") programs
     "{{ python }}" tools/python/install.py target/debug
-    "{{ python }}" -m pytest --quiet crates/loosepin-python/tests tools/steps
+    "{{ python }}" -m pytest --quiet --numprocesses auto --dist loadfile crates/loosepin-python/tests tools/steps
 
 # Loads the pages that people see in headless Chromium (its path in CHROMIUM), with axe-core, which comes with the scripts.
 browser-tests: (tool "pytest") page-scripts programs
@@ -134,7 +134,7 @@ browser-tests: (tool "pytest") page-scripts programs
         echo "there is no tests/browser" >&2
         exit 0
     fi
-    "{{ python }}" -m pytest --quiet tests/browser
+    "{{ python }}" -m pytest --quiet --numprocesses auto --dist loadfile tests/browser
 
 # A long run, quoted in docs and not part of CI: fuzzing, kills, mutants, seeded repetitions, comparisons.
 campaign NAME *ARGUMENTS:

@@ -49,8 +49,8 @@ impl PartOfOutput {
         }
     }
 
-    /// Whether it is a length, so that it is never negative.
-    pub fn is_length(self) -> bool {
+    /// Whether it is the length of a vector.
+    pub fn is_never_negative(self) -> bool {
         matches!(self, Self::Across | Self::Magnitude)
     }
 

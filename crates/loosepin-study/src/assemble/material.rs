@@ -258,7 +258,7 @@ impl Material<'_> {
             OutputSource::Path(_, PathError::Magnitude) | OutputSource::Wear(..) => true,
             // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
             OutputSource::Reading(reading) => reading.is_never_negative() && column.deviation.is_value(),
-            OutputSource::InSpace(own) => own.part.is_length(),
+            OutputSource::InSpace(own) => own.part.is_never_negative(),
             OutputSource::Path(..) => false,
         };
         // The reductions of a magnitude are magnitudes.

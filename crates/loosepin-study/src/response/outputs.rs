@@ -61,7 +61,7 @@ impl OutputSource {
     pub fn is_error_of_path(&self) -> bool {
         match self {
             Self::Path(..) => true,
-            Self::InSpace(own) => own.part.is_length() || own.part == PartOfOutput::Along,
+            Self::InSpace(own) => own.part.is_never_negative() || own.part == PartOfOutput::Along,
             Self::Reading(_) | Self::Wear(..) => false,
         }
     }

@@ -1,6 +1,6 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from '../results/adoption.ts';
-import type { AdoptAnswer, AdoptRequest, CurveKey, Document, Draft, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
+import type { AdoptAnswer, AdoptRequest, CheckAnswer, CurveKey, Document, Draft, Edit, Fix, Held, SetUncertaintyAnswer, SetUncertaintyRequest, Named, NamedPoses, DragResult, RestructureAnswer, RestructureRequest, LookAnswer, DiagnosticView, LimitView, QuantityView, View } from '../messages.ts';
 import { Build } from './build.svelte.ts';
 import { chosenCurve } from '../charts/chosen_curve.svelte.ts';
 import type { Removal } from './edits.ts';
@@ -96,6 +96,10 @@ export class Desk {
   private poses: NamedPoses = {};
   /** The same by the text of the model. */
   private readonly posesBy = new Map<string, NamedPoses>();
+  /** What was tried last, until its look is taken in. */
+  private tried: CheckAnswer | null = null;
+  /** The look that was taken in last, and the version of the texts with what it has written. */
+  private taken: { seq: number; version: number } | null = null;
   /** Version of the texts whose diagnostics are known, and who waits for those of a newer one. */
   private checked = -1;
   private waiting: (() => void)[] = [];
@@ -115,8 +119,8 @@ export class Desk {
       session.listen({
         seen: (seen) => this.looker.heard(seen),
         tried: (found) => {
-          // Of older texts it says nothing.
-          if (this.looker.versionOf(found.seq) === this.documents.version) this.obstacles = found.diagnostics;
+          this.tried = found;
+          this.takeObstacles();
         },
         changed: (path) => void this.changed(path),
         opened: () => {
@@ -531,7 +535,16 @@ export class Desk {
         this.head.set(this.head.first);
       }
     }
+    this.taken = { seq: seen.seq, version };
+    this.takeObstacles();
     this.answers += 1;
+  }
+
+  /** A check may be heard before its look, and is of the texts that a drag has written with it. Of older texts it says nothing. */
+  private takeObstacles(): void {
+    if (this.tried === null || this.tried.seq !== this.taken?.seq) return;
+    if (this.taken.version === this.documents.version) this.obstacles = this.tried.diagnostics;
+    this.tried = null;
   }
 
   private showCanvas(view: View, angle: number | null): void {

@@ -30,8 +30,6 @@ export class Looker {
   private delay = 0;
   private settle = 0;
   private asked = 0;
-  /** The last look that was answered. */
-  private answered: Flight | null = null;
 
   constructor(
     private readonly make: () => { look: Omit<Look, 'seq' | 'positions' | 'is_at_rest'>; version: number } | null,
@@ -57,11 +55,6 @@ export class Looker {
   /** Something newer than the last answer is to be looked at. */
   get isWaiting(): boolean {
     return this.isWanted;
-  }
-
-  /** Version of the texts of a look, where it is the last one that was answered or asked: a check may be heard before its look. */
-  versionOf(seq: number): number | null {
-    return [this.answered, this.flight].find((look) => look?.seq === seq)?.version ?? null;
   }
 
   /** When the typing pauses. */
@@ -105,7 +98,6 @@ export class Looker {
 
   private land(): void {
     clearTimeout(this.giveUp);
-    this.answered = this.flight;
     this.flight = null;
   }
 

@@ -17,9 +17,9 @@ pub(crate) const COMPONENT: Key = optional(
     "component",
     Kind::Choice(&ALL_COMPONENTS),
     "\"normal\"",
-    "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
-     contour: its distance from the path whatever the timing; in space x, y, z, along, across (its distance from the line along the \
-     path) and magnitude; of an orientation magnitude, its only one, which may be left out",
+    "of a path or an orientation, and only there. Of a path: a coordinate of the point; its error along the path, normal to it (to \
+     the left), or whole; contour: its distance from the path whatever the timing; in space x, y, z, along, across (its distance from \
+     the line along the path) and magnitude. Of an orientation: magnitude, which may be left out",
 );
 /// Which deviation of it.
 pub(crate) const DEVIATION: Key = required(
@@ -55,10 +55,10 @@ impl StudyReader {
             }
             return self.outputs.iter().position(|output| output.output == index);
         }
-        if let ([_], None) = (components.as_slice(), component) {
-            return self.outputs.iter().position(|output| output.output == index);
-        }
         let Some(component) = component else {
+            if components.len() == 1 {
+                return self.outputs.iter().position(|output| output.output == index);
+            }
             let is_in_space = self.model.spatial().is_some();
             let problem = StudyProblem::PathOutput { entry: table.path.describe(), name, is_in_space };
             return self.refused(&problem, entry.span);

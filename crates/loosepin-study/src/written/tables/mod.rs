@@ -58,11 +58,15 @@ problems! {
             says("column '{name}' of the runs appears twice; names must differ");
         /// A stored column has a type that this version does not write.
         ForeignColumn { name: String, stored: String } => Code::NoResults,
-            says("column '{name}' of the runs has the type {stored}; must be Float64, UInt64 or Utf8"),
+            says("column '{name}' of the runs has the type {stored}; must be DOUBLE, INT64 with INTEGER(64, false), or BYTE_ARRAY with STRING"),
             hint("run the study again, or use the version that wrote it");
-        /// The runs have no form in Parquet, or the file is none of runs.
+        /// The runs have no form in Parquet.
         Parquet { source: ParquetError } => Code::ResultNotStorable,
             says("the runs cannot be stored as Parquet: {source}");
+        /// The file is no Parquet file of runs.
+        UnreadableRuns { source: ParquetError } => Code::NoResults,
+            says("{RUNS_FILE} cannot be read: {source}"),
+            hint("run the study again, or use the version that wrote it");
         /// The runs are compressed, as earlier versions wrote them.
         CompressedRuns { codec: String } => Code::NoResults,
             says("the runs are compressed with {codec}; this version reads only uncompressed runs"),

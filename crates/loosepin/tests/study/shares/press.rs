@@ -167,6 +167,7 @@ fn identity_campaign_the_band_is_narrower_as_stated_in_a_study_without_one_scatt
         for (pose_deg, tolerance) in REFIT_TOLERANCES {
             let (own, left) = (at_pose(&all, pose_deg), at_pose(&left, pose_deg));
             let [stated, refitted] = [of_path(own, path).band_share, 1.0 - left.band_width_si / own.band_width_si];
+            println!("{path} at {pose_deg} deg: stated {:.2} %, refitted {:.2} %", 100.0 * stated, 100.0 * refitted);
             assert!((stated - refitted).abs() < tolerance, "{pose_deg} {path}: {stated}, {refitted}");
         }
     }

@@ -1,5 +1,4 @@
-//! Numbers of fewer than eight bits, or of a number of bits that is no multiple of eight, side by side: from the lowest bit of each
-//! byte to the highest (Encodings.md, "Run Length Encoding / Bit-Packing Hybrid", "Delta Encoding").
+//! Numbers of 0 to 64 bits side by side, from the lowest bit of each byte to the highest (Encodings.md, "Run Length Encoding / Bit-Packing Hybrid", "Delta Encoding").
 
 /// Appends the `width` bits of each value; what is left of the last byte is 0.
 pub fn pack(bytes: &mut Vec<u8>, values: impl Iterator<Item = u64>, width: u32) {

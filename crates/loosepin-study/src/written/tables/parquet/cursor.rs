@@ -55,7 +55,7 @@ impl<'a> Cursor<'a> {
                 return Ok(number);
             }
         }
-        Err(ParquetError::wrong(what, i64::MAX, "a number of at most 64 bits"))
+        Err(ParquetError::Overlong { what })
     }
 
     /// A number with sign: 0, -1, 1, -2, ... stand as 0, 1, 2, 3, ...
@@ -112,7 +112,7 @@ mod tests {
     fn numbers_that_are_too_long_or_cut_short_are_refused() {
         let told = |bytes: &[u8]| Cursor::new(bytes).varint("the size").expect_err("no number").to_string();
         assert_eq!(told(&[0x80]), "the size: 1 bytes are needed where 0 are left");
-        assert_eq!(told(&[0xff; 10]), "the size is 9223372036854775807; must be a number of at most 64 bits");
+        assert_eq!(told(&[0xff; 10]), "the size: the number has more than 64 bits");
         let taken = Cursor::new(&[1, 2]).take("the page", u64::MAX).expect_err("two bytes").to_string();
         assert_eq!(taken, "the page: 18446744073709551615 bytes are needed where 2 are left");
     }

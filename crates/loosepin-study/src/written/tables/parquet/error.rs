@@ -12,6 +12,12 @@ pub enum ParquetError {
     Missing { what: &'static str },
     #[error("{what} is {found}; must be {rule}")]
     Wrong { what: &'static str, found: i64, rule: String },
+    #[error("{what}: a value of type {code} stands there; must be a list of structs")]
+    OtherType { what: &'static str, code: u8 },
+    #[error("its name appears twice; names must differ")]
+    RepeatedColumn,
+    #[error("{what}: the number has more than 64 bits")]
+    Overlong { what: &'static str },
     #[error("a text is not in UTF-8")]
     NotUtf8,
     #[error("column '{column}': {source}")]

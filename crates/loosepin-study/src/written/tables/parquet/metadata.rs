@@ -1,6 +1,7 @@
 //! The footer of a file: its columns, its row groups, and what else is said of it (`FileMetaData` of parquet.thrift). The file begins
 //! and ends with the letters PAR1; before the last ones stands the length of the footer in four bytes (README.md, "File format").
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::cursor::Cursor;
@@ -11,7 +12,7 @@ use crate::runs::table::{RunColumn, RunData};
 /// The letters at both ends.
 pub const MAGIC: &[u8; 4] = b"PAR1";
 /// `CompressionCodec.UNCOMPRESSED`
-const UNCOMPRESSED: i64 = 0;
+const UNCOMPRESSED: i32 = 0;
 /// `Type`, by its numbers.
 const TYPES: [&str; 8] =
     ["BOOLEAN", "INT32", "INT64", "INT96", "FLOAT", "DOUBLE", "BYTE_ARRAY", "FIXED_LEN_BYTE_ARRAY"];
@@ -91,30 +92,43 @@ impl Metadata {
         let fields = Fields::read(&mut Cursor::new(&rest[footer_at..]))?;
         let columns = columns(&fields)?;
         let chunks_end = MAGIC.len() + footer_at;
-        let groups = fields.list(4).map(|fields| group(fields, columns.len(), chunks_end));
+        let groups =
+            fields.list(4, "the row groups")?.into_iter().map(|fields| group(fields, columns.len(), chunks_end));
         let groups: Vec<Group> = groups.collect::<Result<_, _>>()?;
+        let what = "the number of rows";
+        let (rows, of_groups) =
+            (fields.size(3, what)?, groups.iter().map(|group| group.rows).fold(0, usize::saturating_add));
+        if rows != of_groups {
+            return Err(ParquetError::wrong(what, rows, format!("{of_groups}, those of all row groups")));
+        }
         // Chunks that share bytes could be many more than the file has bytes for.
-        let taken: usize = groups.iter().flat_map(|group| &group.chunks).map(|chunk| chunk.bytes.len()).sum();
+        let taken: usize =
+            groups.iter().flat_map(|group| &group.chunks).map(|chunk| chunk.bytes.len()).fold(0, usize::saturating_add);
         if taken > file.len() {
-            return Err(ParquetError::wrong("the size of all column chunks", taken, format!("below {}", file.len())));
+            return Err(ParquetError::wrong("the size of all column chunks", taken, format!("at most {}", file.len())));
         }
         let entry = |fields: &Fields| {
             let (key, value) = (fields.text(1)?, fields.text(2)?);
             Ok(key.zip(value).map(|(key, value)| (key.to_owned(), value.to_owned())))
         };
-        let entries = fields.list(5).filter_map(|fields| entry(fields).transpose()).collect::<Result<_, _>>()?;
+        let entries = fields.list(5, "the texts of the file")?;
+        let entries = entries.into_iter().filter_map(|fields| entry(fields).transpose()).collect::<Result<_, _>>()?;
         Ok(Self { columns, entries, groups })
     }
 }
 
 /// The leaves of the schema, whose first element is the table itself.
 fn columns(footer: &Fields) -> Result<Vec<Column>, ParquetError> {
-    let mut elements = footer.list(2);
+    let mut elements = footer.list(2, "the schema")?.into_iter();
     let what = "the number of columns";
     let count = elements.next().ok_or(ParquetError::Missing { what: "the schema" })?.size(5, what)?;
     let columns: Vec<Column> = elements.map(column).collect::<Result<_, _>>()?;
     if columns.len() != count {
         return Err(ParquetError::wrong(what, count, columns.len().to_string()));
+    }
+    let mut names = BTreeSet::new();
+    if let Some(column) = columns.iter().find(|column| !names.insert(column.name.as_str())) {
+        return Err(ParquetError::RepeatedColumn.in_column(&column.name));
     }
     Ok(columns)
 }
@@ -146,7 +160,8 @@ fn column(element: &Fields) -> Result<Column, ParquetError> {
 
 fn group(fields: &Fields, columns: usize, chunks_end: usize) -> Result<Group, ParquetError> {
     let rows = fields.size(3, "the rows of a group")?;
-    let chunks = fields.list(1).map(|fields| chunk(fields, chunks_end)).collect::<Result<Vec<_>, _>>()?;
+    let chunks = fields.list(1, "the chunks of a group")?;
+    let chunks = chunks.into_iter().map(|fields| chunk(fields, chunks_end)).collect::<Result<Vec<_>, _>>()?;
     if chunks.len() != columns {
         return Err(ParquetError::wrong("the number of chunks of a group", chunks.len(), columns.to_string()));
     }
@@ -165,7 +180,7 @@ fn chunk(fields: &Fields, chunks_end: usize) -> Result<ChunkPlace, ParquetError>
     }
     let number = fields.size(4, "the compression of a chunk")?;
     let name = || CODECS.get(number).map_or_else(|| format!("codec {number}"), |name| (*name).to_owned());
-    let codec = (number as i64 != UNCOMPRESSED).then(name);
+    let codec = (i32::try_from(number) != Ok(UNCOMPRESSED)).then(name);
     Ok(ChunkPlace { bytes: first..end, codec })
 }
 
@@ -207,11 +222,8 @@ pub fn footer(
     let entry =
         |(key, value): &(&str, String)| Fields::new([(1, Some(Value::text(key))), (2, Some(Value::text(value)))]);
     let rows: usize = groups.iter().map(|group| group.rows).sum();
-    // `ColumnOrder`: of doubles the total order, of all others that of their type.
-    let order = |column: &RunColumn| {
-        let number = if matches!(column.data, RunData::F64(_)) { 2 } else { 1 };
-        Fields::new([(number, Some(Value::Struct(Fields::default())))])
-    };
+    // `ColumnOrder`: that of the type. Several readers refuse a file with the newer total order of doubles.
+    let order = |_: &RunColumn| Fields::new([(1, Some(Value::Struct(Fields::default())))]);
     let fields = Fields::new([
         (1, Some(Value::I32(1))),
         (2, schema),
@@ -230,21 +242,30 @@ pub fn footer(
     Ok(bytes)
 }
 
+/// `Type`
+fn physical_type(data: &RunData) -> i32 {
+    match data {
+        RunData::F64(_) => DOUBLE,
+        RunData::U64(_) => INT64,
+        RunData::Text(_) => BYTE_ARRAY,
+    }
+}
+
 /// `SchemaElement`: type, repetition, name, the older form of the logical type (`ConvertedType`), the logical type.
 fn schema_element(column: &RunColumn) -> Fields {
     let empty = || Value::Struct(Fields::default());
-    let (stored, converted, logical) = match column.data {
-        RunData::F64(_) => (DOUBLE, None, None),
+    let (converted, logical) = match column.data {
+        RunData::F64(_) => (None, None),
         RunData::U64(_) => {
             let integer = Fields::new([(1, Some(Value::Byte(64))), (2, Some(Value::Truth(false)))]);
-            (INT64, Some(Value::I32(14)), Some((10, Value::Struct(integer))))
+            (Some(Value::I32(14)), Some((10, Value::Struct(integer))))
         }
-        RunData::Text(_) => (BYTE_ARRAY, Some(Value::I32(0)), Some((1, empty()))),
+        RunData::Text(_) => (Some(Value::I32(0)), Some((1, empty()))),
     };
     let logical = logical.map(|(number, value)| Value::Struct(Fields::new([(number, Some(value))])));
     let repetition = if column.data.is_nullable() { OPTIONAL } else { REQUIRED };
     Fields::new([
-        (1, Some(Value::I32(stored))),
+        (1, Some(Value::I32(physical_type(&column.data)))),
         (3, Some(Value::I32(repetition))),
         (4, Some(Value::text(&column.name))),
         (6, converted),
@@ -270,16 +291,11 @@ fn row_group(group: &WrittenGroup, columns: &[RunColumn]) -> Fields {
 /// `ColumnMetaData`
 fn column_metadata(chunk: &WrittenChunk, column: &RunColumn, rows: usize) -> Fields {
     let number = |number: usize| Some(Value::I64(number as i64));
-    let stored = match column.data {
-        RunData::F64(_) => DOUBLE,
-        RunData::U64(_) => INT64,
-        RunData::Text(_) => BYTE_ARRAY,
-    };
     Fields::new([
-        (1, Some(Value::I32(stored))),
+        (1, Some(Value::I32(physical_type(&column.data)))),
         (2, Some(Value::numbers(chunk.encodings))),
         (3, Some(Value::List(vec![Value::text(&column.name)]))),
-        (4, Some(Value::I32(UNCOMPRESSED as i32))),
+        (4, Some(Value::I32(UNCOMPRESSED))),
         (5, number(rows)),
         (6, number(chunk.length)),
         (7, number(chunk.length)),

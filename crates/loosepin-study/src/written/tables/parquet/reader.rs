@@ -12,7 +12,7 @@ use crate::runs::table::RunData;
 
 /// A few bytes can stand for many equal rows. Rows may take this much memory, and so much for each byte of the file.
 const MEMORY: usize = 1 << 28;
-const MEMORY_PER_BYTE: usize = 1000;
+const MEMORY_PER_BYTE: usize = 32;
 
 /// A file of which the footer has been read.
 #[derive(Debug)]

@@ -5,20 +5,20 @@ use super::thrift::{Fields, Value};
 /// Longer texts stand in statistics by their beginning.
 const LONGEST: usize = 64;
 
-/// Of doubles, in the total order of IEEE 754; not-a-number is missing.
+/// Of doubles; not-a-number is missing. Readers need not tell zeros apart: a least zero is written as -0, a largest one as 0 (`ColumnOrder`
+/// of parquet.thrift).
 pub fn of_doubles(values: &[f64]) -> Fields {
     let there = || values.iter().copied().filter(|value| !value.is_nan());
     let bytes = |value: f64| (value.to_le_bytes().to_vec(), true);
-    let least = there().min_by(f64::total_cmp).map(bytes);
-    let largest = there().max_by(f64::total_cmp).map(bytes);
-    // Of the values that are there, none is not-a-number.
-    statistics(values.len() - there().count(), least, largest, Some(0))
+    let least = there().reduce(f64::min).map(|least| if least == 0.0 { -0.0 } else { least });
+    let largest = there().reduce(f64::max).map(|largest| if largest == 0.0 { 0.0 } else { largest });
+    statistics(values.len() - there().count(), least.map(bytes), largest.map(bytes))
 }
 
 /// Of counts.
 pub fn of_counts(values: &[u64]) -> Fields {
     let bytes = |value: &u64| (value.to_le_bytes().to_vec(), true);
-    statistics(0, values.iter().min().map(bytes), values.iter().max().map(bytes), None)
+    statistics(0, values.iter().min().map(bytes), values.iter().max().map(bytes))
 }
 
 /// Of texts, in the order of their bytes.
@@ -29,15 +29,10 @@ pub fn of_texts(values: &[&str]) -> Fields {
         let bytes = if is_whole { Some(text.as_bytes().to_vec()) } else { beyond(beginning(text)) };
         bytes.map(|bytes| (bytes, is_whole))
     });
-    statistics(0, least, largest, None)
+    statistics(0, least, largest)
 }
 
-fn statistics(
-    missing: usize,
-    least: Option<(Vec<u8>, bool)>,
-    largest: Option<(Vec<u8>, bool)>,
-    not_numbers: Option<i64>,
-) -> Fields {
+fn statistics(missing: usize, least: Option<(Vec<u8>, bool)>, largest: Option<(Vec<u8>, bool)>) -> Fields {
     let (least, is_least) = least.unzip();
     let (largest, is_largest) = largest.unzip();
     Fields::new([
@@ -46,7 +41,6 @@ fn statistics(
         (6, least.map(Value::Bytes)),
         (7, is_largest.map(Value::Truth)),
         (8, is_least.map(Value::Truth)),
-        (9, not_numbers.map(Value::I64)),
     ])
 }
 
@@ -68,13 +62,17 @@ mod tests {
 
     #[test]
     fn analytic_least_and_largest() {
-        let of = of_doubles(&[0.0, f64::NAN, -0.0, -3.5, f64::INFINITY, -f64::NAN]);
-        let bytes = |value: f64| Value::Bytes(value.to_le_bytes().to_vec());
+        let bytes = |value: f64| Some(Value::Bytes(value.to_le_bytes().to_vec()));
         let truth = |number| (number, Some(Value::Truth(true)));
-        let (missing, nans) = ((3, Some(Value::I64(2))), (9, Some(Value::I64(0))));
-        let ends = [(5, Some(bytes(f64::INFINITY))), (6, Some(bytes(-3.5)))];
-        assert_eq!(of, Fields::new([missing].into_iter().chain(ends).chain([truth(7), truth(8), nans.clone()])));
-        assert_eq!(of_doubles(&[f64::NAN]), Fields::new([(3, Some(Value::I64(1))), nans]));
+        let of_ends = |missing: i64, least: f64, largest: f64| {
+            let ends = [(3, Some(Value::I64(missing))), (5, bytes(largest)), (6, bytes(least))];
+            Fields::new(ends.into_iter().chain([truth(7), truth(8)]))
+        };
+        let of = of_doubles(&[0.0, f64::NAN, -0.0, -3.5, f64::INFINITY, -f64::NAN]);
+        assert_eq!(of, of_ends(2, -3.5, f64::INFINITY));
+        assert_eq!(of_doubles(&[0.0, 2.0]), of_ends(0, -0.0, 2.0));
+        assert_eq!(of_doubles(&[-0.0, -2.0]), of_ends(0, -2.0, 0.0));
+        assert_eq!(of_doubles(&[f64::NAN]), Fields::new([(3, Some(Value::I64(1)))]));
         let of = of_counts(&[3, u64::MAX, 0]);
         let ends = [(5, vec![0xff; 8]), (6, vec![0; 8])].map(|(number, bytes)| (number, Some(Value::Bytes(bytes))));
         assert_eq!(of, Fields::new([(3, Some(Value::I64(0)))].into_iter().chain(ends).chain([truth(7), truth(8)])));

@@ -1,11 +1,13 @@
 //! Records as Parquet stores its metadata: the compact protocol of Apache Thrift (thrift/doc/specs/thrift-compact-protocol.md), of
-//! which `parquet.thrift` uses truth values, integers, texts, lists and structs.
+//! which runs need truth values, integers, texts, lists and structs.
 
 use super::cursor::{Cursor, write_varint, write_zigzag};
 use super::error::ParquetError;
 
 /// Lists and structs within each other. Those of a footer are nine deep.
 const DEEPEST: usize = 24;
+/// Values of one record. A footer has some thirty for each column of a row group; each takes 40 bytes of memory, and one of the file.
+const MOST_VALUES: usize = 1 << 22;
 
 const STOP: u8 = 0;
 const TRUE: u8 = 1;
@@ -16,7 +18,6 @@ const I32: u8 = 5;
 const I64: u8 = 6;
 const BINARY: u8 = 8;
 const LIST: u8 = 9;
-const SET: u8 = 10;
 const STRUCT: u8 = 12;
 
 /// A value of a record.
@@ -84,9 +85,20 @@ impl Value {
         }
     }
 
-    fn read(cursor: &mut Cursor<'_>, code: u8, is_item: bool, depth: usize) -> Result<Self, ParquetError> {
+    fn read(
+        cursor: &mut Cursor<'_>,
+        code: u8,
+        is_item: bool,
+        depth: usize,
+        values: &mut usize,
+    ) -> Result<Self, ParquetError> {
         if depth > DEEPEST {
             return Err(ParquetError::wrong("the depth of the metadata", depth, format!("at most {DEEPEST}")));
+        }
+        *values += 1;
+        if *values > MOST_VALUES {
+            let rule = format!("at most {MOST_VALUES}");
+            return Err(ParquetError::wrong("the number of values of the metadata", *values, rule));
         }
         let what = "a value of the metadata";
         Ok(match code {
@@ -95,15 +107,15 @@ impl Value {
             BYTE => Self::Byte(i8::from_le_bytes(cursor.array(what)?)),
             I16 | I32 => {
                 let number = cursor.zigzag(what)?;
-                let number = i32::try_from(number);
-                Self::I32(number.map_err(|_| ParquetError::wrong(what, i64::MAX, "a number of 32 bits"))?)
+                let of_32_bits = i32::try_from(number);
+                Self::I32(of_32_bits.map_err(|_| ParquetError::wrong(what, number, "a number of 32 bits"))?)
             }
             I64 => Self::I64(cursor.zigzag(what)?),
             BINARY => {
                 let length = cursor.varint(what)?;
                 Self::Bytes(cursor.take("a text of the metadata", length)?.to_vec())
             }
-            LIST | SET => {
+            LIST => {
                 let [header] = cursor.array("a list of the metadata")?;
                 let length = if header >> 4 < 15 { u64::from(header >> 4) } else { cursor.varint(what)? };
                 // An item takes a byte at least.
@@ -111,11 +123,14 @@ impl Value {
                     let what = "a list of the metadata";
                     return Err(ParquetError::CutShort { what, needed: length, left: cursor.left() });
                 }
-                let items = (0..length).map(|_| Self::read(cursor, header & 15, true, depth + 1));
-                Self::List(items.collect::<Result<_, _>>()?)
+                let mut items = Vec::new();
+                for _ in 0..length {
+                    items.push(Self::read(cursor, header & 15, true, depth + 1, values)?);
+                }
+                Self::List(items)
             }
-            STRUCT => Self::Struct(Fields::read_within(cursor, depth + 1)?),
-            _ => return Err(ParquetError::wrong("a type of the metadata", code, "one that Parquet uses")),
+            STRUCT => Self::Struct(Fields::read_within(cursor, depth + 1, values)?),
+            _ => return Err(ParquetError::wrong("a type of the metadata", code, "one that runs use")),
         })
     }
 }
@@ -142,10 +157,10 @@ impl Fields {
     /// # Errors
     /// What `parquet.thrift` has no use for, and bytes that end too early.
     pub fn read(cursor: &mut Cursor<'_>) -> Result<Self, ParquetError> {
-        Self::read_within(cursor, 0)
+        Self::read_within(cursor, 0, &mut 0)
     }
 
-    fn read_within(cursor: &mut Cursor<'_>, depth: usize) -> Result<Self, ParquetError> {
+    fn read_within(cursor: &mut Cursor<'_>, depth: usize, values: &mut usize) -> Result<Self, ParquetError> {
         let (mut fields, mut last) = (Vec::new(), 0_i16);
         loop {
             let [header] = cursor.array("a field of the metadata")?;
@@ -156,7 +171,7 @@ impl Fields {
             let number = if step > 0 { i64::from(last) + step } else { cursor.zigzag("a field of the metadata")? };
             last = i16::try_from(number)
                 .map_err(|_| ParquetError::wrong("the number of a field", number, "a number of 16 bits"))?;
-            fields.push((last, Value::read(cursor, header & 15, false, depth)?));
+            fields.push((last, Value::read(cursor, header & 15, false, depth, values)?));
         }
     }
 
@@ -196,10 +211,21 @@ impl Fields {
         std::str::from_utf8(bytes).map(Some).map_err(|_| ParquetError::NotUtf8)
     }
 
-    /// The structs of the list in field `number`; none where it is not there.
-    pub fn list(&self, number: i16) -> impl Iterator<Item = &Fields> {
-        let items = if let Some(Value::List(items)) = self.get(number) { items.as_slice() } else { &[] };
-        items.iter().filter_map(|item| if let Value::Struct(fields) = item { Some(fields) } else { None })
+    /// The structs of the list in field `number`, which is a list of `what`; none where it is not there.
+    ///
+    /// # Errors
+    /// Another value, and items that are no structs.
+    pub fn list<'a>(&'a self, number: i16, what: &'static str) -> Result<Vec<&'a Fields>, ParquetError> {
+        let wrong = |value: &Value| ParquetError::OtherType { what, code: value.code() };
+        match self.get(number) {
+            None => Ok(Vec::new()),
+            Some(Value::List(items)) => {
+                let fields =
+                    |item: &'a Value| if let Value::Struct(fields) = item { Ok(fields) } else { Err(wrong(item)) };
+                items.iter().map(fields).collect()
+            }
+            Some(value) => Err(wrong(value)),
+        }
     }
 }
 
@@ -247,6 +273,25 @@ mod tests {
     }
 
     #[test]
+    fn a_list_of_other_items_is_refused() {
+        let fields = Fields::new([(1, Some(Value::numbers(&[3]))), (2, Some(Value::I32(3)))]);
+        let told = |number| fields.list(number, "the row groups").expect_err("no structs").to_string();
+        assert_eq!(told(1), "the row groups: a value of type 5 stands there; must be a list of structs");
+        assert_eq!(told(2), "the row groups: a value of type 5 stands there; must be a list of structs");
+        assert_eq!(fields.list(3, "the row groups"), Ok(Vec::new()));
+    }
+
+    /// A list of empty structs takes a byte of the file and forty of memory for each.
+    #[test]
+    fn more_values_than_a_footer_has_are_refused() {
+        let mut bytes = vec![0x19, 0xfc];
+        write_varint(&mut bytes, MOST_VALUES as u64);
+        bytes.resize(bytes.len() + MOST_VALUES + 1, 0);
+        let told = Fields::read(&mut Cursor::new(&bytes)).expect_err("too many").to_string();
+        assert_eq!(told, "the number of values of the metadata is 4194305; must be at most 4194304");
+    }
+
+    #[test]
     fn crooked_structs_are_refused() {
         let told = |bytes: &[u8]| Fields::read(&mut Cursor::new(bytes)).expect_err("no fields").to_string();
         assert_eq!(told(&[0x15]), "a value of the metadata: 1 bytes are needed where 0 are left");
@@ -258,7 +303,7 @@ mod tests {
             told(&[0x19, 0xfc, 0xff, 0xff, 0x7f]),
             "a list of the metadata: 2097151 bytes are needed where 0 are left"
         );
-        assert_eq!(told(&[0x1b, 0]), "a type of the metadata is 11; must be one that Parquet uses");
+        assert_eq!(told(&[0x1b, 0]), "a type of the metadata is 11; must be one that runs use");
         assert_eq!(told(&[0x1c; 99]), "the depth of the metadata is 25; must be at most 24");
         assert_eq!(told(&[0x19; 99]), "the depth of the metadata is 25; must be at most 24");
         assert_eq!(
