@@ -23,7 +23,7 @@ pub struct Cholesky {
 }
 
 impl Cholesky {
-    /// Factorises `matrix` (row by row, `order` x `order`, of which the lower triangle is read); `None` if it is not positive definite to round-off.
+    /// Factorises `matrix` (row by row, `order` × `order`, of which the lower triangle is read); `None` if it is not positive definite to round-off.
     pub fn new(matrix: Vec<f64>, order: usize) -> Option<Self> {
         Self::with_known_rows(matrix, order, 0)
     }

@@ -2,17 +2,19 @@
 
 use crate::Real;
 
-/// Replaces the lower triangle of the symmetric n × n matrix `a` (row by row, the upper one is not read) by L, without its ones, and D on the diagonal.
-/// False as soon as `is_positive` refuses a pivot. On intervals whose lower ends are positive it holds for every symmetric matrix in them.
+/// Replaces the lower triangle of the symmetric n × n matrix `a` (row by row, the upper one is not read) by L, without its ones, and D on the
+/// diagonal. False as soon as `is_positive` refuses a pivot. On intervals, with pivots whose lower ends are positive, it is true of every symmetric
+/// matrix in them.
 ///
-/// Without fused multiply-adds: searches that branch on its bits are as they were found.
+/// Without fused multiply-adds, unlike [`crate::factor_ldl`]: the search for multipliers of [`crate::QuadraticOverBalls`] branches on the bits, and
+/// other ones moved upper ends by up to 6e-10.
 pub fn factor_definite<T: Real>(a: &mut [T], n: usize, is_positive: impl Fn(T) -> bool) -> bool {
     for j in 0..n {
         let pivot = a[j * n + j];
         if !is_positive(pivot) {
             return false;
         }
-        // From the last row on: column j of the rows before is still that of A there.
+        // From the last row on: those above it still hold their entries of column j undivided.
         for i in (j + 1..n).rev() {
             let share = a[i * n + j] / pivot;
             for k in j + 1..=i {

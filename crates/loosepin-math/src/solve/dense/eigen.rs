@@ -30,8 +30,8 @@ pub struct SymmetricEigen {
 }
 
 impl SymmetricEigen {
-    /// λ and v of A v = λ v with |v| = 1 for a symmetric `matrix` (row by row, `order` x `order`), by the cyclic rotations of Jacobi. Entries that are
-    /// no numbers give values that are not.
+    /// λ and v of A v = λ v with |v| = 1 for a symmetric `matrix` (row by row, `order` × `order`), by the cyclic rotations of Jacobi. Entries that
+    /// are no numbers give values that are not.
     ///
     /// Source: G. H. Golub and C. F. Van Loan, "Matrix Computations", 4th edition 2013, section 8.5.
     pub fn new(mut matrix: Vec<f64>, order: usize, precision: Precision) -> Self {
@@ -61,7 +61,7 @@ impl SymmetricEigen {
         Self { values: (0..order).map(|k| matrix[k * order + k]).collect(), vectors }
     }
 
-    /// λ and v of K v = λ M v with vᵀ M v = 1 for symmetric matrices (row by row, `order` x `order`), by the reduction to L⁻¹ K L⁻ᵀ with L Lᵀ = M;
+    /// λ and v of K v = λ M v with vᵀ M v = 1 for symmetric matrices (row by row, `order` × `order`), by the reduction to L⁻¹ K L⁻ᵀ with L Lᵀ = M;
     /// `None` if M is not positive definite to round-off.
     ///
     /// Source: G. H. Golub and C. F. Van Loan, "Matrix Computations", 4th edition 2013, section 8.7.2.

@@ -3,8 +3,8 @@
 
 use crate::Real;
 
-/// Reduces the n × n matrix `a` to L and U, with `right`, n rows of `columns` numbers, to L⁻¹ P `right`: U on and above the diagonal of `a`, L without
-/// its ones below. All matrices row by row. False where `choose` finds no row for a pivot.
+/// Reduces the n × n matrix `a` to L and U with P A = L U, and `right`, n rows of `columns` numbers, to L⁻¹ P `right`: U on and above the diagonal
+/// of `a`, L without its ones below; all row by row. False where `choose` finds no row for a pivot.
 ///
 /// `choose` gives the row of the pivot in a column, `over` the division by a pivot, and `is_nothing` whether a share of the pivot's row need not be
 /// taken off.
