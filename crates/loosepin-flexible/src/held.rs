@@ -2,7 +2,7 @@
 
 use super::beam::Beam;
 use super::shapes::{MassPoint, Shapes};
-use super::spectrum::{pairs, root_damping};
+use super::spectrum::{modes, root_damping};
 use super::station::Station;
 use loosepin_math::Vec2;
 use loosepin_math::dense::multiply;
@@ -94,7 +94,8 @@ impl HeldBeam {
     pub fn condense(&mut self, above_hz: f64) -> (Vec<f64>, Vec<f64>) {
         let (count, limit) = (self.count, (TAU * above_hz).powi(2));
         let (mut added, mut condensed_hz) = (vec![0.0; count * count], Vec::new());
-        for (square, vector) in pairs(&self.mass, &self.stiffness, count) {
+        let found = modes(&self.mass, &self.stiffness, count);
+        for (square, vector) in found.values.into_iter().zip(found.vectors) {
             if square > limit {
                 condensed_hz.push(square.sqrt() / TAU);
                 let momentum = multiply(&self.mass, &vector);
@@ -113,7 +114,8 @@ impl HeldBeam {
     /// its motion is that of the stretch.
     pub fn frequencies_hz(&self) -> [Vec<f64>; 2] {
         let mut found = [Vec::new(), Vec::new()];
-        for (square, vector) in pairs(&self.mass, &self.stiffness, self.count) {
+        let modes = modes(&self.mass, &self.stiffness, self.count);
+        for (square, vector) in modes.values.into_iter().zip(modes.vectors) {
             // vᵀ K v = λ, of which the first rows are the stretch.
             let stretch: f64 = (0..self.axial * self.axial)
                 .map(|place| (place / self.axial, place % self.axial))

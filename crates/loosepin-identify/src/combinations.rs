@@ -1,5 +1,7 @@
 //! Which sums of plays the readings fix.
 
+use loosepin_math::reduced_echelon;
+
 /// Columns whose directions differ by less than this are alike: above the round-off of derivatives, far below what two places of a
 /// push differ by.
 const ALIKE: f64 = 1e-7;
@@ -27,7 +29,7 @@ impl IdentifiableSums {
 pub(crate) fn identifiable_sums(factors: &[Vec<f64>], widths_si: &[f64]) -> IdentifiableSums {
     let plays = widths_si.len();
     // Rows of order one over plays of order one: a row counts by its shape.
-    let mut rows: Vec<Vec<f64>> = factors
+    let rows: Vec<Vec<f64>> = factors
         .iter()
         .filter_map(|row| {
             let scaled: Vec<f64> = row.iter().zip(widths_si).map(|(factor, width)| factor * width).collect();
@@ -36,27 +38,14 @@ pub(crate) fn identifiable_sums(factors: &[Vec<f64>], widths_si: &[f64]) -> Iden
         })
         .collect();
     let alike = groups(&rows, plays);
-    let mut combinations = Vec::new();
-    for column in 0..plays {
-        let rank = combinations.len();
-        let best = (rank..rows.len()).max_by(|a, b| rows[*a][column].abs().total_cmp(&rows[*b][column].abs()));
-        let Some(best) = best.filter(|row| rows[*row][column].abs() > ALIKE) else { continue };
-        rows.swap(rank, best);
-        let pivot = rows[rank][column];
-        rows[rank].iter_mut().for_each(|entry| *entry /= pivot);
-        let own = rows[rank].clone();
-        for (_, row) in rows.iter_mut().enumerate().filter(|(index, _)| *index != rank) {
-            let factor = row[column];
-            row.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= factor * own);
-        }
-        combinations.push(column);
-    }
-    let weights = combinations.iter().enumerate().map(|(rank, &column)| {
+    let mut matrix = rows.concat();
+    let pivots = reduced_echelon(&mut matrix, plays, ALIKE);
+    let weights = pivots.iter().enumerate().map(|(rank, &column)| {
         let in_plays = |(play, entry): (usize, &f64)| {
             let weight = entry * widths_si[column] / widths_si[play];
             if entry.abs() <= ALIKE { 0.0 } else { nearly_whole(weight) }
         };
-        rows[rank].iter().enumerate().map(in_plays).collect()
+        matrix[rank * plays..(rank + 1) * plays].iter().enumerate().map(in_plays).collect()
     });
     let combinations = weights.collect();
     IdentifiableSums { combinations, alike }

@@ -31,12 +31,13 @@ pub use fused::with_vector_instructions;
 pub use numbers::Numbers;
 pub use outlined::Outlined;
 pub use real::{Real, joined_all};
+pub use solve::dense::{
+    Elimination, RealLu, determinant, determinant_sign, inverse, reduced_echelon, solve_in_order, solve_square,
+};
 pub use solve::four_rows::{FourRows, interleaved, pairwise_dots};
 pub use solve::gauss::{legendre_coefficient, legendre_rule, orthonormal_values, symmetric_gauss_rule};
 pub use solve::gram::GramSystem;
 pub use solve::ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
-pub use solve::linear::{Elimination, determinant, determinant_sign, solve_square};
-pub use solve::real_lu::RealLu;
 pub use solve::svd::SingularValues;
 pub use solve::{dense, descent};
 pub use vector::Vec2;

@@ -18,7 +18,6 @@
 mod chaos;
 mod data;
 mod design;
-mod eigen;
 mod error;
 mod fitted;
 mod gaussian;

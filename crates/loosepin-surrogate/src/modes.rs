@@ -1,7 +1,6 @@
 //! Curves as a mean curve and a few modes, by principal components.
 
-use super::eigen::symmetric_eigen;
-use loosepin_math::dense::dot;
+use loosepin_math::dense::{Precision, SymmetricEigen, dot};
 use serde::{Deserialize, Serialize};
 
 /// y(t) ~ m(t) + Σ_k a_k φ_k(t), the φ orthonormal; a single number is a curve of one place.
@@ -30,7 +29,7 @@ impl Modes {
         let rows = if count <= length { &rest } else { &by_place };
         let order = rows.len();
         let gram = (0..order * order).map(|k| dot(&rows[k / order], &rows[k % order])).collect();
-        let (values, vectors) = symmetric_eigen(gram, order);
+        let SymmetricEigen { values, vectors } = SymmetricEigen::new(gram, order, Precision::OfLargest).descending();
         let total: f64 = values.iter().map(|value| value.max(0.0)).sum();
         let mut shapes = Vec::new();
         let mut left = total;

@@ -13,7 +13,8 @@
 //! (S. Geisser, J. Cornfield, "Posterior distributions for multivariate normal parameters", Journal of the Royal Statistical Society B 25
 //! (1963) 368-376, with their prior |covariance|^(-(p+1)/2)).
 
-use super::scatter::{Observation, Scatter};
+use super::scatter::{Observation, Scatter, symmetric};
+use loosepin_math::dense::Cholesky;
 use loosepin_math::legendre_rule;
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
 use std::f64::consts::{LN_2, PI, TAU};
@@ -103,7 +104,7 @@ impl Student {
             // |dx/dy|: of a logarithm 1/x, of a share of an error 1/(1 + s e).
             let stretched = if error.is_share { 1.0 + shares[seen.instruments[place]] * error.size } else { 1.0 };
             let scale = if scatter.is_log[place] { *true_si } else { 1.0 };
-            log -= scatter.form.factor[place][place].ln() + (stretched * scale).ln();
+            log -= scatter.form.factor.row(place)[place].ln() + (stretched * scale).ln();
         }
         log
     }
@@ -128,7 +129,7 @@ struct NearestNormal {
     /// Its maximum without the box.
     centre: Vec<f64>,
     /// L of the second derivatives of -ln: L Lᵀ = H.
-    factor: Vec<Vec<f64>>,
+    factor: Cholesky,
 }
 
 impl NearestNormal {
@@ -156,25 +157,13 @@ impl NearestNormal {
         };
         let columns: Vec<Vec<f64>> = movable.iter().map(column).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let count = movable.len();
-        let mut factor = vec![vec![0.0; count]; count];
-        for i in 0..count {
-            for j in 0..=i {
-                let rest = dot(&columns[i], &columns[j]) - dot(&factor[i][..j], &factor[j][..j]);
-                factor[i][j] = if i == j { rest.max(MIN_CURVATURE).sqrt() } else { rest / factor[j][j] };
-            }
-        }
+        let curvature = symmetric(movable.len(), |i, j| dot(&columns[i], &columns[j]));
+        let mut factor = Cholesky::with_raised_pivots(&curvature, &vec![MIN_CURVATURE; movable.len()]);
         // H x = -Jᵀ z.
         let mut step: Vec<f64> = columns.iter().map(|column| -dot(column, &z)).collect();
-        for i in 0..count {
-            step[i] = (step[i] - dot(&factor[i][..i], &step[..i])) / factor[i][i];
-        }
-        for i in (0..count).rev() {
-            let known: f64 = (i + 1..count).map(|j| factor[j][i] * step[j]).sum();
-            step[i] = (step[i] - known) / factor[i][i];
-        }
+        factor.solve(&mut step);
         let bent = student.curvature(scatter, &found).sqrt();
-        factor.iter_mut().flatten().for_each(|entry| *entry *= bent);
+        factor.scale(bent);
         let nearest: Vec<f64> = movable.iter().map(|instrument| shares[*instrument]).collect();
         let centre = nearest.iter().zip(step).map(|(nearest, step)| nearest + step).collect();
         Self { movable, nearest, centre, factor }
@@ -182,7 +171,7 @@ impl NearestNormal {
 
     /// The part of the interval of the first common error that is integrated over.
     fn reach(&self) -> [f64; 2] {
-        let reach = REACH / self.factor[0][0];
+        let reach = REACH / self.factor.row(0)[0];
         [(self.nearest[0] - reach).max(-1.0), (self.nearest[0] + reach).min(1.0)]
     }
 
@@ -193,8 +182,8 @@ impl NearestNormal {
         let count = self.movable.len();
         let (mut off, mut log_drawn, mut shares) = (vec![0.0; count], 0.0, vec![0.0; instruments]);
         for j in (0..count).rev() {
-            let known: f64 = (j + 1..count).map(|i| self.factor[i][j] * off[i]).sum();
-            let own = self.factor[j][j];
+            let known: f64 = (j + 1..count).map(|i| self.factor.row(i)[j] * off[i]).sum();
+            let own = self.factor.row(j)[j];
             let [low, high] = [-1.0, 1.0].map(|end| own * (end - self.centre[j]) + known);
             // In the lower tail, where the distribution function keeps its digits.
             let sign = if low > 0.0 { -1.0 } else { 1.0 };

@@ -1,5 +1,6 @@
 //! Scatter of the runs at one value of the unknowns, and the place of a measurement in it.
 
+use loosepin_math::dense::Cholesky;
 use loosepin_study::MotionError;
 
 /// Least share of the mean, and of the common error, that counts as a standard deviation: what does not scatter must be met to this.
@@ -142,7 +143,7 @@ fn scaled(values: &[f64], is_log: &[bool]) -> Vec<f64> {
 /// Mean and covariance of draws, the covariance as its Cholesky factor.
 pub(crate) struct Form {
     pub mean: Vec<f64>,
-    pub factor: Vec<Vec<f64>>,
+    pub factor: Cholesky,
 }
 
 impl Form {
@@ -154,7 +155,8 @@ impl Form {
             let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
             sum / (count - 1.0).max(1.0) + if i == j { least[i] * least[i] } else { 0.0 }
         };
-        let factor = cholesky(features, covariance, |i| least[i] * least[i]);
+        let squares: Vec<f64> = least.iter().map(|least| least * least).collect();
+        let factor = Cholesky::with_raised_pivots(&symmetric(features, covariance), &squares);
         Self { mean, factor }
     }
 
@@ -166,7 +168,9 @@ impl Form {
 
     /// L⁻¹ of a difference of values.
     pub fn whiten(&self, off: &[f64]) -> Vec<f64> {
-        forward_substitution(&self.factor, off)
+        let mut white = off.to_vec();
+        self.factor.solve_lower(&mut white);
+        white
     }
 }
 
@@ -177,29 +181,7 @@ pub(crate) fn least_deviation(mean: f64, is_log: bool, error: MotionError) -> f6
     MIN_DEVIATION * size + f64::MIN_POSITIVE.sqrt()
 }
 
-/// L of a symmetric matrix, L Lᵀ, the squares of its diagonal at least `least`.
-pub(crate) fn cholesky(
-    order: usize,
-    entry: impl Fn(usize, usize) -> f64,
-    least: impl Fn(usize) -> f64,
-) -> Vec<Vec<f64>> {
-    let mut factor = vec![vec![0.0; order]; order];
-    for i in 0..order {
-        for j in 0..=i {
-            let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-            let rest = entry(i, j) - inner;
-            factor[i][j] = if i == j { rest.max(least(i)).sqrt() } else { rest / factor[j][j] };
-        }
-    }
-    factor
-}
-
-/// L⁻¹ of values.
-pub(crate) fn forward_substitution(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
-    let mut solved: Vec<f64> = Vec::with_capacity(values.len());
-    for (i, row) in factor.iter().enumerate() {
-        let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();
-        solved.push((values[i] - inner) / row[i]);
-    }
-    solved
+/// The lower triangle of a symmetric matrix, row by row; the rest is zero.
+pub(crate) fn symmetric(order: usize, entry: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+    (0..order * order).map(|at| if at % order <= at / order { entry(at / order, at % order) } else { 0.0 }).collect()
 }

@@ -18,7 +18,8 @@
 //! the two breaks lines at the median, and no longer sees a sum of features that hardly scatters; the second one does. The 1 keeps
 //! the factor near 1 beside the median.
 
-use super::scatter::{Form, cholesky, forward_substitution, least_deviation};
+use super::scatter::{Form, least_deviation, symmetric};
+use loosepin_math::dense::Cholesky;
 use loosepin_study::MotionError;
 
 /// Middle, scatter on each side, and covariance of draws. It does not depend on their order.
@@ -28,7 +29,7 @@ pub(crate) struct SidedForm {
     /// s- and s+ of each feature.
     sides: Vec<[f64; 2]>,
     /// L of R.
-    factor: Vec<Vec<f64>>,
+    factor: Cholesky,
 }
 
 impl SidedForm {
@@ -50,14 +51,17 @@ impl SidedForm {
         };
         // The share of l² in what is 1 on the diagonal.
         let floor = |i: usize| sides[i].iter().map(|side| 0.5 * (least[i] / side).powi(2)).sum();
-        let factor = cholesky(features, moment, floor);
+        let floors: Vec<f64> = (0..features).map(floor).collect();
+        let factor = Cholesky::with_raised_pivots(&symmetric(features, moment), &floors);
         Self { form, median, sides, factor }
     }
 
     /// Distance of values from the middle.
     pub fn distance(&self, values: &[f64]) -> f64 {
         let z = over_sides(values, &self.median, &self.sides);
-        let own = length(&forward_substitution(&self.factor, &z));
+        let mut white = z.clone();
+        self.factor.solve_lower(&mut white);
+        let own = length(&white);
         let both: Vec<f64> = (0..z.len())
             .map(|k| {
                 let [below, above] = self.sides[k];

@@ -2,6 +2,7 @@
 
 use crate::functions::interval::Interval;
 use crate::real::Real;
+use crate::solve::dense::{factor_definite, solve_definite};
 use std::ops::Range;
 
 /// Steps of the search for good multipliers; whatever it ends with gives a true upper end.
@@ -44,8 +45,9 @@ impl QuadraticOverBalls<'_> {
             return self.largest_terms();
         }
         let multipliers = self.multipliers(&gradient, &hessian);
-        let Some(matrix) = self.shifted(&multipliers, &hessian) else { return f64::INFINITY };
-        let Some(point) = solve(&matrix, n, &gradient) else { return f64::INFINITY };
+        let Some(factors) = self.shifted(&multipliers, &hessian) else { return f64::INFINITY };
+        let mut point = gradient.clone();
+        solve_definite(&factors, n, &mut point);
         // From here on everything is rigorous.
         let lambda = |k: usize| Interval::from_f64(multipliers[self.ball_of(k)]);
         let shifted: Vec<Interval> = (0..n * n)
@@ -54,7 +56,7 @@ impl QuadraticOverBalls<'_> {
                 if at / n == at % n { entry + lambda(at / n) } else { entry }
             })
             .collect();
-        if !is_positive_definite(&shifted, n) {
+        if !factor_definite(&mut shifted.clone(), n, |pivot| pivot.low() > 0.0) {
             return f64::INFINITY;
         }
         let t: Vec<Interval> = point.iter().map(|value| Interval::from_f64(*value)).collect();
@@ -108,12 +110,14 @@ impl QuadraticOverBalls<'_> {
         multipliers.iter_mut().for_each(|value| *value = value.max(1e-12 * largest));
         let mut best = (f64::INFINITY, multipliers.clone());
         for _ in 0..STEPS {
-            let Some(s) = self.shifted(&multipliers, hessian).and_then(|matrix| solve(&matrix, n, gradient)) else {
+            let Some(factors) = self.shifted(&multipliers, hessian) else {
                 // Not positive definite: half of the way back.
                 let ways = multipliers.iter_mut().zip(&best.1);
                 ways.for_each(|(value, safe)| *value = (*value * safe).sqrt().max(0.5 * (*value + safe)));
                 continue;
             };
+            let mut s = gradient.to_vec();
+            solve_definite(&factors, n, &mut s);
             let value =
                 0.5 * multipliers.iter().sum::<f64>() + 0.5 * s.iter().zip(gradient).map(|(s, g)| s * g).sum::<f64>();
             if value < best.0 {
@@ -131,7 +135,7 @@ impl QuadraticOverBalls<'_> {
         best.1.iter().map(|value| value * (1.0 + 1e-12) + 1e-15 * largest).collect()
     }
 
-    /// Λ - H; `None` if it is not positive definite.
+    /// The factors of Λ - H; `None` if that is not positive definite.
     fn shifted(&self, multipliers: &[f64], hessian: &[f64]) -> Option<Vec<f64>> {
         let n = self.gradient.len();
         let mut matrix: Vec<f64> = hessian.iter().map(|entry| -entry).collect();
@@ -140,67 +144,8 @@ impl QuadraticOverBalls<'_> {
                 matrix[k * n + k] += value;
             }
         }
-        factor(&matrix, n).map(|_| matrix)
+        factor_definite(&mut matrix, n, |pivot| pivot > 0.0).then_some(matrix)
     }
-}
-
-/// L D Lᵀ of a symmetric matrix, D on the diagonal; `None` if a pivot is not positive.
-fn factor(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
-    let mut factors = matrix.to_vec();
-    for j in 0..n {
-        let pivot = factors[j * n + j];
-        if !(pivot > 0.0) {
-            return None;
-        }
-        for i in j + 1..n {
-            let share = factors[i * n + j] / pivot;
-            for k in j + 1..=i {
-                factors[i * n + k] -= share * factors[k * n + j];
-            }
-        }
-        for i in j + 1..n {
-            factors[i * n + j] /= pivot;
-        }
-    }
-    Some(factors)
-}
-
-fn solve(matrix: &[f64], n: usize, right: &[f64]) -> Option<Vec<f64>> {
-    let factors = factor(matrix, n)?;
-    let mut x = right.to_vec();
-    for i in 0..n {
-        for k in 0..i {
-            x[i] -= factors[i * n + k] * x[k];
-        }
-    }
-    for i in 0..n {
-        x[i] /= factors[i * n + i];
-    }
-    for i in (0..n).rev() {
-        for k in i + 1..n {
-            x[i] -= factors[k * n + i] * x[k];
-        }
-    }
-    Some(x)
-}
-
-/// Whether every symmetric matrix in the intervals has positive pivots only.
-fn is_positive_definite(matrix: &[Interval], n: usize) -> bool {
-    let mut left = matrix.to_vec();
-    for j in 0..n {
-        let pivot = left[j * n + j];
-        if !(pivot.low() > 0.0) {
-            return false;
-        }
-        for i in j + 1..n {
-            let share = left[i * n + j] / pivot;
-            for k in j + 1..=i {
-                let product = share * left[k * n + j];
-                left[i * n + k] -= product;
-            }
-        }
-    }
-    true
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@
 use super::radau_tables::{ALPHA, BETA, ERROR, GAMMA, NODES, T, T_INVERSE, WEIGHTS};
 use super::{StepRows, System};
 use crate::solve::complex_lu::ComplexLu;
-use crate::solve::real_lu::RealLu;
+use crate::solve::dense::RealLu;
 
 /// Newton iterations of a step.
 const ITERATIONS: usize = 8;

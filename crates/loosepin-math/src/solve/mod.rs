@@ -8,6 +8,4 @@ pub(crate) mod four_rows;
 pub(crate) mod gauss;
 pub(crate) mod gram;
 pub(crate) mod ldl;
-pub(crate) mod linear;
-pub(crate) mod real_lu;
 pub(crate) mod svd;

@@ -1,6 +1,6 @@
 //! How well the drives transmit motion in a position.
 
-use loosepin_math::{determinant, solve_square};
+use loosepin_math::{determinant, inverse};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, RowOwner};
 use loosepin_text::units::Dimension;
 
@@ -46,16 +46,9 @@ impl<'m> Transmission<'m> {
         for row in matrix.chunks_mut(n.max(1)) {
             row.iter_mut().zip(&self.largest_m).for_each(|(entry, largest_m)| *entry /= largest_m);
         }
-        let mut squares = vec![0.0; n];
-        for unit in 0..n {
-            let mut column = vec![0.0; n];
-            column[unit] = 1.0;
-            if solve_square(&mut matrix.clone(), n, &mut column) == 0.0 {
-                return 0.0;
-            }
-            squares.iter_mut().zip(&column).for_each(|(square, entry)| *square += entry * entry);
-        }
-        1.0 / squares.iter().fold(1.0_f64, |largest, square| largest.max(*square)).sqrt()
+        let Some(inverse) = inverse(matrix, n) else { return 0.0 };
+        let squares = inverse.chunks(n.max(1)).map(|row| row.iter().fold(0.0, |sum, entry| sum + entry * entry));
+        1.0 / squares.fold(1.0_f64, f64::max).sqrt()
     }
 }
 

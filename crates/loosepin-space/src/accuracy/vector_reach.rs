@@ -7,6 +7,7 @@ use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use loosepin_math::RealLu;
+use loosepin_math::dense::factor_definite;
 
 /// Part of a length that a proof may leave open, relative to it.
 const PROVEN: f64 = 1e-10;
@@ -139,23 +140,6 @@ impl<'a, 'b> VectorReach<'a, 'b> {
             }
             rest[i * size + i] += (1.0 + PROVEN) * length;
         }
-        is_positive(&mut rest, size)
+        factor_definite(&mut rest, size, |pivot| pivot > 0.0)
     }
-}
-
-/// Whether a symmetric matrix, given by its lower part, is positive: whether it has the factors of Cholesky.
-fn is_positive(matrix: &mut [f64], size: usize) -> bool {
-    for k in 0..size {
-        let pivot = matrix[k * size + k];
-        if !(pivot > 0.0) {
-            return false;
-        }
-        for i in k + 1..size {
-            let share = matrix[i * size + k] / pivot;
-            for j in k + 1..=i {
-                matrix[i * size + j] -= share * matrix[j * size + k];
-            }
-        }
-    }
-    true
 }

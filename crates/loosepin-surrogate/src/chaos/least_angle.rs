@@ -1,9 +1,11 @@
 //! The order in which columns enter a sparse regression.
 
-use loosepin_math::dense::dot;
+use loosepin_math::dense::{Cholesky, dot};
 
 /// Correlation, relative to the first, at which nothing is left to be explained.
 const MIN_CORRELATION: f64 = 1e-10;
+/// What is left of the square of a column after those before it are taken out, below which it is a combination of them.
+const MIN_INDEPENDENCE: f64 = 1e-12;
 
 /// Columns centred and of length one; `None` in place of those that are constant.
 fn normalised(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
@@ -30,7 +32,7 @@ pub(crate) fn angle_order(columns: &[Vec<f64>], values: &[f64], most: usize) -> 
         columns.iter().map(|column| column.as_ref().map_or(0.0, |column| dot(column, &centred))).collect();
     let mut is_out: Vec<bool> = columns.iter().map(Option::is_none).collect();
     let mut active: Vec<usize> = Vec::new();
-    let mut factor = GrowingCholesky::default();
+    let mut factor = Cholesky::default();
     let mut first = 0.0;
     while active.len() < most {
         let next = (0..columns.len())
@@ -48,12 +50,13 @@ pub(crate) fn angle_order(columns: &[Vec<f64>], values: &[f64], most: usize) -> 
         let Some(entering) = &columns[next] else { continue };
         let products: Vec<f64> =
             active.iter().map(|&j| columns[j].as_ref().map_or(0.0, |column| dot(column, entering))).collect();
-        if !factor.add(&products, 1.0) {
+        if !factor.push(&products, 1.0, MIN_INDEPENDENCE) {
             continue;
         }
         active.push(next);
         let signs: Vec<f64> = active.iter().map(|&j| correlations[j].signum()).collect();
-        let solved = factor.solve(&signs);
+        let mut solved = signs.clone();
+        factor.solve(&mut solved);
         let norm = 1.0 / dot(&signs, &solved).sqrt();
         let mut direction = vec![0.0; values.len()];
         for (&j, weight) in active.iter().zip(&solved) {
@@ -82,44 +85,4 @@ pub(crate) fn angle_order(columns: &[Vec<f64>], values: &[f64], most: usize) -> 
         }
     }
     active
-}
-
-/// The Cholesky factor of a Gram matrix that grows by a row at a time.
-#[derive(Default)]
-struct GrowingCholesky {
-    rows: Vec<Vec<f64>>,
-}
-
-impl GrowingCholesky {
-    /// False, and nothing is changed, where the matrix would be singular to round-off.
-    fn add(&mut self, products: &[f64], square: f64) -> bool {
-        let mut row: Vec<f64> = Vec::with_capacity(products.len() + 1);
-        for (known, product) in self.rows.iter().zip(products) {
-            let done = row.len();
-            row.push((product - dot(&known[..done], &row)) / known[done]);
-        }
-        let rest = square - dot(&row, &row);
-        if !(rest > 1e-12 * square) {
-            return false;
-        }
-        row.push(rest.sqrt());
-        self.rows.push(row);
-        true
-    }
-
-    fn solve(&self, right: &[f64]) -> Vec<f64> {
-        let mut x: Vec<f64> = Vec::with_capacity(right.len());
-        for (row, value) in self.rows.iter().zip(right) {
-            let done = x.len();
-            x.push((value - dot(&row[..done], &x)) / row[done]);
-        }
-        for i in (0..x.len()).rev() {
-            x[i] /= self.rows[i][i];
-            let value = x[i];
-            for (entry, factor) in x.iter_mut().zip(&self.rows[i][..i]) {
-                *entry -= factor * value;
-            }
-        }
-        x
-    }
 }

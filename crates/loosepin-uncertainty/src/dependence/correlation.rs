@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use loosepin_math::dense::{Cholesky, Precision, SymmetricEigen};
 use thiserror::Error;
 
 use crate::functions::normal::normal_quantile;
@@ -78,17 +79,18 @@ impl GaussianCopula {
         let mut rows = vec![Vec::new(); inputs];
         for group in groups(inputs, &pairs) {
             let matrix = matrix_of(&group, &pairs);
-            let least_eigenvalue = least_eigenvalue(matrix.clone());
-            let factor = cholesky(&matrix).filter(|_| least_eigenvalue > MIN_EIGENVALUE);
+            let eigen = SymmetricEigen::new(matrix.clone(), group.len(), Precision::OfLargest);
+            let least_eigenvalue = eigen.values.into_iter().fold(f64::INFINITY, f64::min);
+            let factor = Cholesky::new(matrix, group.len()).filter(|_| least_eigenvalue > MIN_EIGENVALUE);
             let Some(factor) = factor else {
                 return Err(CopulaError::NotPositiveDefinite { inputs: group, least_eigenvalue });
             };
-            for (place, row) in factor.into_iter().enumerate().skip(1) {
-                let mut whole = vec![0.0; group[place] + 1];
-                for (&member, value) in group.iter().zip(row) {
-                    whole[member] = value;
+            for (place, &input) in group.iter().enumerate().skip(1) {
+                let mut whole = vec![0.0; input + 1];
+                for (&member, value) in group.iter().zip(factor.row(place)) {
+                    whole[member] = *value;
                 }
-                rows[group[place]] = whole;
+                rows[input] = whole;
             }
         }
         Ok(Self { pairs, rows })
@@ -149,7 +151,8 @@ fn groups(inputs: usize, pairs: &[Pair]) -> Vec<Vec<usize>> {
     (0..inputs).map(members).filter(|group| group.len() > 1).collect()
 }
 
-fn matrix_of(group: &[usize], pairs: &[Pair]) -> Vec<Vec<f64>> {
+/// Correlations of the inputs of a group, row by row.
+fn matrix_of(group: &[usize], pairs: &[Pair]) -> Vec<f64> {
     let entry = |a: usize, b: usize| {
         if a == b {
             return 1.0;
@@ -157,59 +160,7 @@ fn matrix_of(group: &[usize], pairs: &[Pair]) -> Vec<Vec<f64>> {
         let is_it = |pair: &&Pair| (pair.first, pair.second) == (a, b) || (pair.first, pair.second) == (b, a);
         pairs.iter().find(is_it).map_or(0.0, |pair| pair.normal)
     };
-    group.iter().map(|&a| group.iter().map(|&b| entry(a, b)).collect()).collect()
-}
-
-/// Rows of the lower triangle L with L Lᵀ = `matrix`; `None` if there is none.
-fn cholesky(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let mut rows: Vec<Vec<f64>> = Vec::with_capacity(matrix.len());
-    for (i, given) in matrix.iter().enumerate() {
-        let mut row: Vec<f64> = Vec::with_capacity(i + 1);
-        for j in 0..=i {
-            let known = if j < i { &rows[j] } else { &row };
-            let rest = row.iter().zip(known).fold(given[j], |rest, (a, b)| rest - a * b);
-            let value = if j < i { rest / rows[j][j] } else { rest.sqrt() };
-            if !(j < i || rest > 0.0) {
-                return None;
-            }
-            row.push(value);
-        }
-        rows.push(row);
-    }
-    Some(rows)
-}
-
-/// The least eigenvalue of a symmetric matrix, by Jacobi's rotations (C. G. J. Jacobi 1846; cyclic sweeps).
-fn least_eigenvalue(mut a: Vec<Vec<f64>>) -> f64 {
-    const MAX_SWEEPS: usize = 60;
-    const SMALL: f64 = 1e-30;
-    let n = a.len();
-    for _ in 0..MAX_SWEEPS {
-        let off: f64 = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| a[i][j] * a[i][j]).sum();
-        if off < SMALL {
-            break;
-        }
-        for p in 0..n {
-            for q in p + 1..n {
-                if a[p][q] == 0.0 {
-                    continue;
-                }
-                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-                let sign = if theta < 0.0 { -1.0 } else { 1.0 };
-                let t = sign / (theta.abs() + (theta * theta + 1.0).sqrt());
-                let c = 1.0 / (t * t + 1.0).sqrt();
-                let s = t * c;
-                for row in &mut a {
-                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
-                }
-                let (above, below) = a.split_at_mut(q);
-                for (x, y) in above[p].iter_mut().zip(&mut below[0]) {
-                    (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
-                }
-            }
-        }
-    }
-    (0..n).map(|i| a[i][i]).fold(f64::INFINITY, f64::min)
+    group.iter().flat_map(|&a| group.iter().map(move |&b| entry(a, b))).collect()
 }
 
 #[cfg(test)]

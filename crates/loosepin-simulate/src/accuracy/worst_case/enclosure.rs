@@ -16,7 +16,7 @@
 
 use super::evaluate::Evaluator;
 use super::variables::{Variables, balls_and_numbers};
-use loosepin_math::{Dual, Interval, Outlined, Real, solve_square};
+use loosepin_math::{Dual, Interval, Outlined, Real, inverse, solve_in_order};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Position, Values};
 use std::ops::Range;
@@ -396,47 +396,12 @@ pub(super) fn eliminate(
     mut right: Vec<Interval>,
     m: usize,
 ) -> Option<Vec<Interval>> {
-    for j in 0..n {
-        if !(matrix[j * n + j].low() > 0.0) {
-            return None;
-        }
-        for i in j + 1..n {
-            let factor = matrix[i * n + j] / matrix[j * n + j];
-            for k in j + 1..n {
-                let product = factor * matrix[j * n + k];
-                matrix[i * n + k] -= product;
-            }
-            for k in 0..m {
-                let product = factor * right[j * m + k];
-                right[i * m + k] -= product;
-            }
-        }
-    }
-    for j in (0..n).rev() {
-        for k in 0..m {
-            let mut sum = right[j * m + k];
-            for i in j + 1..n {
-                sum -= matrix[j * n + i] * right[i * m + k];
-            }
-            right[j * m + k] = sum / matrix[j * n + j];
-        }
-    }
-    Some(right)
+    solve_in_order(&mut matrix, n, &mut right, m, |pivot| pivot.low() > 0.0).then_some(right)
 }
 
 /// The inverse of the first `n` columns of a matrix with `n` rows; `None` if they are singular.
 pub(super) fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
-    let mut inverse = vec![0.0; n * n];
-    for column in 0..n {
-        let mut square: Vec<f64> = (0..n * n).map(|at| matrix[at / n * columns + at % n]).collect();
-        let mut unit = vec![0.0; n];
-        unit[column] = 1.0;
-        if !(solve_square(&mut square, n, &mut unit) > 0.0) {
-            return None;
-        }
-        (0..n).for_each(|row| inverse[row * n + column] = unit[row]);
-    }
-    Some(inverse)
+    inverse((0..n * n).map(|at| matrix[at / n * columns + at % n]).collect(), n)
 }
 
 /// The coordinate that is known least.

@@ -1,7 +1,7 @@
 //! Normal forces of joints with friction, by Newton's method with a fixed number of steps.
 
 use super::{JointFrictions, PARTS};
-use loosepin_math::Real;
+use loosepin_math::{Real, solve_in_order};
 
 /// Steps of Newton's method. Its error squares from step to step; friction coefficient times pin radius over link length is what
 /// it starts with.
@@ -63,25 +63,6 @@ impl<T: Real> JointFrictions<T> {
     /// Replaces the defects by the change of N (Gauss, without a choice of pivots: they are near one).
     #[inline(always)]
     fn eliminate(&mut self) {
-        let count = self.entries.len();
-        for pivot in 0..count {
-            let inverse = T::one() / self.matrix[pivot * count + pivot];
-            for row in pivot + 1..count {
-                let factor = self.matrix[row * count + pivot] * inverse;
-                for column in pivot + 1..count {
-                    let above = self.matrix[pivot * count + column];
-                    self.matrix[row * count + column] -= factor * above;
-                }
-                let above = self.defects[pivot];
-                self.defects[row] -= factor * above;
-            }
-        }
-        for row in (0..count).rev() {
-            for column in row + 1..count {
-                let known = self.defects[column];
-                self.defects[row] -= self.matrix[row * count + column] * known;
-            }
-            self.defects[row] = self.defects[row] / self.matrix[row * count + row];
-        }
+        solve_in_order(&mut self.matrix, self.entries.len(), &mut self.defects, 1, |_| true);
     }
 }

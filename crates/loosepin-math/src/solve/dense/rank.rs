@@ -1,83 +1,4 @@
-//! Square and rectangular systems of plain numbers, solved once while compiling or along an ideal motion. Rows without a part in a
-//! pivot are left alone: the loops of many links share few coordinates.
-
-/// Solves the n × n system a x = b (row-major) in place by elimination with row exchanges; `a` is destroyed, `b`
-/// becomes x. Gives the ratio of the smallest to the largest pivot: zero where a is singular, and then b is worthless.
-#[inline]
-pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
-    let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
-    for j in 0..n {
-        let mut best = j;
-        for i in j + 1..n {
-            if a[i * n + j].abs() > a[best * n + j].abs() {
-                best = i;
-            }
-        }
-        let size = a[best * n + j].abs();
-        smallest = smallest.min(size);
-        largest = largest.max(size);
-        if size == 0.0 || size.is_nan() {
-            return 0.0;
-        }
-        if best != j {
-            for k in j..n {
-                a.swap(j * n + k, best * n + k);
-            }
-            b.swap(j, best);
-        }
-        for i in j + 1..n {
-            // In the loops of many links most rows know nothing of most coordinates.
-            if a[i * n + j] == 0.0 {
-                continue;
-            }
-            let factor = a[i * n + j] / a[j * n + j];
-            for k in j + 1..n {
-                a[i * n + k] -= factor * a[j * n + k];
-            }
-            b[i] -= factor * b[j];
-        }
-    }
-    for i in (0..n).rev() {
-        for k in i + 1..n {
-            b[i] -= a[i * n + k] * b[k];
-        }
-        b[i] /= a[i * n + i];
-    }
-    if largest > 0.0 { smallest / largest } else { 1.0 }
-}
-
-/// Determinant of the n × n matrix `a` (row-major), which is destroyed.
-pub fn determinant(a: &mut [f64], n: usize) -> f64 {
-    product_of_pivots(a, n, |pivot| pivot)
-}
-
-/// Sign of the determinant of the n × n matrix `a` (row-major), which is destroyed: 1, -1, or 0 where it is singular. The determinant itself may
-/// be too large or too small for a number.
-pub fn determinant_sign(a: &mut [f64], n: usize) -> f64 {
-    product_of_pivots(a, n, f64::signum)
-}
-
-/// Product of `part` of each pivot, with the sign of the row exchanges; zero where a pivot is.
-fn product_of_pivots(a: &mut [f64], n: usize, part: impl Fn(f64) -> f64) -> f64 {
-    let mut product = 1.0;
-    for j in 0..n {
-        let best = (j..n).max_by(|&i, &k| a[i * n + j].abs().total_cmp(&a[k * n + j].abs())).unwrap_or(j);
-        if best != j {
-            (0..n).for_each(|k| a.swap(j * n + k, best * n + k));
-            product = -product;
-        }
-        let pivot = a[j * n + j];
-        product *= part(pivot);
-        if pivot == 0.0 {
-            return 0.0;
-        }
-        for i in j + 1..n {
-            let factor = a[i * n + j] / pivot;
-            (j + 1..n).for_each(|k| a[i * n + k] -= factor * a[j * n + k]);
-        }
-    }
-    product
-}
+//! Rectangular systems: which rows and columns carry them, and what they say of the unknowns.
 
 /// Gaussian elimination with full pivoting of a rectangular matrix: its rank, which rows and columns carry it, and
 /// solutions of consistent systems.
@@ -211,6 +132,33 @@ fn others(count: usize, taken: impl Iterator<Item = usize>) -> Vec<usize> {
     (0..count).filter(|&index| is_left[index]).collect()
 }
 
+/// Puts a matrix (row by row, with rows of `columns` entries) into reduced echelon form and gives the columns of its pivots: the first rows, one for
+/// each of them, have a one there and no other row has anything.
+///
+/// In each column in turn the largest entry of the rows that have no pivot yet becomes the pivot where it is larger than `least`; else they count as
+/// zero there and keep what they have. The rows behind those with pivots are left over.
+pub fn reduced_echelon(matrix: &mut [f64], columns: usize, least: f64) -> Vec<usize> {
+    let rows = matrix.len() / columns.max(1);
+    let mut pivots = Vec::new();
+    for column in 0..columns {
+        let rank = pivots.len();
+        let size = |row: usize| matrix[row * columns + column].abs();
+        let best = (rank..rows).max_by(|a, b| size(*a).total_cmp(&size(*b)));
+        let Some(best) = best.filter(|row| size(*row) > least) else { continue };
+        (0..columns).for_each(|k| matrix.swap(rank * columns + k, best * columns + k));
+        let own = &mut matrix[rank * columns..(rank + 1) * columns];
+        let pivot = own[column];
+        own.iter_mut().for_each(|entry| *entry /= pivot);
+        let own = own.to_vec();
+        for (_, row) in matrix.chunks_exact_mut(columns).enumerate().filter(|(index, _)| *index != rank) {
+            let share = row[column];
+            row.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= share * own);
+        }
+        pivots.push(column);
+    }
+    pivots
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -219,29 +167,13 @@ mod tests {
     const ROUND_OFF: f64 = 1e-13;
 
     #[test]
-    fn identity_square_solution_and_singular_matrix() {
-        let matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
-        let x = [0.7, -1.3, 2.9];
-        let mut b: Vec<f64> = (0..3).map(|i| (0..3).map(|j| matrix[i * 3 + j] * x[j]).sum()).collect();
-        assert!(solve_square(&mut matrix.clone(), 3, &mut b) > 0.1);
-        for (solved, exact) in b.iter().zip(x) {
-            assert!((solved - exact).abs() < ROUND_OFF);
-        }
-        let mut singular = [1.3, 2.6, 0.4, 0.8];
-        assert!(solve_square(&mut singular, 2, &mut [0.3, 0.9]) < 1e-15);
-    }
-
-    #[test]
-    fn analytic_determinant_with_row_exchanges() {
-        let mut matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
-        // Sarrus: 2.3·3.1·(-0.9) + (-0.4)·1.7·0.2 - (-0.4)·0.6·(-0.9) - 0.5·1.7·2.3.
-        let exact = 2.3 * 3.1 * -0.9 - 0.4 * 1.7 * 0.2 - 0.4 * 0.6 * 0.9 - 0.5 * 1.7 * 2.3;
-        assert!((determinant(&mut matrix.clone(), 3) - exact).abs() < ROUND_OFF);
-        assert_eq!(determinant_sign(&mut matrix, 3), exact.signum());
-        assert_eq!(determinant_sign(&mut [1e-200, 0.0, 0.0, -1e-200], 2), -1.0);
-        assert_eq!(determinant_sign(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
-        assert_eq!(determinant(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
-        assert_eq!(determinant(&mut [], 0), 1.0);
+    fn analytic_reduced_echelon_form() {
+        // The third row is the first plus twice the second; columns two and three are alike but for the sign.
+        let mut matrix = [1.0, 2.0, -2.0, 0.0, 0.0, 1.0, -1.0, 3.0, 1.0, 4.0, -4.0, 6.0];
+        assert_eq!(reduced_echelon(&mut matrix, 4, 1e-9), [0, 1]);
+        let expected = [1.0, 0.0, 0.0, -6.0, 0.0, 1.0, -1.0, 3.0, 0.0, 0.0, 0.0, 0.0];
+        assert!(matrix.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUND_OFF), "{matrix:?}");
+        assert_eq!(reduced_echelon(&mut [], 3, 1e-9), [0; 0]);
     }
 
     /// The elimination that examines every entry before every pivot: pivots, and the rest of the matrix.

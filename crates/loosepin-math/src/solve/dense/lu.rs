@@ -1,11 +1,16 @@
 //! Dense systems that are solved for many right-hand sides.
 
-/// Factors of a square matrix, with row exchanges.
+use super::elimination::{largest_in_column, reduce};
+
+/// P A = L U of a square matrix A, L with ones on its diagonal.
+///
+/// A is filled into `matrix`, row by row, before [`Self::factor`]. A singular matrix has factors too, and [`Self::pivot_ratio`] tells.
 #[derive(Debug, Clone)]
 pub struct RealLu {
     order: usize,
     /// The matrix, row by row; then its factors.
     pub matrix: Vec<f64>,
+    /// The row that was exchanged with each one.
     rows: Vec<usize>,
 }
 
@@ -22,28 +27,19 @@ impl RealLu {
 
     /// Replaces the matrix by its factors.
     pub fn factor(&mut self) {
-        let (n, a) = (self.order, &mut self.matrix);
-        for j in 0..n {
-            let best = (j..n).max_by(|&i, &k| a[i * n + j].abs().total_cmp(&a[k * n + j].abs())).unwrap_or(j);
-            self.rows[j] = best;
-            if best != j {
-                (0..n).for_each(|k| a.swap(j * n + k, best * n + k));
-            }
-            let inverse = 1.0 / a[j * n + j];
-            for i in j + 1..n {
-                let factor = a[i * n + j] * inverse;
-                a[i * n + j] = factor;
-                if factor != 0.0 {
-                    let (above, below) = a.split_at_mut(i * n);
-                    for (entry, pivot) in below[j + 1..n].iter_mut().zip(&above[j * n + j + 1..(j + 1) * n]) {
-                        *entry -= factor * pivot;
-                    }
-                }
-            }
-        }
+        let (n, rows) = (self.order, &mut self.rows);
+        let choose = |a: &[f64], j: usize| {
+            rows[j] = largest_in_column(a, n, j);
+            Some(rows[j])
+        };
+        let over = |pivot: f64| {
+            let inverse = 1.0 / pivot;
+            move |entry| entry * inverse
+        };
+        reduce(&mut self.matrix, n, &mut [], 0, choose, over, |factor| factor == 0.0);
     }
 
-    /// Solves in place.
+    /// Solves A x = b in place of b.
     pub fn solve(&self, right: &mut [f64]) {
         let (n, a) = (self.order, &self.matrix);
         for j in 0..n {
@@ -60,7 +56,7 @@ impl RealLu {
         }
     }
 
-    /// Solves with the transposed matrix, in place.
+    /// Solves Aᵀ x = b in place of b.
     pub fn solve_transposed(&self, right: &mut [f64]) {
         let (n, a) = (self.order, &self.matrix);
         for i in 0..n {

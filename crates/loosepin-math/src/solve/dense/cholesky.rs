@@ -1,21 +1,29 @@
-//! Small dense symmetric matrices: Cholesky factor and inverse, in a fixed order of operations.
+//! Symmetric positive definite matrices: Cholesky factor and inverse, in a fixed order of operations.
 //!
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
 //! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
 
+use super::products::dot_in_lanes;
+use super::triangle::LowerTriangle;
 use crate::fused::with_vector_instructions;
 use crate::solve::four_rows::FourTriangleRows;
 
-/// A symmetric positive definite matrix, factorised as L Lᵀ.
-#[derive(Debug, Clone)]
+/// A symmetric positive definite matrix A, factorised as A = L Lᵀ:
+///
+/// ```text
+/// L_ij = (A_ij - Σ_(k<j) L_ik L_jk)/L_jj for j < i,   L_ii = √(A_ii - Σ_(k<i) L_ik²)
+/// ```
+///
+/// Source: G. H. Golub and C. F. Van Loan, "Matrix Computations", 4th edition 2013, section 4.2. The default is that of a matrix without rows.
+#[derive(Debug, Clone, Default)]
 pub struct Cholesky {
     order: usize,
-    /// Rows of L, full storage.
+    /// Rows of L, up to its diagonal.
     factor: Vec<f64>,
 }
 
 impl Cholesky {
-    /// Factorises `matrix` (row by row, `order` x `order`); `None` if it is not positive definite to round-off.
+    /// Factorises `matrix` (row by row, `order` × `order`, of which the lower triangle is read); `None` if it is not positive definite to round-off.
     pub fn new(matrix: Vec<f64>, order: usize) -> Option<Self> {
         Self::with_known_rows(matrix, order, 0)
     }
@@ -23,11 +31,45 @@ impl Cholesky {
     /// Factorises `matrix`, to whose first rows and columns, those of this one, others have been appended: with the bits of [`Self::new`],
     /// by what the appended rows take.
     pub fn appended(&self, mut matrix: Vec<f64>, order: usize) -> Option<Self> {
-        for (row, known) in matrix.chunks_mut(order.max(1)).zip(self.factor.chunks(self.order.max(1))) {
-            row[..self.order].copy_from_slice(known);
-            row[self.order..].fill(0.0);
+        for (row, own) in matrix.chunks_mut(order.max(1)).enumerate().take(self.order) {
+            own[..=row].copy_from_slice(self.row(row));
         }
         Self::with_known_rows(matrix, order, self.order)
+    }
+
+    /// Factorises a matrix that need not be positive definite to round-off, of which `matrix` has the lower triangle, row by row: each L_ii² is at
+    /// least the number in `least`, positive, for its row. Where none is below, the bits are those of [`Self::new`].
+    pub fn with_raised_pivots(matrix: &[f64], least: &[f64]) -> Self {
+        let order = least.len();
+        let mut raised = Self::default();
+        for (row, (entries, least)) in matrix.chunks(order.max(1)).zip(least).enumerate() {
+            raised.append(&entries[..row], entries[row], |rest| Some(rest.max(*least)));
+        }
+        raised
+    }
+
+    /// Appends a row to the matrix: `products` are its entries before the diagonal, `square` the one there. False, and nothing is changed, where
+    /// what is left of `square` for L_ii² is not more than `least_share` of it: where the matrix would be singular.
+    pub fn push(&mut self, products: &[f64], square: f64, least_share: f64) -> bool {
+        self.append(products, square, |rest| (rest > least_share * square).then_some(rest))
+    }
+
+    /// Appends a row whose L_ii² is what `square_of` makes of what is left; nothing where it makes nothing of it.
+    fn append(&mut self, products: &[f64], square: f64, square_of: impl Fn(f64) -> Option<f64>) -> bool {
+        let start = self.factor.len();
+        for (j, product) in products[..self.order].iter().enumerate() {
+            let known = self.row(j);
+            let entry = (product - dot_in_lanes(&known[..j], &self.factor[start..])) / known[j];
+            self.factor.push(entry);
+        }
+        let own = &self.factor[start..];
+        let Some(square) = square_of(square - dot_in_lanes(own, own)) else {
+            self.factor.truncate(start);
+            return false;
+        };
+        self.factor.push(square.sqrt());
+        self.order += 1;
+        true
     }
 
     /// Factorises `matrix`, whose first `known` rows are those of the factor already.
@@ -36,7 +78,14 @@ impl Cholesky {
             #[inline(always)]
             || factorise(&mut matrix, order, known),
         );
-        is_definite.then_some(Self { order, factor: matrix })
+        if !is_definite {
+            return None;
+        }
+        for row in 1..order {
+            matrix.copy_within(row * order..=row * order + row, row * (row + 1) / 2);
+        }
+        matrix.truncate(order * (order + 1) / 2);
+        Some(Self { order, factor: matrix })
     }
 
     /// Number of rows.
@@ -44,23 +93,41 @@ impl Cholesky {
         self.order
     }
 
+    /// A row of L, up to its diagonal.
+    #[inline(always)]
+    pub fn row(&self, row: usize) -> &[f64] {
+        let start = row * (row + 1) / 2;
+        &self.factor[start..=start + row]
+    }
+
+    /// Multiplies L by a number, and the matrix by its square.
+    pub fn scale(&mut self, factor: f64) {
+        self.factor.iter_mut().for_each(|entry| *entry *= factor);
+    }
+
     /// ln det of the matrix.
     pub fn ln_determinant(&self) -> f64 {
-        2.0 * (0..self.order).map(|i| libm::log(self.factor[i * self.order + i])).sum::<f64>()
+        2.0 * (0..self.order).map(|i| libm::log(self.row(i)[i])).sum::<f64>()
+    }
+
+    /// Solves L x = b in place.
+    pub fn solve_lower(&self, right: &mut [f64]) {
+        for i in 0..self.order {
+            let (done, rest) = right.split_at_mut(i);
+            let row = self.row(i);
+            rest[0] = (rest[0] - dot_in_lanes(&row[..i], done)) / row[i];
+        }
     }
 
     /// Solves A x = b in place.
     pub fn solve(&self, right: &mut [f64]) {
-        let order = self.order;
-        for i in 0..order {
-            let (done, rest) = right.split_at_mut(i);
-            rest[0] = (rest[0] - dot(&self.factor[i * order..i * order + i], done)) / self.factor[i * order + i];
-        }
-        for i in (0..order).rev() {
-            right[i] /= self.factor[i * order + i];
+        self.solve_lower(right);
+        for i in (0..self.order).rev() {
+            let row = self.row(i);
+            right[i] /= row[i];
             let value = right[i];
-            for (j, entry) in right.iter_mut().enumerate().take(i) {
-                *entry -= self.factor[i * order + j] * value;
+            for (entry, factor) in right.iter_mut().zip(&row[..i]) {
+                *entry -= factor * value;
             }
         }
     }
@@ -94,15 +161,15 @@ impl Cholesky {
         for i in first..order {
             let (done, rest) = rows.split_at_mut(i * order);
             let row = &mut rest[..=i];
+            let factors = self.row(i);
             row[i] = 1.0;
-            for (j, known) in done.chunks(order).enumerate() {
-                let factor = self.factor[i * order + j];
+            for (j, (known, factor)) in done.chunks(order).zip(factors).enumerate() {
                 for (entry, value) in row.iter_mut().zip(&known[..=j]) {
                     *entry -= factor * value;
                 }
             }
             for entry in row {
-                *entry /= self.factor[i * order + i];
+                *entry /= factors[i];
             }
         }
     }
@@ -119,55 +186,8 @@ impl Cholesky {
     }
 }
 
-/// A lower triangular matrix.
-#[derive(Debug, Clone)]
-pub struct LowerTriangle(FourTriangleRows);
-
-impl LowerTriangle {
-    /// T x
-    pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
-        self.0.multiply(vector)
-    }
-
-    /// Tᵀ x
-    pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
-        self.0.multiply_transposed(vector)
-    }
-
-    /// T x of N vectors side by side.
-    pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
-        self.0.multiply_each(vectors)
-    }
-
-    /// Tᵀ x of N vectors side by side.
-    pub fn multiply_transposed_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
-        self.0.multiply_transposed_each(vectors)
-    }
-
-    /// TᵀT, row by row, its lower triangle; the rest is zero.
-    pub fn gram(&self) -> Vec<f64> {
-        let order = self.0.order();
-        let mut product = vec![0.0; order * order];
-        for last in 0..order {
-            let row: Vec<f64> = self.0.row(last).collect();
-            for (i, factor) in row.iter().enumerate() {
-                if *factor != 0.0 {
-                    for (sum, entry) in product[i * order..=i * order + i].iter_mut().zip(&row) {
-                        *sum += factor * entry;
-                    }
-                }
-            }
-        }
-        product
-    }
-
-    /// Sum of squares of each column.
-    pub fn column_squares(&self) -> Vec<f64> {
-        self.0.column_squares()
-    }
-}
-
-/// Puts the factor L in the place of `matrix`, whose first `known` rows are those of L; whether it is positive definite to round-off.
+/// Puts the factor L in the place of the lower triangle of `matrix`, whose first `known` rows are those of L; whether it is positive definite to
+/// round-off.
 #[inline(always)]
 fn factorise(matrix: &mut [f64], order: usize, known: usize) -> bool {
     for j in 0..order {
@@ -183,69 +203,14 @@ fn factorise(matrix: &mut [f64], order: usize, known: usize) -> bool {
                 matrix[i * order + j] = sum / matrix[j * order + j];
             }
         }
-        for i in 0..j {
-            matrix[i * order + j] = 0.0;
-        }
     }
     true
 }
 
-/// Scalar product, in eight partial sums so that it can be vectorised, always in this order.
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
-    dot_in_lanes(a, b)
-}
-
-#[inline(always)]
-fn dot_in_lanes(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a_blocks, b_blocks) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a_blocks.zip(b_blocks) {
-        for lane in 0..8 {
-            sums[lane] += x[lane] * y[lane];
-        }
-    }
-    // Kept apart from the loop, which would otherwise shuffle its operands into the order of this sum and take half as long again.
-    let [a, b, c, d, e, f, g, h] = core::hint::black_box(sums);
-    ((a + b) + (c + d)) + ((e + f) + (g + h)) + rest
-}
-
-/// The product of a matrix (row by row) and a vector.
-pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
-    let mut product = vec![0.0; matrix.len().div_ceil(vector.len().max(1))];
-    with_vector_instructions(
-        #[inline(always)]
-        || {
-            for (row, entry) in matrix.chunks(vector.len().max(1)).zip(&mut product) {
-                *entry = dot_in_lanes(row, vector);
-            }
-        },
-    );
-    product
-}
-
-/// AᵀA of a matrix A with rows of `size` entries, its rows added in their order; the lower triangle, as [`Cholesky::new`] wants it, the rest
-/// is zero.
-pub fn gram(rows: &[f64], size: usize) -> Vec<f64> {
-    let mut gram = vec![0.0; size * size];
-    with_vector_instructions(
-        #[inline(always)]
-        || {
-            for row in rows.chunks(size.max(1)) {
-                for (i, (factor, sums)) in row.iter().zip(gram.chunks_mut(size.max(1))).enumerate() {
-                    for (sum, entry) in sums[..=i].iter_mut().zip(row) {
-                        *sum += factor * entry;
-                    }
-                }
-            }
-        },
-    );
-    gram
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Cholesky, dot, multiply};
+    use super::Cholesky;
+    use crate::solve::dense::{dot, multiply};
 
     #[test]
     fn identity_the_inverse_times_the_matrix_is_the_identity() {
@@ -301,6 +266,39 @@ mod tests {
         // The leading part is the one of the factor, whatever else stands there; what is appended makes it singular.
         let first = Cholesky::new(vec![4.0], 1).unwrap();
         assert!(first.appended(vec![4.0, 0.0, 4.0, 4.0], 2).is_none());
+    }
+
+    #[test]
+    fn identity_rows_pushed_one_after_the_other_give_the_bits_of_the_whole_matrix() {
+        let order = 21;
+        let entry = |i: usize, j: usize| libm::exp(-0.2 * (i as f64 - j as f64).abs()) + f64::from(u8::from(i == j));
+        let matrix: Vec<f64> = (0..order * order).map(|k| entry(k / order, k % order)).collect();
+        let whole = Cholesky::new(matrix.clone(), order).unwrap();
+        let mut pushed = Cholesky::default();
+        for row in 0..order {
+            let products: Vec<f64> = (0..row).map(|column| entry(row, column)).collect();
+            assert!(pushed.push(&products, 2.0, 1e-12));
+            // A row that repeats another is refused, and leaves nothing behind.
+            let again: Vec<f64> = (0..=row).map(|column| entry(row, column)).collect();
+            assert!(!pushed.push(&again, 2.0, 1e-12));
+        }
+        let raised = Cholesky::with_raised_pivots(&matrix, &vec![1e-12; order]);
+        for factor in [pushed, raised] {
+            assert_eq!((factor.order(), bits(&factor.factor)), (order, bits(&whole.factor)));
+        }
+    }
+
+    #[test]
+    fn analytic_raised_pivots() {
+        // The second row would leave 1 - 4 = -3.
+        let raised = Cholesky::with_raised_pivots(&[1.0, 0.0, 2.0, 1.0], &[0.25, 0.25]);
+        assert_eq!((raised.row(0), raised.row(1)), (&[1.0][..], &[2.0, 0.5][..]));
+        let mut right = [1.0, 3.0];
+        raised.solve_lower(&mut right);
+        assert_eq!(right, [1.0, 2.0]);
+        let mut doubled = raised;
+        doubled.scale(2.0);
+        assert_eq!((doubled.row(1), doubled.ln_determinant()), (&[4.0, 1.0][..], 2.0 * 2.0_f64.ln()));
     }
 
     fn bits(values: &[f64]) -> Vec<u64> {
