@@ -5,5 +5,6 @@ mod log;
 pub mod model;
 pub mod plan;
 mod rows;
+pub mod runs;
 pub mod store;
 pub mod study;

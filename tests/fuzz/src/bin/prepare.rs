@@ -64,10 +64,11 @@ fn main() {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let (model, study) = (model_schema(), study_schema());
     for (target, schemas) in
-        [("model", vec![&model]), ("study", vec![&study]), ("plan", vec![&model, &study]), ("store", Vec::new())]
+        [("model", vec![&model]), ("study", vec![&study]), ("plan", vec![&model, &study]), ("store", Vec::new()), ("runs", Vec::new())]
     {
         let seeds = match target {
             "store" => stores(&out),
+            "runs" => runs(&repository.join("crates/loosepin-study/tests/runs")),
             "plan" => [texts(&repository, "model"), texts(&repository, "study")].concat(),
             kind => texts(&repository, kind),
         };
@@ -126,6 +127,12 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         fs::read_dir(folder).expect("a folder of seeds").map(|entry| entry.expect("an entry").path()).collect();
     entries.sort();
     entries.into_iter().flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
+/// Files of runs of this version and of an earlier one.
+fn runs(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let name = |path: &Path| path.file_name().expect("a name").to_string_lossy().into_owned();
+    files_below(folder).iter().map(|path| (name(path), fs::read(path).expect("a file of runs is read"))).collect()
 }
 
 /// Stores as the library writes them, whole and killed, and rows for `rows.rs`.
