@@ -116,7 +116,7 @@ rust-tests:
     set -uo pipefail
     status=0
     # Examples are compiled by the linter; linking them takes longer than what it could find. A crate that fails hides no other one.
-    cargo test --workspace --locked --tests --no-fail-fast || status=$?
+    "{{ python }}" tools/steps/rust_tests.py --workspace --locked --tests || status=$?
     cargo test --workspace --locked --doc --no-fail-fast || status=$?
     exit "$status"
 

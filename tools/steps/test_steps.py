@@ -1,5 +1,6 @@
 """The steps of `./test` run to the last one, and what failed is named at the end."""
 
+import os
 import re
 import subprocess
 import sys
@@ -66,3 +67,44 @@ def test_steps_that_are_well_say_nothing_at_the_end(tmp_path):
     status, printed = steps(tmp_path, "format-check", "docs")
     assert status == 0
     assert printed == ["format-check is well", "==> format-check: N s", "docs is well", "==> docs: N s"]
+
+
+# What cargo says of a program of tests, of a library, and of its end.
+MESSAGES = """
+{"reason":"compiler-artifact","manifest_path":"FOLDER/loosepin-cli/Cargo.toml","target":{"kind":["test"],"name":"command"},"profile":{"test":true},"executable":"FOLDER/fails"}
+{"reason":"compiler-artifact","manifest_path":"FOLDER/loosepin-text/Cargo.toml","target":{"kind":["lib"],"name":"loosepin_text"},"profile":{"test":true},"executable":"FOLDER/passes"}
+{"reason":"compiler-artifact","manifest_path":"FOLDER/loosepin-text/Cargo.toml","target":{"kind":["lib"],"name":"loosepin_text"},"profile":{"test":false},"executable":null}
+{"reason":"build-finished","success":true}
+"""
+
+
+def rust_tests(tmp_path, cargo):
+    for package in ("loosepin-cli", "loosepin-text"):
+        (tmp_path / package).mkdir()
+    for name, text in {
+        "cargo": cargo,
+        "fails": "echo 'test a_test ... FAILED'; pwd; exit 101",
+        "passes": "echo 'test another_test ... ok'; pwd",
+    }.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{text}\n")
+        (tmp_path / name).chmod(0o755)
+    environment = os.environ | {"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    return subprocess.run([sys.executable, STEPS.with_name("rust_tests.py"), "--tests"], env=environment, capture_output=True, text=True)
+
+
+def test_programs_of_tests_run_to_the_last_and_those_that_fail_are_named(tmp_path):
+    (tmp_path / "messages").write_text(MESSAGES.strip().replace("FOLDER", str(tmp_path)))
+    done = rust_tests(tmp_path, f"echo \"$@\" >&2; cat {tmp_path}/messages")
+    assert done.stderr == "test --no-run --message-format=json-render-diagnostics --tests\n"
+    for shown in (
+        f"     Running -p loosepin-cli --test command\ntest a_test ... FAILED\n{tmp_path}/loosepin-cli\n",
+        f"     Running -p loosepin-text --lib\ntest another_test ... ok\n{tmp_path}/loosepin-text\n",
+    ):
+        assert shown in done.stdout
+    assert done.stdout.endswith("error: 1 targets failed:\n    `-p loosepin-cli --test command`\n")
+    assert done.returncode == 101
+
+
+def test_what_cannot_be_built_is_the_status_of_cargo(tmp_path):
+    done = rust_tests(tmp_path, "echo 'error: could not compile `loosepin-text`' >&2; exit 102")
+    assert (done.returncode, done.stdout) == (102, "")

@@ -67,6 +67,12 @@ pub(crate) struct ShortAnswer {
 impl ShortAnswer {
     /// Caveats first, each with what follows from it, while they have room; then the first sentence of each answer, and more of the first ones.
     pub fn of(said: &[Said]) -> ShortAnswer {
+        let short = Self::of_sentences(said, MAX_SENTENCES);
+        // The line that leads to them takes the room of a sentence.
+        if short.hides_caveats { Self::of_sentences(said, MAX_SENTENCES - 1) } else { short }
+    }
+
+    fn of_sentences(said: &[Said], most: usize) -> ShortAnswer {
         let paragraphs: Vec<Vec<&str>> = said.iter().map(|said| sentences(&said.words)).collect();
         let places = |weight: Weight| (0..said.len()).filter(move |place| said[*place].weight == weight);
         let mut shown = vec![0; said.len()];
@@ -79,16 +85,16 @@ impl ShortAnswer {
             }
             left
         };
-        let left = MAX_SENTENCES - OF_CAVEATS + show(&mut places(Weight::Caveat), OF_CAVEATS, OF_CAVEATS);
+        let left = most - OF_CAVEATS + show(&mut places(Weight::Caveat), OF_CAVEATS, OF_CAVEATS);
         let left = show(&mut places(Weight::Answer), left, 1);
         let left = show(&mut places(Weight::Answer), left, MAX_SENTENCES);
         show(&mut places(Weight::Caveat), left, MAX_SENTENCES);
-        let of = |weight: Weight| {
+        let words_of = |weight: Weight| {
             let shown_ones = places(weight).filter(|place| shown[*place] > 0);
             shown_ones.map(|place| paragraphs[place][..shown[place]].join(" ")).collect()
         };
         let is_left = |place: &usize| shown[*place] < paragraphs[*place].len();
-        let mut answers: Vec<String> = of(Weight::Answer);
+        let mut answers: Vec<String> = words_of(Weight::Answer);
         let headline = answers.first().map(|first| sentences(first)[0].len());
         if let Some(end) = headline.filter(|end| *end < answers[0].len()) {
             let rest = answers[0].split_off(end).trim_start().to_owned();
@@ -96,7 +102,7 @@ impl ShortAnswer {
         }
         ShortAnswer {
             answers,
-            caveats: of(Weight::Caveat),
+            caveats: words_of(Weight::Caveat),
             hides_caveats: places(Weight::Caveat).any(|place| shown[place] == 0),
             further: (0..said.len()).filter(is_left).map(|place| said[place].words.clone()).collect(),
         }
@@ -164,9 +170,12 @@ mod tests {
         // What is cut stands there in whole, so that it can be read.
         assert_eq!(further, vec!["No news.".to_owned(), paragraph("A"), paragraph("B"), paragraph("C")]);
         // Where there are too many answers, caveats have their room.
-        let many: Vec<Said> = (0..9).map(|k| Said::answer(format!("{k}."))).chain(all).collect();
+        let many: Vec<Said> = (0..9).map(|k| Said::answer(format!("{k}."))).chain(all.clone()).collect();
         let (shown, further) = short(&many);
         assert_eq!((shown[0].len(), shown[1].len(), further.len()), (3, 1, 11));
+        let caveats: Vec<Said> = (0..3).map(|k| Said::caveat(format!("Warning {k}."))).collect();
+        let (shown, further) = short(&[caveats, all.clone()].concat());
+        assert_eq!((shown[0].len(), shown[1].len()), (2, 2), "and the line that leads to the others: {further:?}");
         let (shown, _) = short(&[Said::answer(paragraph("A"))]);
         assert_eq!(shown[0], words(&["A is 0.5 mm.", "A is proven. 3 of A are left."]));
         assert!(ShortAnswer::of(&[Said::answer("All of it.".to_owned())]).further().is_none());
