@@ -73,7 +73,7 @@
     function run(isStarted: boolean): void {
       isRunning = isStarted && count > 1;
       if (play) {
-        play.textContent = isRunning ? 'Pause' : 'Play';
+        play.textContent = isRunning ? 'Pause' : 'Animate';
         play.setAttribute('aria-pressed', String(isRunning));
       }
       lastTime = 0;

@@ -146,7 +146,7 @@ pub(crate) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
         figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
             (picture.svg())
             div.controls {
-                button.play type="button" aria-pressed="false" { "Play" }
+                button.play type="button" aria-pressed="false" { "Animate" }
                 label {
                     span { (if drive == PHASE { "phase of the cycle:" } else { drive }) @if drive != PHASE { " at" } " " output.angle { (format!("{:.0}°", motion.angle_deg[motion.start].unwrap_or(0.0))) } }
                     input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value=(motion.start)

@@ -203,7 +203,7 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Mar
         figure.space id=(NAME) data-space=(NAME) data-figure=(NAME) {
             (prepared.picture.svg())
             div.controls {
-                button.play type="button" aria-pressed="false" { "Play" }
+                button.play type="button" aria-pressed="false" { "Animate" }
                 label {
                     span { (record.input) " at " output.angle { (at) } }
                     input.pose type="range" min="0" max=(data.inputs.len().saturating_sub(1)) value=(data.start) step="1"

@@ -44,9 +44,9 @@ pub fn short_study_text(result: &StudyResult) -> String {
     let result = &*without_round_off(result);
     let writer = &NumberWriter::for_terminal(&result.display_units);
     let answer = answer(result, writer);
-    // What would make an error smaller matters where it is in the way; peaks that could be missed do, unless a limit is broken without them.
-    let is_decided = matches!(answer.verdict, Some(Verdict::Met | Verdict::NotMet | Verdict::Promised));
-    let error = if is_decided { answer.error.short() } else { answer.error.all() };
+    // What would make an error smaller matters unless all limits are kept with it; peaks that could be missed do, unless one is broken.
+    let is_kept = matches!(answer.verdict, Some(Verdict::Met | Verdict::Promised));
+    let error = if is_kept { answer.error.short() } else { answer.error.all() };
     let gaps = answer.gaps.clone().filter(|_| answer.verdict != Some(Verdict::NotMet));
     let is_accuracy_missed = result.accuracy.as_ref().is_some_and(|record| record.stop != AccuracyStop::Reached);
     let sections = [
