@@ -147,6 +147,10 @@ campaign NAME *ARGUMENTS:
     fi
     exec "tests/campaigns/{{ NAME }}" {{ ARGUMENTS }}
 
+# Lines of code, what plane and space have twice, and where variants of enums are named, at a commit.
+structure REVISION="HEAD":
+    python3 tools/structure/structure.py {{ REVISION }}
+
 # Seconds from one changed line in each crate to a passing unit test of it, and to the program.
 rebuild-times *CRATES:
     python3 tools/rebuild/rebuild_times.py {{ CRATES }}
