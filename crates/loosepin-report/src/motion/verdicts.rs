@@ -33,7 +33,8 @@ pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) ->
         .iter()
         .any(|requirement| requirement.verdict == MotionVerdict::Met)
         .then(|| "Elastic contacts and bending bodies add to this: `loosepin study` shows how much.".to_owned());
-    let is_open = |own: &MotionRequirement| matches!(own.verdict, MotionVerdict::Undecided | MotionVerdict::NeedsDynamics);
+    let is_open =
+        |own: &MotionRequirement| matches!(own.verdict, MotionVerdict::Undecided | MotionVerdict::NeedsDynamics);
     let how_decided =
         record.requirements.iter().any(is_open).then(|| "`loosepin study` decides what is undecided here.".to_owned());
     let answers = requirements.chain(how_decided).chain(allowances).map(Said::answer);

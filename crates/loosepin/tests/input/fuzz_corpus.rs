@@ -14,8 +14,6 @@ mod model;
 mod plan;
 #[path = "../../../../tests/fuzz/src/rows.rs"]
 mod rows;
-#[path = "../../../../tests/fuzz/src/runs.rs"]
-mod runs;
 #[path = "../../../../tests/fuzz/src/store.rs"]
 mod store;
 #[path = "../../../../tests/fuzz/src/study.rs"]
