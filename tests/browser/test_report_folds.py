@@ -32,7 +32,7 @@ PARTED = r"""(() => {
     const parted = new RegExp('\\d (?:' + units + ')(?![\\w/-])|\\d [·×] ?10|N m(?![\\w])', 'g');
     const found = [];
     let count = 0;
-    for (const block of document.querySelectorAll('p, li, td, th, figcaption, summary, h2, h3')) {
+    for (const block of document.querySelectorAll('p, li, td, th, dt, dd, label, figcaption, summary, h2, h3')) {
         if (block.closest('script, style, pre, svg, .numbers, .legend, .readout') || block.querySelector('p, li, td, pre, svg')) continue;
         count += 1;
         for (const match of block.textContent.matchAll(parted)) found.push(block.textContent.slice(Math.max(0, match.index - 20), match.index + 20));

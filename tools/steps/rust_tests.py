@@ -45,9 +45,13 @@ def programs(messages: list[str]) -> list[Program]:
 def passes(program: Program) -> bool:
     """Runs the tests of a program in the folder of their package, as cargo does, and shows what they print."""
     environment = os.environ | {"CARGO_MANIFEST_DIR": str(program.package)}
+    with ONE_AT_A_TIME:
+        print(f"     Started {program.arguments}", flush=True)
     done = subprocess.run([program.path], cwd=program.package, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     with ONE_AT_A_TIME:
         print(f"     Running {program.arguments}\n{done.stdout}", end="", flush=True)
+        if done.returncode not in (0, 101):
+            print(f"error: {program.path.name} ended with {done.returncode}", flush=True)
     return done.returncode == 0
 
 
@@ -58,6 +62,9 @@ def main(arguments: list[str]) -> int:
     if built.returncode != 0:
         return built.returncode
     found = programs(built.stdout.splitlines())
+    if not found:
+        print("error: cargo has built no tests")
+        return 1
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         failed = [program.arguments for program, is_passed in zip(found, pool.map(passes, found)) if not is_passed]
     if failed:

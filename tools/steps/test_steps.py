@@ -105,6 +105,11 @@ def test_programs_of_tests_run_to_the_last_and_those_that_fail_are_named(tmp_pat
     assert done.returncode == 101
 
 
+def test_no_tests_are_an_error(tmp_path):
+    done = rust_tests(tmp_path, "echo '{\"reason\":\"build-finished\",\"success\":true}'")
+    assert (done.returncode, done.stdout) == (1, "error: cargo has built no tests\n")
+
+
 def test_what_cannot_be_built_is_the_status_of_cargo(tmp_path):
     done = rust_tests(tmp_path, "echo 'error: could not compile `loosepin-text`' >&2; exit 102")
     assert (done.returncode, done.stdout) == (102, "")

@@ -1,6 +1,6 @@
 """Counts what plane and space have twice, and where variants of enums are named: structure.py [REVISION] (default HEAD).
 
-Counted is the Rust code below `crates/*/src` of a commit, without tests, comments and empty lines.
+Counted is the Rust code below `crates/*/src` of a commit, without modules of tests, comments and empty lines.
 """
 
 import re
@@ -59,7 +59,7 @@ def without_tests(text: str) -> tuple[list[str], list[str]]:
             if following[2] == ";":
                 modules.append(following[1])
             else:
-                while lines[at].rstrip() != f"{test[1]}}}":
+                while at < len(lines) and lines[at].rstrip() != f"{test[1]}}}":
                     at += 1
         else:
             kept.append(lines[at])
@@ -106,7 +106,7 @@ def main(revision: str) -> None:
     for enum in ENUMS:
         variant = re.compile(rf"\b{enum}::[A-Z]")
         count = sum(len(variant.findall(line)) for code in files.values() for line in code)
-        print(f"{count:7} variants of {enum} in {len(naming(variant))} files")
+        print(f"{count:7} mentions of variants of {enum} in {len(naming(variant))} files")
 
 
 if __name__ == "__main__":

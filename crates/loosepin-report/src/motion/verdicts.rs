@@ -28,15 +28,13 @@ pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
 pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<Said> {
     let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
     let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
-    let rests_on = record
-        .requirements
-        .iter()
-        .any(|requirement| requirement.verdict == MotionVerdict::Met)
-        .then(|| "Elastic contacts and bending bodies add to this: `loosepin study` shows how much.".to_owned());
+    let rests_on = record.requirements.iter().any(|requirement| requirement.verdict == MotionVerdict::Met).then(|| {
+        "Elastic contacts and bending bodies add to these deviations: `loosepin study` shows how much.".to_owned()
+    });
     let is_open =
         |own: &MotionRequirement| matches!(own.verdict, MotionVerdict::Undecided | MotionVerdict::NeedsDynamics);
     let how_decided =
-        record.requirements.iter().any(is_open).then(|| "`loosepin study` decides what is undecided here.".to_owned());
+        record.requirements.iter().any(is_open).then(|| "Run `loosepin study` for what is undecided here.".to_owned());
     let answers = requirements.chain(how_decided).chain(allowances).map(Said::answer);
     answers.chain(rests_on.map(Said::caveat)).collect()
 }

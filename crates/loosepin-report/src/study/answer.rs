@@ -23,9 +23,9 @@ pub(crate) struct StudyAnswer {
     pub failed: Option<String>,
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
-    /// Caveats that may overturn the verdict, or else the numbers of the answer.
+    /// What the runs contradict of what the numbers take for granted.
     pub caveats: Vec<String>,
-    /// The caveat that overturns the verdict: runs that leave a limit in later turns.
+    /// That runs leave a limit in later turns: it overturns the verdict, and stands beside it.
     pub overturns: Option<String>,
     /// The sentence on the output that matters most.
     pub headline: String,

@@ -17,5 +17,5 @@ pub fn study_sentences(result: &StudyResult) -> Vec<String> {
     let answer = answer(result, &NumberWriter::for_page(&result.display_units));
     let verdict = answer.verdict.map(|verdict| verdict_headline(verdict).to_owned());
     let outputs = [answer.headline].into_iter().chain(answer.further).chain(answer.conditions);
-    verdict.into_iter().chain(answer.failed).chain(outputs).chain(answer.caveats).collect()
+    verdict.into_iter().chain(answer.overturns).chain(answer.failed).chain(outputs).chain(answer.caveats).collect()
 }

@@ -56,7 +56,7 @@ pub fn short_study_text(result: &StudyResult) -> String {
         answers_section(result, writer),
         what_narrows(result, writer),
         warnings_section(&answer),
-        // Bounds that a model has learned are no others' equals.
+        // Bounds from a surrogate are weaker than computed ones.
         surrogate_section(result, writer),
         failures_section(result, writer),
         accuracy_section(result, writer).filter(|_| is_accuracy_missed),
@@ -83,7 +83,7 @@ fn answer_section(answer: &StudyAnswer, error: String, details: Vec<String>) -> 
     section
 }
 
-/// What the runs contradict of what the answer takes for granted, but for what stands with the verdict.
+/// What the runs contradict of what the answer takes for granted.
 fn warnings_section(answer: &StudyAnswer) -> Option<Section> {
     let mut section = Section::new("warnings", "Warnings");
     section.push_close(Content::points(answer.caveats.iter().cloned()));

@@ -345,8 +345,9 @@ impl Asked<'_, '_> {
                 if self.stop.load(Ordering::Relaxed) {
                     return Err(AccuracyError::Stopped);
                 }
-                let is_of_loops = matches!(causes[row], Some(Cause::Loops(_)));
-                let Some(deviation_si) = self.found_at(question, row, sign, is_of_loops) else { continue };
+                let Some(deviation_si) = self.found_at(question, row, sign, is_open(row, ends_si, causes)) else {
+                    continue;
+                };
                 if deviation_si.is_finite() && best.is_none_or(|(_, best)| sign * (deviation_si - best) > 0.0) {
                     best = Some((row, deviation_si));
                 }
@@ -373,12 +374,9 @@ impl Asked<'_, '_> {
         };
         let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; self.states.len()], path: None };
         let is_stopped = || self.stop.load(Ordering::Relaxed);
-        // Whatever keeps an end from being proven, play may reach a dead centre there; where joints repeat each other no measure shows it.
-        let is_open =
-            |row: usize| causes[row] != Some(Cause::Redundant) && !ends_si[row].iter().all(|end| end.is_finite());
         let open = NotProven { coordinate: None, reaches_dead_centre: false };
         let mut not_proven: Vec<Option<NotProven>> =
-            (0..ends_si.len()).map(|row| is_open(row).then_some(open)).collect();
+            (0..ends_si.len()).map(|row| is_open(row, ends_si, causes).then_some(open)).collect();
         let found = found_in_both_assemblies(&cycle, output, &mut not_proven, &is_stopped);
         let found = found.ok_or(AccuracyError::Stopped)?;
         Ok([0, 1].map(|side| {
@@ -435,4 +433,10 @@ impl Asked<'_, '_> {
         let from = if question.of.is_value() { nominal } else { 0.0 };
         Some(from + by_parts + by_play)
     }
+}
+
+/// Whether an end at a position is not proven, and a measure of the loops shows how near they are to a dead centre: not where joints repeat
+/// each other. Whatever keeps the end from being proven, play may reach a dead centre there.
+fn is_open(row: usize, ends_si: &[[f64; 2]], causes: &[Option<Cause>]) -> bool {
+    causes[row] != Some(Cause::Redundant) && !ends_si[row].iter().all(|end| end.is_finite())
 }

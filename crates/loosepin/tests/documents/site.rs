@@ -17,7 +17,7 @@ fn read(path: &str) -> String {
 }
 
 /// Folders that are not the project's own.
-const FOREIGN: [&str; 4] = ["node_modules", "results", "target", "target-release"];
+const FOREIGN: [&str; 5] = ["build", "node_modules", "results", "target", "target-release"];
 
 /// Pages outside the site.
 fn pages_in_the_repository_alone() -> Vec<String> {
@@ -35,7 +35,8 @@ fn files_below(folder: &str) -> Vec<String> {
         for entry in fs::read_dir(repository().join(&folder)).expect("a folder") {
             let entry = entry.expect("an entry");
             let path = format!("{folder}/{}", entry.file_name().to_str().expect("a name"));
-            if FOREIGN.iter().any(|folder| entry.file_name() == *folder) {
+            let name = entry.file_name();
+            if name.to_string_lossy().starts_with('.') || FOREIGN.iter().any(|folder| name == *folder) {
                 continue;
             }
             if entry.path().is_dir() {

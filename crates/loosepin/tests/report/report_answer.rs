@@ -2,7 +2,7 @@
 //! they say so when something is missing.
 
 use loosepin::accuracy::record::GuideOverhang;
-use loosepin::report::{motion_page, motion_text, study_page, study_text};
+use loosepin::report::{motion_page, motion_text, study_page, study_sentences, study_text};
 use loosepin::result::ContactShape;
 use loosepin::study::result::{
     AllocationStop, CountedMechanisms, CutBounds, Deviation, FurtherOutput, FurtherTurns, InputDescription, InputKind,
@@ -393,6 +393,10 @@ fn warnings_stand_after_the_answer_on_a_terminal_and_with_the_verdict_on_a_page(
          0.0087 mm). None of these runs left the limit of slider later. 3 of these runs left the limit of slider only in the further turns: over more turns, fewer mechanisms \
          keep it than stated.",
     );
+    // It overturns a verdict: page and short answer have it too.
+    for text in [study_page(&result), study_sentences(&result).join(" ")] {
+        assert!(text.replace('\u{a0}', " ").contains("fewer mechanisms keep it than stated"), "{text}");
+    }
     if let Some(further) = &mut result.further_turns {
         (further.turns, further.runs) = (1, 1);
     }

@@ -30,8 +30,8 @@ pub struct SymmetricEigen {
 }
 
 impl SymmetricEigen {
-    /// λ and v of A v = λ v with |v| = 1 for a symmetric `matrix` (row by row, `order` × `order`), by the cyclic rotations of Jacobi. Entries that
-    /// are no numbers give values that are not.
+    /// λ and v of A v = λ v with |v| = 1 for a symmetric `matrix` (row by row, `order` × `order`), by the cyclic rotations of Jacobi. Entries
+    /// are between 1e-150 and 1e150, or 0; what is not a number gives values that are not.
     ///
     /// Source: G. H. Golub and C. F. Van Loan, "Matrix Computations", 4th edition 2013, section 8.5.
     pub fn new(mut matrix: Vec<f64>, order: usize, precision: Precision) -> Self {

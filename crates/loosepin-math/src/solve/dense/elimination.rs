@@ -38,7 +38,7 @@ pub(super) fn reduce<T: Real, Over: Fn(T) -> T>(
     true
 }
 
-/// Takes `share` of the `count` numbers from the second place on off those from the first one on, which lie behind.
+/// Subtracts `share` × `numbers[of..of + count]` from `numbers[from..from + count]`; `from` lies behind `of + count`.
 #[inline(always)]
 fn take_off<T: Real>(numbers: &mut [T], [from, of]: [usize; 2], count: usize, share: T) {
     let (above, below) = numbers.split_at_mut(from);
@@ -149,7 +149,7 @@ fn product_of_pivots(a: &mut [f64], n: usize, part: impl Fn(f64) -> f64) -> f64 
     if is_regular { product } else { 0.0 }
 }
 
-/// The row of the largest entry of column j, from row j on: of equal ones the last, and of all an entry that is no number.
+/// The row of the largest entry of column j, from row j on: the last of equal ones. What is not a number counts as largest.
 #[inline(always)]
 pub(super) fn largest_in_column(a: &[f64], n: usize, j: usize) -> usize {
     (j..n).max_by(|&i, &k| a[i * n + j].abs().total_cmp(&a[k * n + j].abs())).unwrap_or(j)

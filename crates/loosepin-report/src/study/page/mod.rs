@@ -159,6 +159,7 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         }
         @if let Some(failed) = &answer.failed { p.headline { (failed) } }
         @for requirement in &answer.requirements { p { (requirement) } }
+        @if let Some(overturns) = &answer.overturns { ul.caveats { li { (overturns) } } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
         (further_markup(answer))

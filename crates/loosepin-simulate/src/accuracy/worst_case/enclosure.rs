@@ -39,7 +39,7 @@ pub(in super::super) struct Enclosed {
 /// The loops could not be shown to close in one way over all play.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct NotEnclosed {
-    /// The free coordinate that is known least; `None` where none is known.
+    /// The least certain free coordinate; `None` where it was not determined.
     pub coordinate: Option<usize>,
 }
 

@@ -62,7 +62,7 @@ pub(in super::super) struct CycleWorstCase {
 /// A position at which nothing is proven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) struct NotProven {
-    /// The coordinate that moves most where the loops give way; `None` where none is known, or they are regular and an end stays open all the same.
+    /// The coordinate that moves most where the loops give way; `None` where it was not determined, or they are regular and an end stays open all the same.
     pub coordinate: Option<usize>,
     /// Whether play was found to take the mechanism to a dead centre. The worst case that was found is then that of both assemblies.
     pub reaches_dead_centre: bool,

@@ -42,6 +42,9 @@ mod tests {
                     };
                     let weights = weights_of([cosine, sine]);
                     let turned = PathPart { coordinates: [0, 1], is_along }.turned_weights(slopes, weights);
+                    // Slopes within a small square: their direction turns by less than twice its half width.
+                    let widest = turned.map(|turn| turn.high() - turn.low()).into_iter().fold(0.0, f64::max);
+                    assert!(half_width > 0.2 || widest < 5.0 * half_width, "{direction} {half_width}: {widest}");
                     for place in 0..121 {
                         let shares = [place % 11, place / 11].map(|share| f64::from(share) / 5.0 - 1.0);
                         let slope = [cosine + shares[0] * half_width, sine + shares[1] * half_width];

@@ -10,7 +10,7 @@
 //! Written are flat columns of doubles, which may be missing, of counts and of texts, without compression: pages of the first version,
 //! one for each column of a row group. Read is that, and what earlier versions of the program wrote through the crate `parquet`: several
 //! pages, the first of them by a dictionary. All else is refused. Memory is asked for by what is there: lengths are compared with
-//! the bytes of the file, the metadata has a most of values, and the rows a most of bytes.
+//! the bytes of the file, metadata have a maximum number of values, rows one of bytes.
 
 mod bits;
 mod cursor;
