@@ -44,8 +44,9 @@ impl SpatialModel {
             |(body, before): (usize, &Pose)| others.iter().any(|now| is_moved(before, &now.poses[body], size_m));
         let mut moved: Vec<bool> = first.poses.iter().enumerate().map(moves).collect();
         // What can move alone is not held still, where anything else moves.
-        let is_any = moved.contains(&true);
-        freedoms.idle.iter().filter(|_| is_any).flat_map(|idle| &idle.bodies).for_each(|body| moved[*body] = true);
+        if moved.contains(&true) {
+            freedoms.idle.iter().flat_map(|idle| &idle.bodies).for_each(|body| moved[*body] = true);
+        }
         Some(moved)
     }
 }

@@ -41,6 +41,7 @@ impl Cholesky {
     /// least the number in `least`, positive, for its row. Where none is below, the bits are those of [`Self::new`].
     pub fn with_raised_pivots(matrix: &[f64], least: &[f64]) -> Self {
         let order = least.len();
+        debug_assert_eq!(matrix.len(), order * order);
         let mut raised = Self::default();
         for (row, (entries, least)) in matrix.chunks(order.max(1)).zip(least).enumerate() {
             raised.append(&entries[..row], entries[row], |rest| Some(rest.max(*least)));

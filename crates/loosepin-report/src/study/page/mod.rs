@@ -148,9 +148,8 @@ fn further_markup(answer: &StudyAnswer) -> Markup {
 }
 
 fn answer_markup(answer: &StudyAnswer) -> Markup {
-    let caveats = html! {
-        @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
-    };
+    let all: Vec<&String> = answer.overturns.iter().chain(&answer.caveats).collect();
+    let caveats = html! { @if !all.is_empty() { ul.caveats { @for caveat in all { li { (caveat) } } } } };
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {
@@ -159,7 +158,6 @@ fn answer_markup(answer: &StudyAnswer) -> Markup {
         }
         @if let Some(failed) = &answer.failed { p.headline { (failed) } }
         @for requirement in &answer.requirements { p { (requirement) } }
-        @if let Some(overturns) = &answer.overturns { ul.caveats { li { (overturns) } } }
         @if answer.verdict.is_some() { (caveats) }
         p.headline { (answer.headline) }
         (further_markup(answer))
